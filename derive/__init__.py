@@ -1,12 +1,11 @@
 """Compiler from definitions to source text: SymPy derives, simplifies and approximates, and `generated` is written.
 
-Nothing here is imported at run time. A claim that does not hold raises a `ProofError` with the claim, the computed and
-the required value, and stops the run; docstrings do not repeat this. The folders, each of which imports only those
-above it:
+Nothing here is imported at run time. A false claim raises a `ProofError` with the claim, the computed and the required
+value, and stops the run; docstrings do not repeat this. Each folder imports only folders above it:
 
 ===============  ======================================================================================================
 ``progress``     how much of a long task is done
-``stages``       records of stages: what is unchanged does not run again
+``stages``       records of stages: unchanged stages do not run again
 ``check``        the error bound of each kernel, proved from its certificate alone
 ``declare``      the quantities to derive and the effects that a scene may contain, as data
 ``algebra``      definition -> closed form; balance laws -> motion; each step proved
@@ -14,7 +13,7 @@ above it:
 ``approximate``  closed form -> best polynomials and rationals -> the kernels' programs for each tier of accuracy
 ``flow``         effects, laws and the balance -> operations on Taylor series; the integrator's text -> C and NumPy
 ``generate``     the functions of `generated`, each with its program, domain and docstring -> its files
-``judge``        what the paper claims, compared with what follows from its definitions; the hard cases
+``judge``        claims of the paper, compared with results of its definitions; the hard cases
 ``build``        C source -> extension module, here and at install time
 ``guards``       faults of declarations, before anything is derived
 ===============  ======================================================================================================
@@ -23,27 +22,28 @@ How to add a friction law, an effect or a moment
 ------------------------------------------------
 1. Declare it, as in the examples below. Each declaration is one entry of a tuple; its fields are explained in the
    docstring of its class.
-2. Run ``python -m derive``. It looks for faults of the declaration, proves it, imports what follows in a process of its
-   own, writes `generated` and compiles it; or it stops with one line and exit status 1, and `generated` is unchanged.
+2. Run ``python -m derive``. It looks for faults of the declaration, proves it, imports the new modules in a separate
+   process, writes `generated` and compiles it; or it stops with one line and exit status 1, and `generated` is
+   unchanged.
 3. Use it: laws and effects are then in scene files, ``slipcircle plan``, ``slipcircle schema`` and the Python API; a
    moment is a function of `generated`.
-4. Test it: a test of `tests/test_extending.py` follows the examples to the letter and shows what to compare with.
+4. Test it: a test of `tests/test_extending.py` follows the examples to the letter and shows suitable comparisons.
 
 A friction law has a formula for the coefficient in `SLIP` or `SPEED` and the parameters of the law, each by a symbol of
-its name: here those of softening laws. Slip and speed must stand over a parameter in their unit, and the coefficient
-may nowhere be negative. Its functions are sums, products, powers, exp, log, sin, cos and tanh, and min and max that
-change branch at a parameter. The decrease of friction between two slips is derived from it, without cancellation.
-At the end of ``LAWS`` in ``derive/declare/effects.py``::
+its name: here the parameters of softening laws. Slip and speed must be divided by a parameter in their unit, and the
+coefficient may nowhere be negative. Its functions are sums, products, powers, exp, log, sin, cos and tanh, and min and
+max that change branch at a parameter. The decrease of friction between two slips is derived from it, without
+cancellation. At the end of ``LAWS`` in ``derive/declare/effects.py``::
 
     Law("inverse_square", "residual + (peak - residual)/(1 + slip/length)^2", _SOFTENING,
         coefficient=_R + (_P - _R) / (1 + SLIP / _L) ** 2),
 
 A scene file then says ``law = "inverse_square"`` in its table ``[friction]``.
 
-An effect, with what it adds to the balance of momentum (3.11) and with its parameters: a ``pressure`` adds to the
-pore pressure, a ``resistance`` opposes the motion (the other terms: `effects.Effect`). A parameter has a name and unit,
-help, its key in scene files, which ends in the unit, the symbol that stands for it in the balance, and what makes it
-dimensionless: a formula in VALUE, ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, THETA, STRENGTH (by which a strength is
+An effect, with its contributions to the balance of momentum (3.11) and its parameters: a ``pressure`` adds to the pore
+pressure, a ``resistance`` opposes the motion (the other terms: `effects.Effect`). A parameter has a name and unit,
+help, its key in scene files, which ends in the unit, its symbol in the balance, and its conversion to a dimensionless
+number: a formula in VALUE, ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, THETA, STRENGTH (by which a strength is
 multiplied) and the effect's other parameters. It is at least 0 unless ``lower`` and ``upper`` are given; with
 ``lower=0.0`` it is above 0. At the end of ``EFFECTS`` in ``derive/declare/effects.py``::
 
@@ -65,7 +65,7 @@ shapes of its approximants (about a minute) and records them. A weight with sin(
 symbol for its amplitude too; the moment itself is then a function of both ends. Weights other than r**n,
 +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused.
 
-An ``equation`` is the number of one in the paper; what is not there has a ``source`` or none.
+An ``equation`` is a number in the paper; a declaration without it has a ``source`` or none.
 
 The tests solve each effect a second time without the code derived here: its term belongs in
 ``tests/support/taylor.py`` too.

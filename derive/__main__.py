@@ -27,9 +27,20 @@ from derive.stages import Stages
 
 
 def declare(stages: Stages) -> None:
-    """Look for faults of the declarations; one that Python finds is a `ProofError` with its place."""
+    """Check the declarations, together and each alone; a fault that Python finds is a `ProofError` with its place."""
+
+    def check() -> int:
+        from derive.declare import effects, quantities
+
+        alone = (*effects.LAWS, *effects.ALL_EFFECTS)
+        every = (*alone, *quantities.MOMENTS)
+        stages.run("all declarations", "declare", "derive.guards:check", every, shown="")
+        for e in alone:
+            stages.run(e.name, "declare", "derive.guards:check_alone", e, shown="")
+        return len(every)
+
     try:
-        stages.run("declarations", "declare", "derive.guards:check", shown="{} laws, effects and moments")
+        stages.line("declarations", "declare", check, "{} laws, effects and moments")
     except (ProofError, KeyboardInterrupt):
         raise
     except Exception as error:
@@ -126,7 +137,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call or a missing package",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
-    parser.add_argument("--again", action="store_true", help="prove everything again, whatever the records say")
+    parser.add_argument("--again", action="store_true", help="prove everything again, in spite of the records")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
     for name, (words, forms) in COMMANDS.items():
         command = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")

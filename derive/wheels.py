@@ -20,7 +20,7 @@ from derive.build import FLAGS, FOLDER, MODULES, NoBinaryError, make, parts
 
 ROOT = FOLDER.parent
 HERE = Path(__file__).parent
-# Platforms, as wheels are tagged, and what Zig calls them; `any` has no binary.
+# Tags of platforms, and their names for Zig; `any` has no binary.
 TARGETS = {
     "manylinux_2_17_x86_64.manylinux2014_x86_64": "x86_64-linux-gnu.2.17",
     "manylinux_2_17_aarch64.manylinux2014_aarch64": "aarch64-linux-gnu.2.17",
@@ -31,14 +31,14 @@ TARGETS = {
     "any": "",
 }
 ZIG = (sys.executable, "-m", "ziglang")
-# Its unrolled loops are a sixth larger, vectors for what a loop leaves over a hundredth; both are no faster.
+# Its unrolled loops are a sixth larger, vectors for the remainder of a loop a hundredth, and neither is faster.
 ZIG_FLAGS = {"_kernels": ("-fno-unroll-loops", "-mllvm", "-enable-epilogue-vectorization=false"), "_flow": ()}
 # The library that Zig adds to a binary for Windows has 30 kB, of which two functions are needed; Windows has the other.
 WINDOWS = ("-nostdlib", "-lc", str(HERE / "stack.s"))
 WINDOWS_NAMES = ("-D__isnan=_isnan", "-fno-builtin-cos")  # or a sine beside a cosine becomes `sincos`, which it lacks
 LARGEST = 1.3e6  # bytes of a wheel
 STABLE = ("-DPy_LIMITED_API=0x030b0000", "-DNDEBUG", "-g0")
-# NumPy's sizes are those of this machine: of what our source uses only these differ elsewhere.
+# NumPy's headers contain the sizes of this machine; of the sizes in our source only these differ elsewhere.
 SIZES = """
 #undef NPY_HAVE_ENDIAN_H
 #ifdef _WIN32

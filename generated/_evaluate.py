@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cbfdb3353d305f3cf8cb745d4bf446f4ad6bb159d0d31122aa84a62aaa712742
+# sha256 of the text below: 331101e37c2bda783d64383cf4dcaaca5ca89d097abb151c6758752abcd898a4
 """Calls of generated functions: types, broadcasting, domain, `out` and `where`, as in NumPy's ufuncs."""
 
 import warnings
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Out = NDArray[Any] | None  # where a result goes
+HALF_PI = np.pi / 2
 BLOCK = 8192  # elements whose intermediate values stay in the cache
 
 
@@ -72,17 +73,16 @@ def evaluate(
     body: Callable[..., Array],
     inside: Callable[..., Any],
     safe: tuple[float, ...],
-    args: tuple[Any, ...],
+    items: Sequence[Any],
+    kind: np.dtype[Any],
     out: Out,
     where: Any,
 ) -> Any:
-    """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.
+    """Compute the text of a named function in float64, block by block, and return it in a floating type.
 
-    ``inside(eps, *args)`` is true in the domain, eps that of the arguments' type; ``safe``, a point of it, replaces
-    arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them; ``name``
-    is that of the function.
+    ``inside(eps, *args)`` is true in the domain, with the eps of this type; ``safe``, a point of it, replaces arguments
+    outside. `items`, `kind` are the results of `real`, `out` and `where` as in NumPy's ufuncs.
     """
-    items, kind = real(name, args)
     eps = float(np.finfo(kind).eps)
     arrays = [np.asarray(x) for x in (*items, np.asarray(where, dtype=bool))]
     result = np.empty(np.broadcast_shapes(*(x.shape for x in arrays)), kind)
@@ -132,7 +132,10 @@ def _block(
     whole = bool(np.all(use))
     if not whole:
         values = [np.where(use, x, s) for x, s in zip(values, safe, strict=True)]
-    with np.errstate(under="ignore"):  # a result that underflows is correctly rounded, or nearly so
+    if len(values) == 1:  # slightly above pi/2 the kernels are computed at pi/2
+        values = [np.minimum(HALF_PI, values[0])]
+    # Underflow is rounded correctly, or nearly so; the limit friction of an arc without load is infinite.
+    with np.errstate(divide="ignore", over="ignore", under="ignore"):
         result[...] = body(*values)
     if not whole:
         np.copyto(result, np.nan, where=~use)

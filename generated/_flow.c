@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "104c931c71497437b8a6c24f70ef1e54f0030f23be58b942abfe27d325a3586d"
+#define DIGEST "85ef0cd9803122d8a8b9006b2553d03e2d994df4572fa304791aa28f06a5f69b"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -779,7 +779,6 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
     { if (n == 0) rates_##k(own, r, c, 0, by_n); else rates_##k(own, r, c, n, by_n); } \
     static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
-/* tim 0; turn 2 0; sqr 1; lin 3 4 5 | lin 3 4 5; lin 3 4 */
 INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -793,7 +792,6 @@ INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(31, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(0)
-/* tim 0; turn 2 0; powers 0; sqr 1; lin 0 3 4 5 6 7 8 9 10 11 | lin 0 3 4 5 6 7 8 9 10 11; lin 3 4 */
 INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -808,7 +806,6 @@ INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(1)
-/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; sqr 1; lin 3 4 5 6 7 8 | lin 3 4 5 6 7 8; lin 3 4 */
 INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -825,7 +822,6 @@ INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(2)
-/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; sqr 1; lin 3 4 5 6 7 8 9 10 11 | lin 3 4 5 6 7 8 9 10 11; lin 3 4 */
 INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -845,7 +841,6 @@ INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(3)
-/* tim 0; turn 2 0; lin 0; tim 5; exp 6 5; lin 8; sqr 1; lin 3 4 10; mul 9 11; lin 3 4 9 11 12 | lin 11; lin 3 4 */
 INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -865,7 +860,6 @@ INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(4)
-/* tim 0; turn 2 0; lin 0; tim 5; exp 6 5; lin 8; powers 0; sqr 1; lin 0 3 4 10 11 12 13 14 15 16; mul 9 17; lin 3 4 9 17 18 | lin 17; lin 3 4 */
 INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -886,7 +880,6 @@ INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(5)
-/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; lin 0; tim 8; exp 9 8; lin 11; sqr 1; lin 3 4 5 6 7 13; mul 12 14; lin 3 4 5 6 7 12 14 15 | lin 14; lin 3 4 */
 INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -909,7 +902,6 @@ INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(6)
-/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; lin 0; tim 11; exp 12 11; lin 14; sqr 1; lin 3 4 5 6 7 8 9 10 16; mul 15 17; lin 3 4 5 6 7 8 9 10 15 17 18 | lin 17; lin 3 4 */
 INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -935,7 +927,6 @@ INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(7)
-/* tim 0; turn 2 0; lin 1; rec 5; lin 7; sqr 1; lin 3 4 9; mul 8 10; lin 3 4 8 10 11 | lin 10; lin 3 4 */
 INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -954,7 +945,6 @@ INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(61, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(8)
-/* tim 0; turn 2 0; lin 1; rec 5; lin 7; powers 0; sqr 1; lin 0 3 4 9 10 11 12 13 14 15; mul 8 16; lin 3 4 8 16 17 | lin 16; lin 3 4 */
 INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -974,7 +964,6 @@ INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(9)
-/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; lin 1; rec 8; lin 10; sqr 1; lin 3 4 5 6 7 12; mul 11 13; lin 3 4 5 6 7 11 13 14 | lin 13; lin 3 4 */
 INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -996,7 +985,6 @@ INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(10)
-/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; lin 1; rec 11; lin 13; sqr 1; lin 3 4 5 6 7 8 9 10 15; mul 14 16; lin 3 4 5 6 7 8 9 10 14 16 17 | lin 16; lin 3 4 */
 INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1736,8 +1724,8 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Compute the series of all registers, where states have one order more than rates, and return the highest order.
- * If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+/* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
+ * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
  * negligible there. At rest the states are constant, and the net moment decides. Each lane's order is
  * `series_order`, and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest)
@@ -2164,7 +2152,7 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an end.
+/* Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
  * ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began. */
 INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
 {
@@ -2698,9 +2686,8 @@ static V peak_of_swing(V *e, V end, M which)
     return x;
 }
 
-/* Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
- * turn. A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is
- * there. */
+/* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
+ * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
 INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
     V sine_end = sine * (f[0] - f[3]);
@@ -2781,20 +2768,25 @@ static void finish(Batch *b, M here, V *e, V end, V duration)
     }
 }
 
-/* Complete phases in the closed form where it applies, and return these lanes. */
+/* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
 static M swing(Batch *b, M which)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
+    M fits = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
+    if (!bits(fits)) {
+        return fits;
+    }
     V e[STRIDE];
     V back[STRIDE];
     V f[STRIDE];
     V q = (-2.0) * c[job->role->net_square];
     factors(e, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q);
-    V end = end_of_swing(e, c[job->role->net_sine], which);
+    V end = end_of_swing(e, c[job->role->net_sine], fits);
     functions(f, minimum(end, broadcast(FARTHEST)), q);
     mirror(back, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q, f);
-    M fits = which & (end < FARTHEST) & (back[0] > 0.0);
+    fits = fits & (end < FARTHEST) & (back[0] > 0.0);
     fits = fits & (q >= 0.0) & ((q * end) < FADED);
     fits = fits & (c[job->role->normal_square] >= 0.0);
     fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
@@ -2808,19 +2800,6 @@ static M swing(Batch *b, M which)
         }
     }
     return fits;
-}
-
-/* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
-static M leap(Batch *b, M which)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
-    M begins = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
-    if (bits(begins)) {
-        begins = swing(b, begins);
-    }
-    return begins;
 }
 
 /* Find the time at which contact is lost or regained, within the known time ahead. */
@@ -2989,7 +2968,7 @@ static void advance(Batch *b, M here)
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
     if ((job->role->net_sine >= 0) && !(job->samples > 0)) {
-        moving = moving & ~leap(b, moving);
+        moving = moving & ~swing(b, moving);
     }
     if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {
         make_step(b, moving);
@@ -3021,7 +3000,10 @@ static int load_neighbours(Batch *b, int64_t first)
     if (b->held || job->end - first < LANES) return 0;
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
     const double *from = job->all + first;
-    for (int i = 0; i < job->made; i++, from += job->count) memcpy(b->c + i, from, sizeof(V));
+    for (int i = 0; i < job->made; i++, from += job->count) {
+        memcpy(b->c + i, from, sizeof(V));
+        __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
+    }
     for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
     b->held = ALL;
     return 1;

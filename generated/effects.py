@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 27dc34aaeb5039f17a8f5ad1276bb1a99de5d5d85896c3c6fd0977c62dcdb40a
+# sha256 of the text below: 3a886e5d1e008e1d27c8e838631804138f60b97409c2d983ebcd23b0b28c939d
 """Effects and friction laws of scenes."""
 
 from collections.abc import Callable, Mapping
@@ -329,9 +329,9 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             lambda value, scales: value, True, 'rotation'),
         Parameter('normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'layered_normal_slope',
             lambda value, scales: value, True, 'rotation'),
-        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+        Parameter('inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity', '', 1.0,
             'layered_inertia', lambda value, scales: value, True, 'rotation'),
-        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0, 'layered_lift', lambda value,
+        Parameter('lift', '', -INFINITY, INFINITY, 'its decrease by water', '', 1.0, 'layered_lift', lambda value,
             scales: value, True, 'rotation'),
         Parameter('remaining', '', -INFINITY, INFINITY,
             'excess of the friction that slip leaves, of strength with the mass', '', 1.0, 'remaining', lambda value,
@@ -342,11 +342,11 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             'layered_remaining', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('remaining_normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0,
             'layered_remaining_slope', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
-        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
+        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity',
             '', 1.0, 'layered_remaining_inertia', lambda value, scales: scales['strength_factor']*value, True,
             'rotation'),
-        Parameter('remaining_lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0,
-            'layered_remaining_lift', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
+        Parameter('remaining_lift', '', -INFINITY, INFINITY, 'its decrease by water', '', 1.0, 'layered_remaining_lift',
+            lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
             lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
     ), (), 'each soil along the arc has its strength, with the normal stress from the weight above it (2.23)', False,
@@ -366,9 +366,9 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             1.0, 'soil_turning', lambda value, scales: value, True, 'number'),
         Parameter('slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'soil_slope', lambda value,
             scales: value, True, 'number'),
-        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+        Parameter('inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity', '', 1.0,
             'soil_inertia', lambda value, scales: value, True, 'number'),
-        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from the normal force', '', 1.0, 'soil_lift',
+        Parameter('lift', '', -INFINITY, INFINITY, 'decrease of the normal force by water', '', 1.0, 'soil_lift',
             lambda value, scales: value, True, 'rotation'),
     ), (), 'a soil has a friction law of its own, and its part of the normal force; strength moves with the mass',
         False, (), ('adds Theta soil_lift soil_mu/(lambda slip_mu) to u',

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4fafeb24117bb9127d4b707cab7218287a72947510aafd5c6b5242dd24c6ccad
+# sha256 of the text below: 1a7ea43a016984d310818204cf8cfb329f2e381df96ec363b6e79d6c239f9d4a
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -103,6 +103,7 @@ def none_of(s: Lanes) -> Mask:
 
 
 def all_lanes(mask: Mask) -> bool:
+    """Return whether a mask is true for all lanes."""
     return bool(np.all(mask))
 
 
@@ -117,6 +118,7 @@ def least(x: Floats) -> int:
 
 
 def integer(x: Floats) -> Index:
+    """Return whole numbers as integers."""
     return np.asarray(x, dtype=np.intp)
 
 
@@ -742,8 +744,7 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
 
 
 def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
-    """Compute the series of all registers, where states have one order more than rates, and return the highest
-    order."""
+    """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
@@ -1187,8 +1188,7 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
 
 def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, by_drive: Floats,
         by_load: Floats) -> Mask:
-    """Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an
-    end."""
+    """Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends."""
     c = lane.cells
     after = c[lane.roles.drive, i] + by_drive
     lowest = np.where(net < after, net, after)
@@ -1701,8 +1701,7 @@ def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
 
 
 def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
-    """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
-    turn."""
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
     sine_end = sine * (f[0] - f[3])
     at_end = start + (sine_end + vers * f[2])
     cosine = 1.0 - f[2]
@@ -1775,17 +1774,21 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> No
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
-    """Complete phases in the closed form where it applies, and return these lanes."""
+    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
     c = s.cells
+    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
+    fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    if not np.any(fits):
+        return fits
     e = np.zeros_like(s.registers[0])
     back = np.zeros_like(s.registers[0])
     f = np.zeros_like(s.registers[0])
     q = -2.0 * c[s.roles.net_square]
     factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
-    end = end_of_swing(e, c[s.roles.net_sine], which)
+    end = end_of_swing(e, c[s.roles.net_sine], fits)
     functions(f, np.minimum(end, FARTHEST), q)
     mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, f)
-    fits = which & (end < FARTHEST) & (back[0] > 0.0)
+    fits = fits & (end < FARTHEST) & (back[0] > 0.0)
     fits = fits & (q >= 0.0) & (q * end < FADED)
     fits = fits & (c[s.roles.normal_square] >= 0.0)
     fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
@@ -1796,16 +1799,6 @@ def swing(s: Lanes, which: Mask) -> Mask:
         if np.any(fits):
             finish(s, fits, e, end, duration)
     return fits
-
-
-def leap(s: Lanes, which: Mask) -> Mask:
-    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
-    c = s.cells
-    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
-    begins = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
-    if np.any(begins):
-        begins = swing(s, begins)
-    return begins
 
 
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
@@ -1970,7 +1963,7 @@ def advance(s: Lanes, here: Mask) -> None:
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
     if s.roles.net_sine >= 0 and (not s.samples):
-        moving = moving & np.logical_not(leap(s, moving))
+        moving = moving & np.logical_not(swing(s, moving))
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)
     if np.count_nonzero(resting) > np.count_nonzero(moving):

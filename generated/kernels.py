@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cdbf189869454570f4057e88c98c6414067ab8543faa12053f108659ef8d4212
+# sha256 of the text below: 162615408b0d8956d5e72db95c5344f2a58037c923b90a2477ed9dd764a8c03e
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -186,7 +186,7 @@ _call_polar_moment = kernel("polar_moment", TEXTS["polar_moment"])
 
 
 def polar_moment(alpha, out=None, *, where=True, accuracy=None):
-    """I_p*: polar surface moment of inertia of the moving mass, dimensionless.
+    """Return I_p*, the polar surface moment of inertia of the moving mass, dimensionless.
 
     I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3
 
@@ -273,7 +273,7 @@ _call_moment_of_inertia = kernel("moment_of_inertia", TEXTS["moment_of_inertia"]
 
 
 def moment_of_inertia(alpha, out=None, *, where=True, accuracy=None):
-    """Theta*: moment of inertia of the moving mass about the centre, dimensionless.
+    """Return Theta*, the moment of inertia of the moving mass about the centre, dimensionless.
 
     Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24
 
@@ -379,7 +379,7 @@ _call_radial_weight_amplitude = kernel("radial_weight_amplitude", TEXTS["radial_
 
 
 def radial_weight_amplitude(alpha, out=None, *, where=True, accuracy=None):
-    """C_r: weight of the moving mass along the radius, dimensionless.
+    """Return C_r, the weight of the moving mass along the radius, dimensionless.
 
     C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha))
 
@@ -464,7 +464,7 @@ _call_weight_moment_amplitude = kernel("weight_moment_amplitude", TEXTS["weight_
 
 
 def weight_moment_amplitude(alpha, out=None, *, where=True, accuracy=None):
-    """C_theta: moment of the weight about the centre, dimensionless.
+    """Return C_theta, the moment of the weight about the centre, dimensionless.
 
     C_theta = 2*sin(alpha)**3/3
 
@@ -539,7 +539,7 @@ _call_resistance_factor = kernel("resistance_factor", TEXTS["resistance_factor"]
 
 
 def resistance_factor(alpha, out=None, *, where=True, accuracy=None):
-    """lambda: lever of the resistance, arc length times depth, dimensionless.
+    """Return lambda, the lever of the resistance, arc length times depth, dimensionless.
 
     lambda = 2*alpha*(1 - cos(alpha))
 
@@ -607,7 +607,7 @@ _call_dynamic_coefficient = kernel("dynamic_coefficient", TEXTS["dynamic_coeffic
 
 
 def dynamic_coefficient(alpha, out=None, *, where=True, accuracy=None):
-    """A: coefficient of the square of the angular velocity in the mean normal stress (2.20), dimensionless.
+    """Return A, the coefficient of omega*^2 in the mean normal stress (2.20), dimensionless.
 
     A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish.
 
@@ -673,7 +673,7 @@ _call_weight_moment_per_inertia = kernel("weight_moment_per_inertia", TEXTS["wei
 
 
 def weight_moment_per_inertia(alpha, out=None, *, where=True, accuracy=None):
-    """C_theta/Theta*: drive of gravity in the equation of motion, dimensionless.
+    """Return C_theta/Theta*, the drive of gravity in the equation of motion, dimensionless.
 
     C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both
     vanish.
@@ -747,7 +747,7 @@ _call_radial_weight_per_inertia = kernel("radial_weight_per_inertia", TEXTS["rad
 
 
 def radial_weight_per_inertia(alpha, out=None, *, where=True, accuracy=None):
-    """C_r/Theta*: brake of static friction in the equation of motion, dimensionless.
+    """Return C_r/Theta*, the brake of static friction in the equation of motion, dimensionless.
 
     C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish.
 
@@ -817,7 +817,7 @@ _call_polar_moment_per_inertia = kernel("polar_moment_per_inertia", TEXTS["polar
 
 
 def polar_moment_per_inertia(alpha, out=None, *, where=True, accuracy=None):
-    """I_p*/Theta*: brake of centripetal friction in the equation of motion, dimensionless.
+    """Return I_p*/Theta*, the brake of centripetal friction in the equation of motion, dimensionless.
 
     I_p*/Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish.
 
@@ -890,7 +890,7 @@ _call_weight_moment_per_radial_weight = kernel("weight_moment_per_radial_weight"
 
 
 def weight_moment_per_radial_weight(alpha, out=None, *, where=True, accuracy=None):
-    """C_theta/C_r: limit friction over tan(psi), dimensionless.
+    """Return C_theta/C_r, the limit friction over tan(psi), dimensionless.
 
     C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
     vanish.
@@ -975,7 +975,7 @@ _call_radial_weight = kernel("radial_weight", TEXTS["radial_weight"], both_ends=
 
 
 def radial_weight(theta_1, theta_2, out=None, *, where=True, accuracy=None):
-    """J_r: weight of the moving mass along the radius, dimensionless.
+    """Return J_r, the weight of the moving mass along the radius, dimensionless.
 
     J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.
 
@@ -1062,7 +1062,7 @@ _call_weight_moment = kernel("weight_moment", TEXTS["weight_moment"], both_ends=
 
 
 def weight_moment(theta_1, theta_2, out=None, *, where=True, accuracy=None):
-    """J_theta: moment of the weight about the centre, dimensionless.
+    """Return J_theta, the moment of the weight about the centre, dimensionless.
 
     J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.
 
@@ -1131,7 +1131,7 @@ _call_limit_friction = kernel("limit_friction", TEXTS["limit_friction"], both_en
 
 
 def limit_friction(theta_1, theta_2, out=None, *, where=True, accuracy=None):
-    """mu_eq: friction coefficient at limit equilibrium.
+    """Return mu_eq, the friction coefficient at limit equilibrium.
 
     mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6c4517379fcb8b4a359e14ccc9a653d17298827093f3d68a5ca484fa956e0675
+# sha256 of the text below: a65f81b5a75ab3a35e4d7f649c32494d2ec242e3a641717965cad66fc21995e0
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "104c931c71497437b8a6c24f70ef1e54f0030f23be58b942abfe27d325a3586d"  # of the compiled integrator's source
+DIGEST = "85ef0cd9803122d8a8b9006b2553d03e2d994df4572fa304791aa28f06a5f69b"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -57,7 +57,7 @@ def _over(a: Floats, b: Floats, n: int, first: int, last: int) -> Any:
 
 
 def _mul(r: Floats, c: Floats, n: int, d_: int, a_: int, b_: int) -> None:
-    """d = a*b."""
+    """Compute d = a*b."""
     d, a, b = r[d_], r[a_], r[b_]
     if n == 0:
         d[0] = a[0] * b[0]
@@ -67,7 +67,7 @@ def _mul(r: Floats, c: Floats, n: int, d_: int, a_: int, b_: int) -> None:
 
 
 def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
-    """d = a**2."""
+    """Compute d = a**2."""
     d, a = r[d_], r[a_]
     if n == 0:
         d[0] = a[0] * a[0]
@@ -78,7 +78,7 @@ def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
 
 
 def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int, p6_: int, p7_: int, x_: int) -> None:
-    """p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7."""
+    """Compute p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7."""
     p2, p3, p4, p5, p6, p7, x = r[p2_], r[p3_], r[p4_], r[p5_], r[p6_], r[p7_], r[x_]
     if n == 0:
         t1 = x[0] * x[0]
@@ -106,7 +106,7 @@ def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int
 
 
 def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
-    """q = t*Derivative(a, t)."""
+    """Compute q = t*Derivative(a, t)."""
     q, a = r[q_], r[a_]
     if n == 0:
         q[0] = 0.0
@@ -115,7 +115,7 @@ def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
 
 
 def _turn(r: Floats, c: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> None:
-    """s = sin(x), v = 1 - cos(x)."""
+    """Compute s = sin(x), v = 1 - cos(x)."""
     s, v, q, x = r[s_], r[v_], r[q_], r[x_]
     if n == 0:
         t1 = np.sin(0.5 * x[0])
@@ -129,7 +129,7 @@ def _turn(r: Floats, c: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> N
 
 
 def _exp(r: Floats, c: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
-    """e = exp(z), m = exp(z) - 1."""
+    """Compute e = exp(z), m = exp(z) - 1."""
     e, m, q, z = r[e_], r[m_], r[q_], r[z_]
     if n == 0:
         e[0] = np.exp(z[0])
@@ -141,7 +141,7 @@ def _exp(r: Floats, c: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> No
 
 
 def _rec(r: Floats, c: Floats, n: int, h_: int, m_: int, z_: int) -> None:
-    """h = 1/(z + 1), m = -1 + 1/(z + 1)."""
+    """Compute h = 1/(z + 1), m = -1 + 1/(z + 1)."""
     h, m, z = r[h_], r[m_], r[z_]
     if n == 0:
         t1 = 1.0 + z[0]
@@ -154,7 +154,7 @@ def _rec(r: Floats, c: Floats, n: int, h_: int, m_: int, z_: int) -> None:
 
 
 def _log(r: Floats, c: Floats, n: int, l_: int, z_: int) -> None:
-    """l = log(z + 1)."""
+    """Compute l = log(z + 1)."""
     l, z = r[l_], r[z_]
     if n == 0:
         l[0] = np.log1p(z[0])
@@ -165,7 +165,7 @@ def _log(r: Floats, c: Floats, n: int, l_: int, z_: int) -> None:
 
 
 def _pow(r: Floats, c: Floats, n: int, p_: int, m_: int, z_: int, power_: int) -> None:
-    """p = (z + 1)**power, m = (z + 1)**power - 1."""
+    """Compute p = (z + 1)**power, m = (z + 1)**power - 1."""
     p, m, z = r[p_], r[m_], r[z_]
     power = c[power_]
     if n == 0:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ebb2c710bd2ab0daa5a2060025c355a7798dec7e82d6b4e6c7ca958d68616444
+# sha256 of the text below: 40e49a2353671207b16580dfd675e99bd0a2a6232bd6979ba9b44c25915b8346
 """The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."""
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ REACH, NODES = 0.25, 10
 
 
 def closed(x: Any, y: Any, e_x: Any, e_y: Any, angle: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
-    """Integrals over the ring between an edge and the arc under it: sector minus triangle.
+    """Return the integrals over the ring between an edge and the arc under it: sector minus triangle.
 
     Of r dr dtheta, then of its products with r and r^2, with (cos, sin)(theta), and with r (cos, sin)(theta).
 
@@ -53,7 +53,7 @@ def closed(x: Any, y: Any, e_x: Any, e_y: Any, angle: Any) -> tuple[Any, Any, An
     Notes
     -----
     Accurate where the edge is longer than 1/4 (r1 + r2); `rings` elsewhere.
-    Operations: 53 mul, 17 add, 16 sub, 25 div, 1 min, 1 arctanh, 3 sqrt. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -94,8 +94,7 @@ def closed(x: Any, y: Any, e_x: Any, e_y: Any, angle: Any) -> tuple[Any, Any, An
 
 
 def rings(g: Any) -> tuple[Any, Any, Any, Any, Any]:
-    """Increments of the integrals over a ring along its edge, divided by P1 x e, for quadrature over s from 0 to
-    1.
+    """Return the integrands, over s from 0 to 1 along an edge, of the integrals over a ring; divided by P1 x e.
 
     (1 - rho^n)/(n rho^2) for n = 2, 3, 4, then (1 - rho^n)/(n rho^3) for n = 2, 3, to be times the point itself.
 
@@ -113,7 +112,7 @@ def rings(g: Any) -> tuple[Any, Any, Any, Any, Any]:
     -----
     With g = (1-s) g1 + s g2 + s (1-s) d^2 and Gauss' rule of 10 nodes: accurate however thin the ring, where the
     edge is at most 1/4 (r1 + r2) long.
-    Operations: 10 mul, 2 add, 3 sub, 5 div, 1 sqrt. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -131,7 +130,7 @@ def rings(g: Any) -> tuple[Any, Any, Any, Any, Any]:
 
 
 def head(angle: Any, sine: Any, cosine: Any, height: Any, slope: Any) -> Any:
-    """Integral of the height of a line above the arc, from a point of the arc over an angle.
+    """Return the integral of the height of a line above the arc, from a point of the arc over an angle.
 
     height a + (slope cos - sin) (1 - cos(a)) - (slope sin + cos) (a - sin(a)), a the angle, sin and cos the
     point's.
@@ -157,7 +156,7 @@ def head(angle: Any, sine: Any, cosine: Any, height: Any, slope: Any) -> Any:
     Notes
     -----
     Over at most pi; accurate however near the line and however steep.
-    Operations: 24 mul, 15 add, 1 sub, 1 sin. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -176,7 +175,7 @@ def head(angle: Any, sine: Any, cosine: Any, height: Any, slope: Any) -> Any:
 
 
 def drive(sine: Any, cosine: Any, height: Any, k_h: Any) -> Any:
-    """Driving moment of the slices about the centre, over dbeta and gamma R^3.
+    """Return the driving moment of the slices about the centre, over dbeta and gamma R^3.
 
     Weight and k_h times it, at half the slice's height.
 
@@ -198,7 +197,7 @@ def drive(sine: Any, cosine: Any, height: Any, k_h: Any) -> Any:
 
     Notes
     -----
-    Operations: 7 mul, 2 sub. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -210,7 +209,7 @@ def drive(sine: Any, cosine: Any, height: Any, k_h: Any) -> Any:
 
 
 def ordinary_normal(sine: Any, cosine: Any, height: Any, pressure: Any, k_h: Any) -> Any:
-    """Effective normal stress of the ordinary method (Fellenius), over gamma R.
+    """Return the effective normal stress of the ordinary method (Fellenius), over gamma R.
 
     The forces between slices have no component along the radius: N' = W (cos a - k_h sin a) - u l.
 
@@ -234,7 +233,7 @@ def ordinary_normal(sine: Any, cosine: Any, height: Any, pressure: Any, k_h: Any
 
     Notes
     -----
-    Operations: 3 mul, 1 add, 1 sub. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -246,7 +245,7 @@ def ordinary_normal(sine: Any, cosine: Any, height: Any, pressure: Any, k_h: Any
 
 
 def bishop_strength(cosine: Any, height: Any, pressure: Any, cohesion: Any, mu: Any) -> Any:
-    """Strength of Bishop's simplified method times its lever, over gamma R.
+    """Return the strength of Bishop's simplified method times its lever, over gamma R.
 
     (c + mu (h - u)) cos(beta).
 
@@ -270,7 +269,7 @@ def bishop_strength(cosine: Any, height: Any, pressure: Any, cohesion: Any, mu: 
 
     Notes
     -----
-    Operations: 2 mul, 1 add, 1 sub. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -282,7 +281,7 @@ def bishop_strength(cosine: Any, height: Any, pressure: Any, cohesion: Any, mu: 
 
 
 def bishop_lever(sine: Any, cosine: Any, mu: Any, factor: Any) -> Any:
-    """m_alpha of Bishop's simplified method.
+    """Return m_alpha of Bishop's simplified method.
 
     cos(beta) - sin(beta) mu/F.
 
@@ -304,7 +303,7 @@ def bishop_lever(sine: Any, cosine: Any, mu: Any, factor: Any) -> Any:
 
     Notes
     -----
-    Operations: 1 mul, 1 sub, 1 div. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -316,7 +315,7 @@ def bishop_lever(sine: Any, cosine: Any, mu: Any, factor: Any) -> Any:
 
 
 def bishop_normal(sine: Any, cosine: Any, height: Any, pressure: Any, cohesion: Any, mu: Any, factor: Any) -> Any:
-    """Effective normal stress of Bishop's simplified method, over gamma R.
+    """Return the effective normal stress of Bishop's simplified method, over gamma R.
 
     From the vertical balance of a slice that carries no vertical force to its neighbours.
 
@@ -344,7 +343,7 @@ def bishop_normal(sine: Any, cosine: Any, height: Any, pressure: Any, cohesion: 
 
     Notes
     -----
-    Operations: 3 mul, 1 add, 2 sub, 3 div. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -356,7 +355,7 @@ def bishop_normal(sine: Any, cosine: Any, height: Any, pressure: Any, cohesion: 
 
 
 def radial_weight(cosine: Any, distance: Any) -> Any:
-    """Weight along the radius (2.23) by strips above the arc, over dbeta and gamma R^2.
+    """Return the weight along the radius (2.23) by strips above the arc, over dbeta and gamma R^2.
 
     Integral of the cosine of a point's angle from straight below the centre, over a strip.
 
@@ -374,7 +373,7 @@ def radial_weight(cosine: Any, distance: Any) -> Any:
 
     Notes
     -----
-    Operations: 1 mul, 1 sub. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -387,7 +386,7 @@ def radial_weight(cosine: Any, distance: Any) -> Any:
 
 
 def radial_tilt(sine: Any, cosine: Any, height: Any, distance: Any) -> Any:
-    """Contribution of a unit of k_h to `radial_weight`.
+    """Return the contribution of a unit of k_h to `radial_weight`.
 
     Integral of the sine of a point's angle from straight below the centre, over a strip.
 
@@ -409,7 +408,7 @@ def radial_tilt(sine: Any, cosine: Any, height: Any, distance: Any) -> Any:
 
     Notes
     -----
-    Operations: 2 mul, 2 add, 1 sub, 1 div, 1 log. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------

@@ -211,7 +211,7 @@ USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
     "soils": ("layered-slope", {"arc": of_each_soil()}, bool),
-    "water": ("valley-side", {}, bool),
+    **dict.fromkeys(("ponds", "heights", "water"), ("valley-side", {}, bool)),
     "depths": ("real-slope", {"effects": {"rotation": {}, "cohesion": GROWS}}, bool),
     "standing": ("valley-side", {"arc": IN_WATER}, bool),
     "creep": ("vaiont", {"effects": CREEP}, bool),

@@ -65,7 +65,7 @@ SOME = tuple(e for e in EFFECTS if e.name in ("rotation", "centripetal", "cohesi
 
 def test_a_wrong_sign_is_not_the_equation_of_motion() -> None:
     """Linked programs are proved to be (3.11), which is derived elsewhere from the balance laws."""
-    assert len(linked.prove((CENTRIPETAL,), (LAWS[0], LINEAR))) == 30
+    assert len(linked.prove((CENTRIPETAL,), (LAWS[0], LINEAR))) == 42
     wrong = replace(CENTRIPETAL, stress=-CENTRIPETAL.stress)
     with pytest.raises(ProofError, match=r"\(3.11\), centripetal, constant, direction 1, at the start"):
         linked.prove((wrong,), LAWS[:1])
@@ -98,6 +98,7 @@ def softening_by_friction(known: Any, name: str, turns: bool) -> list[Any]:
     return [known["constant"]._replace(adds={"cohesion_law#c": known["constant"].adds["mu"]})]
 
 
+NUMBERED = soils._numbered
 OF_SOILS = soils.fragments_of
 FLAT, PLACED, SIMPLIFIED = linker.Linker._flat, program._placed, linker._simplified
 # Faults of the linker, each in the place of one of its functions.
@@ -115,6 +116,19 @@ FAULTS = {
         "_define_sum",
         lambda made, name, addends: made.cells.update({name: ("set", (*addends, ZERO)[0])}),
     ),
+    "soils have the numbers of one": (
+        soils,
+        "_numbered",
+        lambda known, name, number: NUMBERED(known, name, number.replace("1", "0")),
+    ),
+    "layers lose their pore pressure": (
+        link,
+        "fragments_of",
+        lambda known, name, turns: [
+            part._replace(adds=part.adds | {"lifting": part.adds["pressing"]}) if name == "layered_strength" else part
+            for part in OF_SOILS(known, name, turns)
+        ],
+    ),
     "the term of a softening cohesion is lost": (link, "fragments_of", softening_without_term),
     "cohesion follows the law of friction": (link, "fragments_of", softening_by_friction),
 }
@@ -123,7 +137,12 @@ FAULTS = {
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_of_the_linker_is_not_the_equation_of_motion(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(*FAULTS[fault])
-    cases = [*linked.cases(SOME, (LAWS[0], LINEAR))]
+    of_soils = fault.startswith(("soils", "layers"))
+    cases = [
+        (effects, laws)
+        for effects, laws in linked.cases((CENTRIPETAL,) if of_soils else SOME, (LAWS[0], LINEAR))
+        if of_soils == (declared.SECTION_EFFECTS[0] in effects or laws[0].name == "constant#0")
+    ]
     with pytest.raises(ProofError, match=r"\(3.11\)"):
         list(starmap(linked.prove_case, reversed(cases)))
 

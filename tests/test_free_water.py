@@ -16,6 +16,7 @@ from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs.page import section as livesection
+from slipcircle.workbench.outputs.page.model import default_sliders
 from slipcircle.workbench.stability.critical import at_circle
 from tests.campaigns import combined
 
@@ -404,3 +405,31 @@ def test_pages_and_pictures_are_the_same_in_map_coordinates(tmp_path: Path) -> N
     assert len(near) > 20
     assert far == pytest.approx(near, abs=0.02)
     assert frames[1] == pytest.approx(frames[0], abs=1e-3)
+
+
+def test_the_total_stress_includes_the_weight_of_free_water() -> None:
+    """Total less effective stress is the mean pore pressure: none below a pond on dry soil, else that of the level."""
+    ground, circle = [(-24, 20), (0, 20), (40, 0), (60, 0)], ((26.0, 34.0), 38.0, 19e3)
+    pond = solve(Scene(Section(ground, *circle, ponds=[(30.0, 60.0, 5.0)]), 0.1, ["rotation"]))
+    times = np.linspace(0.0, float(pond.duration), 5)
+    assert pond.at(times).normal_stress == pytest.approx(pond.effective_stress_at(times), rel=1e-9)
+    assert pond.peak.normal_stress == pytest.approx(float(pond.effective_stress_at(pond.peak.time)), rel=1e-9)
+    section = Section(ground, *circle, level=[(-24, 12), (0, 12), (30, 5), (60, 5)])
+    slide = solve(Scene(section, 0.1, ["rotation"]))
+    ends = np.array([section.entry, section.exit]) - [26.0, 34.0]
+    first, last = sorted(np.arctan2(ends[:, 1], ends[:, 0]).tolist())
+    angles = np.linspace(first, last, 200_001)
+    heights = 34.0 + 38.0 * np.sin(angles)
+    head = np.interp(26.0 + 38.0 * np.cos(angles), [-24, 0, 30, 60], [12, 12, 5, 5]) - heights
+    mean = float(np.mean(np.maximum(head, 0.0))) * section.water_unit_weight
+    assert float(slide.pore_pressure_at(0.0)) == pytest.approx(mean, rel=1e-4)
+    together = solve(Scene(section, np.array([0.1, 0.12]), ["rotation"]))
+    times = np.linspace(0.0, float(slide.duration), 4)
+    assert together.at(times).normal_stress[0] == pytest.approx(slide.at(times).normal_stress, rel=1e-9)
+
+
+def test_a_page_of_a_slope_with_free_water_starts_by_bishop() -> None:
+    """Its lanes have arcs of their own, as many as there are places of the sliders."""
+    slope = Slope([[-24, 20], [0, 20], [40, 0], [60, 0]], 2e3, 0.32, 19e3, level=[[-24, 14], [0, 12], [30, 5], [60, 5]])
+    scene = critical(slope).scene(["rotation"])
+    assert [one.number.name for one in default_sliders(scene)]

@@ -11,7 +11,7 @@ from flint import arb
 from generated import kernels
 from slipcircle.core.scene.arc import Arc
 from slipcircle.ground.circles import MEASURES
-from slipcircle.ground.ground import circle_through, circle_touching, simple_slope
+from slipcircle.ground.construction import circle_through, circle_touching, simple_slope
 from slipcircle.ground.section import Section
 from tests.support.along_the_arc import under_chord
 from tests.support.grounds import Ground, bumpy, moments

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from slipcircle import LayeredSection, Scene, Soil, solve
-from slipcircle.ground.ground import circle_through
+from slipcircle.ground.construction import circle_through
 from slipcircle.ground.section import Section
 from slipcircle.workbench.stability import family
 from slipcircle.workbench.stability.critical import at_circle

@@ -17,7 +17,7 @@ from derive.declare.quantities import MOMENTS
 
 CASE = (EFFECTS[:1], LAWS[:1])
 STAGES: dict[str, tuple[str, str, tuple[Any, ...]]] = {
-    "declare": ("derive.guards", "check", ()),
+    "declare": ("derive.guards", "check_alone", LAWS[:1]),
     "integrate": ("derive.algebra.integrate", "recorded", MOMENTS[:1]),
     "balance": ("derive.flow.linked", "prove_case", CASE),
     "series": ("derive.flow.recurrences", "prove", (6,)),
@@ -29,8 +29,8 @@ MOMENT = '    Moment("area", "S*", r, "area"),\n)  # fmt: skip'
 # Place of a change: text that is replaced, and the stages that run again.
 CHANGES = {
     "derive/code/templates/_flow.c": ("return", " return", {"declare", "flow files"}),
-    "derive/declare/effects.py": (")  # fmt: skip", LAW, {"declare", "flow files"}),
-    "derive/declare/quantities.py": (")  # fmt: skip", MOMENT, {"declare", "flow files"}),
+    "derive/declare/effects.py": (")  # fmt: skip", LAW, {"flow files"}),
+    "derive/declare/quantities.py": (")  # fmt: skip", MOMENT, {"flow files"}),
     "derive/flow/link/linker.py": ("def ", "def  ", {"balance", "flow files"}),
     "derive/flow/integrator/step.py": ("if ", "if  ", {"flow files"}),
     "derive/algebra/prove.py": ("def ", "def  ", {*STAGES} - {"both ends"}),

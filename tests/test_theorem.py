@@ -11,6 +11,7 @@ from mpmath import mpf
 
 from derive.__main__ import main
 from derive.check.truth import number, working
+from derive.theorem import swing
 from derive.theorem.motion import Slide, first_swing, theorem
 from derive.theorem.report import pair
 from derive.theorem.swing import standstill
@@ -98,6 +99,23 @@ def test_remainders_are_counted() -> None:
                 assert coarse.rad() > close.rad(), exponent
 
 
+def test_extreme_swings_enclose_the_others_closely() -> None:
+    """Each coefficient prolongs a swing or shortens it, as declared."""
+    small = arb(10) ** -8
+    with working(120, 20):
+        middle = first_swing(made(SCENES[0][0], 2e3, 1e4))
+        exact = standstill(middle, small)
+        for names, sign in ((swing.GREATER, 1), (swing.LESS, -1)):
+            for name in names:
+                other = standstill(middle._replace(**{name: getattr(middle, name) * arb(1.001)}), small)
+                assert sign * (other.rest - exact.rest) > 0, name
+                assert sign * (other.peak - exact.peak) > 0, name
+        box = swing.Swing(*(x * arb(1, 1e-4) for x in middle))
+        enclosed = swing.between(box, small)
+        assert enclosed.rest.contains(exact.rest)
+        assert enclosed.rest.rad() < standstill(box, small).rest.rad() / 2
+
+
 def test_an_interval_holds_what_its_numbers_give(capsys: Any) -> None:
     wide = stated(capsys, *VAIONT[:-1], "10+-0.01", "--digits", "8")
     for angle in ("9.99", "9.995", "10.01"):
@@ -140,7 +158,7 @@ def test_above_the_limit_it_does_not_move(capsys: Any) -> None:
         (["--pore-pressure-kPa", "9e4", "--unit-weight-kN-m3", "20"], "does not certainly press"),
     ],
 )
-def test_an_undecided_theorem_states_no_number(options: list[str], words: str, capsys: Any) -> None:
+def test_undecided(options: list[str], words: str, capsys: Any) -> None:
     """No number of the motion is given."""
     assert main(["theorem", *options, "--json"]) == 1
     found = json.loads(capsys.readouterr().out)

@@ -190,6 +190,10 @@ SHEETS = [
     ('No,"Height [m]","Chainage [m]"\n1,0,-40\n2,0,0\n3,1.5,0\n4,12,2.55E1\n', "", "m"),
     ("# survey\nProfile A\t\ndistance_ft\tz_ft\n-40\t0\n0\t0\n\n0\t1,5\n25,5\t12\n", "", "ft"),
     ("-40;0\n0;0\n0;1.5\n25.5;12\n", "us_ft", "us_ft"),
+    ("Abstand;Höhe;\n[m];[m];\n-40,0;0,0;\n0,0;0,0;\n0;1,5;\n25,5;12,0;\n", "", "m"),  # units below the names
+    ("  -40 0\n 0   0\n0 1.5\n25.5\u00a012\n", "m", "m"),
+    ("Progressiva\tQuota\n-40\t0\n0\t0\n0\t1,5\n25,5\t12\n", "ft", "ft"),
+    ("Sta,Elev (ft)\n-40,0\n0+00,0\n0+00,1.5\n0+25.5,12\n".replace("Sta,", "Sta (ft),"), "", "ft"),
 ]
 
 
@@ -211,11 +215,8 @@ def test_spreadsheets_of_several_countries_are_read(tmp_path: Path, text: str, u
         ('x,y\n0,"1,234.5"\n1,1\n', "m", "line 2, '1,234.5': must be a number with decimal points and no thousands"),
         ("x;y\n0,5;1.234,5\n1;1\n", "m", "line 2, '1.234,5': must be a number with decimal commas and no thousands"),
         ("x;y\n0,5;1.5\n1;1\n", "m", "line 2, '1.5': must be a number with decimal commas"),
-        (
-            "x,y,z\n0,0,0\n1,1,1\n",
-            "m",
-            "needs one column for y (y, z, elevation, level, height), and has y, z of x, y, z",
-        ),
+        ("x,y,z\n0,0,0\n1,1,1\n", "m", "and has y, z of x, y, z"),
+        ("Rechts,Hoch\n0,0\n1,1\n", "m", "needs one column for x (x, station, "),
         ("x,y\n0,\n1,1\n", "m", "line 2, '': must be a number"),
         ("x,y\n", "m", "must be a list of at least two points"),
     ],
@@ -245,6 +246,29 @@ def test_lines_of_drawings_are_joined_by_their_ends(tmp_path: Path) -> None:
                         ("", "needs the name of a layer"), ("#gap", "has a gap between its lines")):  # fmt: skip
         with pytest.raises(ValueError, match=said):
             read_points(tmp_path, f"a.dxf{layer}", "", "points_file_unit")
+
+
+def test_drawings_with_blocks_curves_and_upright_sections(tmp_path: Path) -> None:
+    """Polylines in a block moved by its insertion, a quarter of a circle with a line, and a profile in x and z."""
+    ezdxf = pytest.importorskip("ezdxf")
+    drawing = ezdxf.new(units=6)
+    space = drawing.modelspace()
+    drawing.blocks.new("SECTION").add_lwpolyline(LINE, dxfattribs={"layer": "block"})
+    space.add_blockref("SECTION", (100, 5))
+    space.add_arc((20, 20), 10, 0, 90, dxfattribs={"layer": "round"})
+    space.add_line((0, 30), (20, 30), {"layer": "round"})
+    space.add_polyline3d([(x, 7, y) for x, y in LINE], dxfattribs={"layer": "upright"})
+    drawing.saveas(tmp_path / "a.dxf")
+    lines = {
+        name: np.array(read_points(tmp_path, f"a.dxf#{name}", "", "")[0]) for name in ("block", "round", "upright")
+    }
+    np.testing.assert_allclose(lines["block"], np.add(LINE, [100, 5]), atol=1e-12)
+    np.testing.assert_allclose(lines["upright"], LINE, atol=1e-12)
+    curve = lines["round"][1:]
+    np.testing.assert_allclose(np.hypot(*(curve - 20.0).T), 10.0, rtol=1e-7)
+    assert 20 < len(curve) < 500
+    middles = (curve[1:] + curve[:-1]) / 2
+    assert np.hypot(*(middles - 20.0).T).min() > 10.0 - 1e-3
 
 
 def test_a_slope_from_files(tmp_path: Path) -> None:

@@ -187,7 +187,7 @@ def integrand(expression: Expr) -> Expr:
     n = trig_normal(-k.diff(alpha, 2) / leaning.diff(alpha))
     _require(n.is_Integer, f"it integrates a power of r: n = {n}")
     w = trig_normal((k.diff(alpha) + n * leaning) / 2)
-    _require(not w.has(alpha), f"what is left depends on theta_m alone: {w}")
+    _require(not w.has(alpha), f"the remaining factor depends on theta_m alone: {w}")
     _require(trig_normal(w.diff(theta_m, 2) + w) == 0, f"a sine and a cosine of theta: {w}")
     _require(expression.subs(alpha, 0) == k.subs(alpha, 0) == 0, "both vanish at alpha = 0")
     return r**n * w.subs(theta_m, theta)

@@ -5,9 +5,9 @@ The proof itself is the checker's (`derive.check.certify`), which reads the reco
 
 import json
 from collections.abc import Callable, Iterable
-from concurrent.futures import ProcessPoolExecutor
 from decimal import ROUND_CEILING, Context
-from operator import itemgetter
+from itertools import groupby
+from operator import attrgetter, itemgetter
 
 import numpy as np
 from flint import arb, ctx
@@ -16,7 +16,7 @@ from derive.approximate.programs import Variant, variants_of_ends
 from derive.check import certify, losses, midpoints, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest, seal
 from derive.code.operations import Floats
-from derive.progress import track
+from derive.progress import parallel
 
 
 def plain(variant: Variant) -> Record:
@@ -120,12 +120,10 @@ def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record
     """Return the record of every variant: the known record if its operations and seal are right, or a new one."""
     proved = {record["sha256"]: record for record in known if record == seal(record)}
     by_digest = {plain(variant)["sha256"]: variant for variant in variants}
-    new = {digest: variant for digest, variant in by_digest.items() if digest not in proved}
-    if new:
-        with ProcessPoolExecutor(2) as pool:
-            certificates = pool.map(certified, new.values())
-            for record in track(certificates, "kernels certified", len(new)):
-                proved[record["sha256"]] = record
+    new = (variant for digest, variant in by_digest.items() if digest not in proved)
+    by_kernel = [list(group) for _, group in groupby(new, attrgetter("kernel"))]  # which share hard inputs
+    for record in parallel(certified, by_kernel, "kernels certified"):
+        proved[record["sha256"]] = record
     return [proved[digest] for digest in by_digest]
 
 

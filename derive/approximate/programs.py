@@ -43,6 +43,7 @@ class Pair(NamedTuple):
 
     @property
     def total(self) -> Value:
+        """Rounded sum of both numbers."""
         return self.high + self.low
 
 
@@ -58,6 +59,7 @@ class Code(Builder):
 
     @property
     def u(self) -> Value:
+        """Square of the argument."""
         return self.x * self.x
 
     def fma(self, a: Any, b: Any, c: Any) -> Value:

@@ -6,7 +6,6 @@ must round badly is excluded by an estimate; of the rest the checker decides whi
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache
@@ -25,7 +24,7 @@ from derive.check.patches import patches
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, seal
 from derive.declare.symbols import alpha
-from derive.progress import track
+from derive.progress import parallel
 
 SEAMS = [k / 100 for k in range(64, 124, 4)]
 SLOPES = (0.0, 0.25, 0.5, 1.0, 2.0)
@@ -33,9 +32,9 @@ NEGLIGIBLE = 2.0**-58  # relative error of approximation to start from: a thirti
 ENOUGH = 2.0**-49  # the same of a tier that is rounded to float32
 HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
-DIVISION = 8  # what a division costs, in multiply-adds
-OPERATION = 0.02  # what a multiply-add is worth, in ulp
-STEPS = (-1, 1)  # of whatever is moved to a neighbouring shape
+DIVISION = 8  # cost of a division, in multiply-adds
+OPERATION = 0.02  # price of a multiply-add, in ulp
+STEPS = (-1, 1)  # to neighbouring shapes
 KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # most shapes evaluated for one quantity
 
@@ -53,8 +52,8 @@ def price(kernel: Kernel, shape: Best) -> float:
 
 
 def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Variant]:
-    """Return a tier's fused and plain form in this shape, or nothing if a bound cannot be proved within its goal."""
-    forms = [variant(kernel, tier, form, shape) for form in ("fused", "plain")]
+    """Return a tier's plain and fused form in this shape, or nothing if a bound cannot be proved within its goal."""
+    forms = [variant(kernel, tier, form, shape) for form in ("plain", "fused")]  # plain arithmetic is faster to check
     try:
         for form in forms:
             record = certificates.plain(form)
@@ -220,7 +219,7 @@ def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
 def best(kernel: Kernel) -> Best:
     """Return the pieces with the least bound and the fewest operations, or raise `ProofError` if none meets its goals.
 
-    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
+    It tries the baseline that an estimate prefers at each seam, and then better neighbours of the best shapes.
     """
     judged: dict[Best, float] = {}
 
@@ -285,6 +284,8 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
             continue
         if error <= target and kept(kernel, tier, (above, below)):
             return tier, above, below
+        if error < NEGLIGIBLE:  # higher degrees round the same inputs wrongly
+            break
     raise ProofError(f"{kernel.name}: tier {tier}", "no degrees that keep it", f"{goal:g}")
 
 
@@ -322,10 +323,7 @@ def search(kernel: Kernel) -> Shape:
 def complete() -> str:
     """Search for the shapes of kernels without a record, record them for this run, and return their names."""
     missing = {k.definition: k for k in shapes.kernels() if k.definition not in records()}
-    if missing:
-        with ProcessPoolExecutor(2) as pool:
-            searched = pool.map(search, missing.values())
-            tracked = track(searched, "shapes searched", len(missing))
-            records().update(zip(missing, tracked, strict=True))
+    searched = parallel(search, [[x] for x in missing.values()], "shapes searched")
+    records().update(zip(missing, searched, strict=True))
     names = [" / ".join(definition) for definition in missing]
     return ", ".join(names) or "none"

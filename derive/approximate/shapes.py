@@ -2,8 +2,8 @@
 
 Near 0, in u = alpha**2: F = alpha u W(u), W a polynomial whose constant term is the limit of F/alpha**3. Near pi/2, in
 b = pi/2 - alpha, where artanh(sin(alpha)) = -ln(tan(b/2)): F is a function of b that is odd but for its value at 0, or
-even, plus such a one times ln(b). A straight line that is computed without rounding is taken off it, and what is left
-is b**power (R(b**2) + b**(2 shift) Q(b**2) ln(b)). Of a form that is neither (lambda), one polynomial serves for all.
+even, plus such a one times ln(b). A straight line that is computed without rounding is subtracted; the remainder is
+b**power (R(b**2) + b**(2 shift) Q(b**2) ln(b)). Of a form that is neither (lambda), one polynomial serves for all.
 
 Seams, baselines and degrees are found by `derive.approximate.search` and recorded in ``generated/shapes.json`` by
 definition.

@@ -15,8 +15,7 @@ An operation that computes the rounding error of another operation *is* that n_i
 import heapq
 import math
 import time
-from concurrent.futures import ProcessPoolExecutor
-from itertools import chain, groupby
+from itertools import groupby
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -39,6 +38,7 @@ from derive.check.records import (
 )
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import TOP, working
+from derive.progress import parallel
 
 VANISHING = 2.0**-352  # below this alpha every kernel is less than 2**-1055
 
@@ -227,11 +227,6 @@ def _prove_claim(record: Record, claim: str, parts: list[Patch]) -> float:
     return bound
 
 
-def checked_together(records: list[Record]) -> list[tuple[str, bool]]:
-    """Return `checked` for records that may share hard inputs."""
-    return list(map(checked, records))
-
-
 def checked(record: Record) -> tuple[str, bool]:
     """Return the outcome and the time of a record's proof as a line, and whether the record is accepted."""
     start = time.perf_counter()
@@ -260,11 +255,9 @@ def prove_all() -> bool:
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
     grouped = groupby(records, itemgetter("kernel"))
     by_kernel = [list(those) for _, those in grouped]
-    with ProcessPoolExecutor(2) as pool:
-        outcomes = pool.map(checked_together, by_kernel)
-        for line, proved in chain.from_iterable(outcomes):
-            print(line, flush=True)
-            accepted &= proved
+    for line, proved in parallel(checked, by_kernel, "kernels checked"):
+        print(line, flush=True)
+        accepted &= proved
     outcome = "all proved" if accepted else "NOT all proved"
     seconds = time.perf_counter() - start
     print(f"{len(records)} certificates, {outcome}, {seconds:.1f} s with 2 processes")

@@ -82,7 +82,7 @@ def horner(x: Step, coefficients: tuple[float, ...]) -> Step:
 
 
 def sinc(x: Step, terms: int) -> Step:
-    """Return sin(x)/x."""
+    """Return sin(x)/x by its Taylor series of this many terms."""
     taylor = []
     for k in range(terms):
         size = 1 / math.factorial(2 * k + 1)

@@ -8,7 +8,6 @@ supports sums and products, but not the pieces, logarithms and compensated sums 
 import re
 import shutil
 import subprocess
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from math import inf
 from pathlib import Path
@@ -17,6 +16,7 @@ from derive.check import certify
 from derive.check.patches import patches
 from derive.check.records import TIERS, Record, read
 from derive.check.truth import TOP
+from derive.progress import parallel
 
 FOLDER = Path("build") / "gappa"
 CUTS = 64  # parts of the domain, cubically denser towards pi/2, where rational functions lose most
@@ -91,9 +91,9 @@ def compare() -> bool:
     records = read()
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'ours':>9} {'by Gappa':>9} {'rounding':>9}")
     proved = []
-    with ProcessPoolExecutor(2) as pool:
-        for record, (line, is_proved) in zip(records, pool.map(compared, records), strict=True):
-            print(line, flush=True)
-            proved += [is_proved] * (record["tier"] != "best")
+    rows = parallel(compared, [[x] for x in records], "certificates compared")
+    for record, (line, is_proved) in zip(records, rows, strict=True):
+        print(line, flush=True)
+        proved += [is_proved] * (record["tier"] != "best")
     print(f"{sum(proved)} of {len(proved)} proved beside tier best; below 2**-320 and for two angles nothing is asked")
     return all(proved)

@@ -152,7 +152,7 @@ def relative(definition: Definition, tier: str, part: float) -> float:
         sine *= 2
         products = 4
     total = part + sine + (gaps + products) * HALF_ULP
-    return total * (1 + 2 * total) + 2.0**-80  # second orders of what is lost, and roundings of first ones
+    return total * (1 + 2 * total) + 2.0**-80  # second orders of all losses, and roundings of first orders
 
 
 def certificate(kernel: str, definition: Definition, tier: str, form: str, part: Record) -> Record:

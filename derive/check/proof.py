@@ -11,6 +11,6 @@ class ProofError(Exception):
         self.check = check
 
     def __str__(self) -> str:
-        """Return the claim with the expected and the derived expression."""
+        """Return the claim with the value found and the value required."""
         claim, found, wanted, _ = self.args
         return f"{claim}: found {found}, wanted {wanted}"

@@ -74,7 +74,7 @@ def seal(record: Record) -> Record:
 
 
 def assumptions(record: Record) -> list[str]:
-    """Assumptions of the proof, from the calls in the program."""
+    """Return the assumptions of the proof, from the calls in the program."""
     called = any((kind, value) == ("call", "log") for kind, _, value in record["operations"])
     return [f"np.log within {LOG_ULPS} ulp"] * called
 

@@ -169,7 +169,7 @@ class Model:
 
 
 def model(thin: list[arb], fat: list[arb], order: int = 0) -> Model:
-    """Of a function over t**order, from its coefficients at the centre and over the whole segment (Lagrange)."""
+    """Return the Taylor model of f/t**order from coefficients of f at the centre and over the segment (Lagrange)."""
     if any(not (x == 0) for x in thin[:order]):
         raise ArithmeticError(f"a series is not of order alpha**{order}")
     return Model(arb_poly(thin[order:TERMS]), fat[TERMS], TERMS - order)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from derive.code.program import Program, operations
+from derive.code.program import Program
 from derive.code.text import WIDTH, Language, Part, Reader, statements
 
 
@@ -230,8 +230,7 @@ def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: s
     documented = []
     for p, source in programs:
         lines = [
-            f'"""{source}: float64 arrays, no domain check.',
-            f"Operations: {operations(p.operations())}.",
+            f'"""Return {source}; float64 arrays, no domain check.',
             "\n    ".join(example(p, place, [_GIVEN[x] for x in p.inputs])) + '\n    """\n',
         ]
         documented.append((p, "    " + "\n\n    ".join(lines)))

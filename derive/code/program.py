@@ -110,7 +110,7 @@ class Value(NDArrayOperatorsMixin):
     place: int
 
     def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Value":
-        """Return the operation of a NumPy ufunc on values of a program."""
+        """Return the value of a ufunc's operation."""
         if function is np.rint:
             (x,) = operands
             return x + ROUND - ROUND
@@ -120,7 +120,7 @@ class Value(NDArrayOperatorsMixin):
         return self.builder.put(_NAMES[function], *operands)
 
     def __array_function__(self, function: Any, _: Any, operands: Any, named: Any) -> "Value":
-        """Return the operation of a NumPy function on values of a program."""
+        """Return the value of an operation that is not a ufunc, such as `numpy.where`."""
         return self.builder.put(_NAMES[function], *operands)
 
 

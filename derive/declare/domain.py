@@ -5,8 +5,8 @@ import math
 from collections.abc import Mapping
 from functools import reduce
 
-import sympy as sp
 from flint import arb
+from sympy import Expr, Symbol, diff, lambdify
 
 from derive.check.truth import ball
 
@@ -20,7 +20,7 @@ _ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos",
 }
 
 
-def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
+def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
     """Return where an expression has a pole, is complex or negative, and where it is undecided; otherwise empty texts.
 
     Where that is not decided it is searched at the ends of all symbols in which it is linear: there it is least.
@@ -28,9 +28,9 @@ def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
     wrong, undecided = _search(e, domain)
     if wrong or not undecided:
         return wrong, ""
-    corners: list[dict[sp.Symbol, Ends]] = [{}]
+    corners: list[dict[Symbol, Ends]] = [{}]
     for x, (low, high) in domain.items():
-        if e.has(x) and not sp.diff(e, x).has(x):
+        if e.has(x) and not diff(e, x).has(x):
             corners = [corner | {x: (end, end)} for corner in corners for end in (low, high)]
     for corner in corners:
         wrong, undecided = _search(e, {**domain, **corner})
@@ -39,13 +39,13 @@ def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
     return "", ""
 
 
-def _search(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
+def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
     """Return the same from a limited number of boxes.
 
     Those that may hold a pole come first, and one that is small and may still hold it does. Of the others those come
     first that are large.
     """
-    value = sp.lambdify([*domain], e, [_ARITHMETIC])
+    value = lambdify([*domain], e, [_ARITHMETIC])
     boxes = [(0, [*domain.values()])]
     places = ""
     for count in range(1, BOXES):

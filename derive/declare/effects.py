@@ -41,11 +41,11 @@ class Parameter:
     """Parameter of an effect or a law: SI unit, open bounds, and key in scene files.
 
     ``key`` names it in a scene file, and ends in its ``unit``, which may have a prefix: suction_kPa of Pa. ``symbol``
-    stands for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the
-    effect's other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of
-    numbers), "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section
-    gives), "fixed" (a number that does not vary), "text", "name" (a text or a number), "flag" or one of several words,
-    "this|that". What has no ``key`` cannot be written in a file.
+    stands for it in the balance, and ``dimensionless`` is its conversion: a formula of the value, of the arc's scales
+    and of the effect's other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number",
+    "list" (of numbers), "series" (a number, or a function of time), "rotation" (the same of the rotation, which the
+    section gives), "fixed" (a number that does not vary), "text", "name" (a text or a number), "flag" or one of several
+    words, "this|that". A parameter without ``key`` cannot be written in a file.
     """
 
     name: str
@@ -81,12 +81,12 @@ class Parameter:
 class Effect:
     """Term of the balance that a scene may contain.
 
-    ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
-    ``resistance`` is a moment that opposes the motion. ``driving_moment`` and ``normal_load`` are what it adds
-    to J_theta and J_r, ``friction`` to the friction coefficient. Slip is over R here, and speed over sqrt(g R).
-    ``turns`` lets the geometry move with the mass. ``states`` are symbols that change with time, and ``growth``
-    is their derivative by the rotation. At least one parameter of ``any_of`` is needed.
-    ``equation`` is its number in the paper, ``source`` that of an effect which is not there.
+    ``stress`` is its contribution to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
+    ``resistance`` is a moment that opposes the motion. ``driving_moment`` and ``normal_load`` are its contributions to
+    J_theta and J_r, ``friction`` to the friction coefficient. Slip is over R here, and speed over sqrt(g R). ``turns``
+    lets the geometry move with the mass. ``states`` are symbols that change with time, and ``growth`` is their
+    derivative by the rotation. At least one parameter of ``any_of`` is needed. ``equation`` is its number in the paper,
+    ``source`` that of an effect which is not there.
     """
 
     name: str
@@ -231,8 +231,8 @@ _NORMAL, _NORMAL_SLOPE, _INERTIA, _LIFT, _COHESIVE = sp.symbols(
 _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
     "layered_remaining layered_remaining_slope layered_remaining_inertia layered_remaining_lift", real=True
 )
-# Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
-# normal force on its stretches exceeds this share by, over Theta*.
+# Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and the
+# excess of the normal force on its stretches over this share, over Theta*.
 SOIL_MU, COHESION_LAW, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu cohesion_law soil_turning soil_slope", real=True)
 _SHARE, _SOIL_INERTIA, _SOIL_LIFT = sp.symbols("soil_share soil_inertia soil_lift", real=True)
 _SOFTENED, _SOFTENED_DEPTH, _GRADIENT = sp.symbols("soft_share soft_depth gradient", real=True)
@@ -341,7 +341,7 @@ EFFECTS = (
            equation="3.11", pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 
-# What a section adds to the balance by itself: no user and no file asks for it.
+# Contributions of a section to the balance, which no user and no file requests.
 _EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
 _LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
 _EXCESS_PRESS = (1 - K_V) * _EXCESS_NORMAL + K_H * _EXCESS_SLOPE + _INERTIA * OMEGA_2
@@ -355,17 +355,17 @@ SECTION_EFFECTS = (
         _of_section("turning_slope", "its derivative by the dip", TURNING_SLOPE),
         _of_section("normal", "the same of strength with the base", _NORMAL, "rotation"),
         _of_section("normal_slope", "its derivative by the dip", _NORMAL_SLOPE, "rotation"),
-        _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
-        _of_section("lift", "what water takes from it", _LIFT, "rotation"),
+        _of_section("inertia", "its increase by the square of the angular velocity", _INERTIA, "rotation"),
+        _of_section("lift", "its decrease by water", _LIFT, "rotation"),
         _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING,
                     dimensionless=_STRONG),
         _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE, dimensionless=_STRONG),
         _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation", _STRONG),
         _of_section("remaining_normal_slope", "its derivative by the dip", _REMAINING_SLOPE, "rotation",
                     _STRONG),
-        _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
+        _of_section("remaining_inertia", "its increase by the square of the angular velocity", _REMAINING_INERTIA,
                     "rotation", _STRONG),
-        _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation", _STRONG),
+        _of_section("remaining_lift", "its decrease by water", _REMAINING_LIFT, "rotation", _STRONG),
         _of_section("strength", "strength without normal stress", _COHESIVE, "rotation", _STRONG)), equation="2.23",
            normal_load=THETA * (_EXCESS_PRESS + _LEFT_PRESS / SLIP_MU),
            pressure=THETA / LAMBDA * (_LIFT + _REMAINING_LIFT / SLIP_MU), resistance=THETA * _COHESIVE),
@@ -374,8 +374,8 @@ SECTION_EFFECTS = (
         _of_section("share", "share of the normal force at the start", _SHARE),
         _of_section("turning", "excess of the normal force over this share, at the start 0", SOIL_TURNING),
         _of_section("slope", "its derivative by the dip", SOIL_SLOPE),
-        _of_section("inertia", "what the square of the angular velocity adds to it", _SOIL_INERTIA),
-        _of_section("lift", "what water takes from the normal force", _SOIL_LIFT, "rotation")), equation="2.23",
+        _of_section("inertia", "its increase by the square of the angular velocity", _SOIL_INERTIA),
+        _of_section("lift", "decrease of the normal force by water", _SOIL_LIFT, "rotation")), equation="2.23",
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
     Effect("softening_cohesion", "strength without normal stress changes with slip", (

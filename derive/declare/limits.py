@@ -16,7 +16,7 @@ LIMITS = {
 }
 # Ranges that soils have by unit, and SI values of other units in which a number beyond them may have been meant.
 USUAL = {"N/m^3": (5e3, 1e5), "Pa": (50.0, 1e8)}
-LEAST = {"N/m^3": 1e3, "Pa": 50.0}  # less is questioned whatever the other units, but for 0
+LEAST = {"N/m^3": 1e3, "Pa": 50.0}  # less, except 0, is questioned in all units
 PREFIXES = {"": 1.0, "k": 1e3, "M": 1e6}  # of the units in which scene files write numbers
 OTHER_UNITS = {"N/m^3": {"kN/m^3": 1e3, "kg/m^3": 9.81}, "Pa": {"kPa": 1e3, "MPa": 1e6}}
 QUESTIONED_FRICTION = 2.0  # more is questioned: was that an angle?

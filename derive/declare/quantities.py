@@ -101,7 +101,7 @@ RESISTANCE = Elementary("resistance_factor", "lambda", "3.14", 2 * alpha * (1 - 
 
 QUOTIENTS = (
     Quotient("dynamic_coefficient", "A", "2.24", "polar_moment", "resistance_factor",
-             "coefficient of the square of the angular velocity in the mean normal stress (2.20)"),
+             "coefficient of omega*^2 in the mean normal stress (2.20)"),
     Quotient("weight_moment_per_inertia", "C_theta/Theta*", "3.17", "weight_moment_amplitude", "moment_of_inertia",
              "drive of gravity in the equation of motion"),
     Quotient("radial_weight_per_inertia", "C_r/Theta*", "3.17", "radial_weight_amplitude", "moment_of_inertia",

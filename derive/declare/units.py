@@ -3,30 +3,30 @@
 from collections.abc import Mapping
 from functools import cache
 
-import sympy as sp
+from sympy import Expr, Integer, Max, Min, Mul, Symbol, symbols, sympify
 
 from derive.check.proof import ProofError
 
-M, S, KG, K = sp.symbols("m s kg K", positive=True)
+M, S, KG, K = symbols("m s kg K", positive=True)
 _PASCAL = KG / (M * S**2)
 _DERIVED = {"N": _PASCAL * M**2, "Pa": _PASCAL, "J": _PASCAL * M**3}
 _UNITS = {x.name: x for x in (M, S, KG, K)} | _DERIVED
-Units = Mapping[sp.Symbol, sp.Expr]
+Units = Mapping[Symbol, Expr]
 
 
 @cache
-def of_unit(unit: str) -> sp.Expr:
+def of_unit(unit: str) -> Expr:
     """Return the dimension of a declared unit, where factors after the stroke are denominators, J/m^3 K."""
     above, _, below = unit.replace("^", "**").replace(" ", "*").partition("/")
-    return sp.sympify(f"({above or 1})/({below or 1})", locals=_UNITS)
+    return sympify(f"({above or 1})/({below or 1})", locals=_UNITS)
 
 
-def shown(dimension: sp.Expr) -> str:
+def shown(dimension: Expr) -> str:
     """Return a dimension in words."""
     return "numbers" if dimension == 1 else str(dimension).replace("**", "^")
 
 
-def dimension(e: sp.Expr, of: Units, claim: str) -> sp.Expr:
+def dimension(e: Expr, of: Units, claim: str) -> Expr:
     """Return the dimension of an expression from those of its symbols, a product of powers of m, s, kg and K.
 
     Raises
@@ -42,8 +42,8 @@ def dimension(e: sp.Expr, of: Units, claim: str) -> sp.Expr:
         raise ProofError(claim, f"the symbol {e}, which is not declared", allowed)
     parts = [dimension(x, of, claim) for x in e.args]
     if e.is_Mul:
-        return sp.Mul(*parts)
-    if e.is_Add or isinstance(e, sp.Min | sp.Max):
+        return Mul(*parts)
+    if e.is_Add or isinstance(e, Min | Max):
         if len({*parts}) > 1:
             listed = " and ".join(map(shown, parts))
             raise ProofError(claim, f"{e}, of terms in {listed}", "terms of one dimension")
@@ -54,4 +54,4 @@ def dimension(e: sp.Expr, of: Units, claim: str) -> sp.Expr:
         if part != 1:
             unit = shown(part)
             raise ProofError(claim, f"{e}, where {x} is in {unit}", f"{x} over a parameter in {unit}")
-    return sp.Integer(1)
+    return Integer(1)

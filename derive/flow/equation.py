@@ -3,11 +3,27 @@
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-import sympy as sp
-from sympy import Expr, Max, Symbol, cos, sin
+from sympy import Add, Expr, Integer, Max, Symbol, cos, expand, latex, sin, symbols
 
-from derive.declare import effects as declared
-from derive.declare.effects import BY_PSI, EFFECTS, LAMBDA, LAWS, MU, OMEGA, OMEGA_2, THETA
+from derive.declare.effects import (
+    BY_PSI,
+    DRIVING_MOMENT,
+    DRIVING_MOMENT_SLOPE,
+    EFFECTIVE,
+    EFFECTS,
+    J_R,
+    J_THETA,
+    LAMBDA,
+    LAWS,
+    MU,
+    NORMAL_LOAD,
+    NORMAL_LOAD_SLOPE,
+    OMEGA,
+    OMEGA_2,
+    THETA,
+    Effect,
+    Law,
+)
 from derive.declare.symbols import in_words
 
 
@@ -19,8 +35,8 @@ class Term(NamedTuple):
     latex: str
 
 
-PHI, DIRECTION = sp.symbols("phi s", real=True)
-DRIVE, STRESS, PRESSURE, RESISTANCE = sp.symbols("M sigma u T", real=True)
+PHI, DIRECTION = symbols("phi s", real=True)
+DRIVE, STRESS, PRESSURE, RESISTANCE = symbols("M sigma u T", real=True)
 # Quantities of the equation: meaning and LaTeX.
 QUANTITIES = {
     "M": ("moment that drives", "M"),
@@ -39,7 +55,7 @@ SOIL_QUANTITIES = {
     "mu_i": ("friction coefficient of soil i", r"\mu_i"),
     "T": QUANTITIES["T"],
 }
-_SHARE, _SHARE_OF_WEIGHT = sp.symbols("l_i n_i")
+_SHARE, _SHARE_OF_WEIGHT = symbols("l_i n_i")
 _OF_SOIL = {name: Symbol(by_soil) for name, by_soil in {
     "sigma": "sigma_i", "u": "u_i", "A": "A_i",
     "J_r": "J_ri", "J_r'": "J_ri'", "J_r0": "J_r0i", "J_r0'": "J_r0i'"}.items()}  # fmt: skip
@@ -47,10 +63,10 @@ _OF_SOIL["lambda"] = LAMBDA * _SHARE
 _OF_SOIL["excess"] = Symbol("excess") * _SHARE_OF_WEIGHT / _SHARE
 # Components of the weight in the balance, at any rotation and at the start.
 COMPONENTS = {
-    declared.DRIVING_MOMENT: "J_theta",
-    declared.NORMAL_LOAD: "J_r",
-    declared.DRIVING_MOMENT_SLOPE: "J_theta'",
-    declared.NORMAL_LOAD_SLOPE: "J_r'",
+    DRIVING_MOMENT: "J_theta",
+    NORMAL_LOAD: "J_r",
+    DRIVING_MOMENT_SLOPE: "J_theta'",
+    NORMAL_LOAD_SLOPE: "J_r'",
 }
 # Numbers of the equation in every scene.
 COEFFICIENTS = {
@@ -86,18 +102,15 @@ _LATEX = {
 
 def term(quantity: str, e: Expr, by_soil: bool = False) -> Term:
     """Return a term from its expression, with the symbols of one of several soils if ``by_soil``."""
-    slopes = {
-        THETA * declared.DRIVING_MOMENT_SLOPE: Symbol("J_theta'"),
-        THETA * declared.NORMAL_LOAD_SLOPE: Symbol("J_r'"),
-    }
+    slopes = {THETA * DRIVING_MOMENT_SLOPE: Symbol("J_theta'"), THETA * NORMAL_LOAD_SLOPE: Symbol("J_r'")}
     effective = Symbol("max(0, sigma - u)")
-    shown = e.subs(slopes | {OMEGA_2: OMEGA**2, declared.EFFECTIVE: effective})
+    shown = e.subs(slopes | {OMEGA_2: OMEGA**2, EFFECTIVE: effective})
     if by_soil:
         indexed = {x: _OF_SOIL[x.name] for x in shown.free_symbols if x.name in _OF_SOIL}
         shown = shown.subs({MU * effective: _FRICTION} | indexed)
         quantity = str(_OF_SOIL.get(quantity, quantity))
     names = {x: _LATEX[x.name] for x in shown.free_symbols if x.name in _LATEX}
-    return Term(quantity, in_words(shown).replace("Min(", "min("), sp.latex(shown, symbol_names=names))
+    return Term(quantity, in_words(shown).replace("Min(", "min("), latex(shown, symbol_names=names))
 
 
 def balance(by_soil: bool = False) -> Term:
@@ -109,7 +122,7 @@ def balance(by_soil: bool = False) -> Term:
 
 
 Terms = tuple[tuple[str, Expr], ...]  # quantities with expressions
-GRAVITY: Terms = (("M", declared.J_THETA), ("sigma", declared.J_R / LAMBDA))
+GRAVITY: Terms = (("M", J_THETA), ("sigma", J_R / LAMBDA))
 # Cohesion and water of soils.
 SOILS: Terms = (("u_i", Symbol("p_i")), ("T", LAMBDA * Symbol("sum l_i c_i")))
 
@@ -121,7 +134,7 @@ def position(rotates: bool) -> Terms:
         bare = name.rstrip("'")
         primes = name[len(bare) :]
         start[q] = Symbol(f"{bare}0{primes}")
-    angle = PHI if rotates else sp.Integer(0)
+    angle = PHI if rotates else Integer(0)
     turned = []
     for q, name in COMPONENTS.items():
         slope = BY_PSI[q].subs(start)
@@ -129,7 +142,7 @@ def position(rotates: bool) -> Terms:
     return tuple(turned)
 
 
-def of_effect(effect: declared.Effect) -> Terms:
+def of_effect(effect: Effect) -> Terms:
     """Return the terms of an effect, one by one, and the rates of its states."""
     adds = {
         "M": effect.driving_moment,
@@ -140,12 +153,12 @@ def of_effect(effect: declared.Effect) -> Terms:
     terms = []
     for q, e in adds.items():
         if e != 0:
-            terms += [(q, x) for x in sp.Add.make_args(sp.expand(e))]
+            terms += [(q, x) for x in Add.make_args(expand(e))]
     terms += [(f"d{x}/dphi", effect.growth) for x in effect.states]
     return (*(position(True) if effect.turns else ()), *terms)
 
 
-def of_law(law: declared.Law) -> tuple[Term, ...]:
+def of_law(law: Law) -> tuple[Term, ...]:
     """Return the friction coefficient of a law. For a table or a Python function only its argument is named."""
     if law.coefficient is not None:
         return (term("mu", law.coefficient),)

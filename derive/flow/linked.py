@@ -9,7 +9,7 @@ from dataclasses import replace
 from itertools import chain, cycle, product
 from typing import Any
 
-from sympy import Add, Expr, Integer, Lt, Mul, Rational, Symbol, cos, expand, expand_trig, log, sin
+from sympy import Add, Expr, Integer, Lt, Rational, Symbol, cos, expand, expand_trig, log, sin
 
 from derive.algebra import dynamics
 from derive.algebra.prove import prove_rational
@@ -33,6 +33,8 @@ from derive.declare.effects import (
     OMEGA_2,
     SECTION_EFFECTS,
     SLIP,
+    SLIP_MU,
+    SOIL_MU,
     SPEED,
     THETA,
     Effect,
@@ -195,13 +197,14 @@ def soil_of(law: Law) -> str:
 
 
 def effect_of(law: Law) -> Effect:
-    """Return the effect of cohesion that follows the law of a soil, with the symbols of this soil."""
-    (shared,) = (effect for effect in SECTION_EFFECTS if COHESION_LAW in effect.resistance.free_symbols)
+    """Return the effect of the law of a soil, on friction or on cohesion, with the symbols of this soil."""
     number = soil_of(law)
-    names = {x: numbered(x, number) for x in (*shared.symbols, COHESION_LAW)}
+    symbol = COHESION_LAW if number.startswith(OF_COHESION) else SOIL_MU
+    (shared,) = (effect for effect in SECTION_EFFECTS if any(e.has(symbol) for e in effect.terms.values()))
+    names = {x: numbered(x, number) for x in (*shared.symbols, symbol)}
+    terms = {x: getattr(shared, x).xreplace(names) for x in ("normal_load", "pressure", "resistance", "friction")}
     parameters = tuple(replace(p, symbol=names[x]) for x, p in shared.symbols.items())
-    resistance = shared.resistance.xreplace(names)
-    return replace(shared, name=shared.name + number, parameters=parameters, resistance=resistance)
+    return replace(shared, name=shared.name + number, parameters=parameters, **terms)
 
 
 def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol, Expr]:
@@ -218,25 +221,43 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
     return values | {x: now(str(x)) for effect in effects for x in effect.states}
 
 
+def components(laws: Sequence[Law], phi: Expr) -> dict[Symbol, Expr]:
+    """Return the components of the weight after a rotation, also of each soil with a law."""
+    values = {}
+    for number in ("", *map(soil_of, laws)):
+        names = {x: numbered(x, number) for x in BY_PSI}
+        at_start = {x: positive(str(named)) for x, named in names.items()}
+        for q, slope in BY_PSI.items():
+            turned = q * cos(phi) - slope * sin(phi)
+            values[names[q]] = expand_trig(turned.xreplace(at_start))
+    return values
+
+
 def symbols_at(
     effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells
 ) -> dict[Symbol, Expr]:
-    """Return the values of all symbols in declared terms at a moment, except normal stress; mu is that of the laws."""
-    turns = any(effect.turns for effect in effects)
+    """Return the values of all symbols in declared terms at a moment, except normal stress.
+
+    mu is the sum of the laws of soils, or else the law of slip, multiplied by the law of speed if there is one.
+    """
     phi = ZERO
-    if turns:
+    if any(effect.turns for effect in effects):
         phi = known["ROTATION"] + known["DIRECTION"] * now("x")
-    values = parameters(effects, moving)
-    at_start = {q: positive(str(q)) for q in BY_PSI}
-    for q, slope in BY_PSI.items():
-        turned = q * cos(phi) - slope * sin(phi)
-        here = turned.xreplace(at_start)
-        values[q] = expand_trig(here)
+    values = parameters(effects, moving) | components(laws, phi)
     values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
     omega = now("omega")
     slip = known["SLIP"] + now("x")
-    values |= {numbered(COHESION_LAW, soil_of(law)): friction(law, slip) for law in laws}
-    values[MU] = Mul(*(friction(law, slip) for law in laws if not soil_of(law)))
+    shared = []
+    for law in laws:
+        if soil_of(law):
+            symbol = COHESION_LAW if OF_COHESION in law.name else SOIL_MU
+            values[numbered(symbol, soil_of(law))] = friction(law, slip)
+        else:
+            shared.append(friction(law, slip))
+    of_soils = Add(*(effect.friction for effect in effects)).xreplace(values)
+    *of_slip, of_speed = shared if len(shared) > (of_soils == 0) else (*shared, ONE)
+    values[SLIP_MU] = Add(of_soils, *of_slip)
+    values[MU] = values[SLIP_MU] * of_speed
     return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: slip}
 
 
@@ -253,9 +274,8 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
         terms = (effect.terms[quantity] for effect in others)
         return Add(*terms).xreplace(values)
 
-    mu = values[MU] + total("mu")
     load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
-    mobilised = mu * (1 - known["LIFTED"])
+    mobilised = values[MU] * (1 - known["LIFTED"])
     terms = {
         dynamics.j_theta: known["DIRECTION"] * (values[J_THETA] + total("J_theta")) - total("resistance"),
         dynamics.j_r: load,
@@ -269,7 +289,7 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
     stress = normal / LAMBDA
     for effect in effects:
         growth = effect.growth.subs(MU * EFFECTIVE, mobilised * stress)
-        by_rotation = growth.xreplace({**values, MU: mu, EFFECTIVE: stress})
+        by_rotation = growth.xreplace(values | {EFFECTIVE: stress})
         rates |= {str(x): by_rotation * values[OMEGA] for x in effect.states}
     return rates
 
@@ -278,9 +298,10 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
 
 
 def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequence[Effect], tuple[Law, ...]]]:
-    """Yield effects with laws: each effect and all of them, each law on a mass that turns, products of laws, cohesion.
+    """Yield effects with laws: each effect and all of them, each law on a mass that turns, products of laws, soils.
 
-    The cohesion of a mass that turns follows each law of slip.
+    Each effect on the normal force occurs with the strength of layers and with the laws of two soils, one of them in
+    pieces. The cohesion of a mass that turns follows each law of slip.
     """
     constant, *_ = laws
     yield from ((some, (constant,)) for some in (*((effect,) for effect in effects), effects))
@@ -288,6 +309,13 @@ def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequ
     yield from ((turning, (law,)) for law in laws)
     of_slip, of_speed = ([law for law in laws if law.depends_on == (x,)] for x in ("slip", "speed"))
     yield from (((), both) for both in zip(of_slip, cycle(of_speed), strict=False))
+    layered, *_ = SECTION_EFFECTS
+    in_pieces = next(law for law in of_slip if law.kinks)
+    soils = tuple(replace(law, name=f"{law.name}{OF_SOIL}{k}") for k, law in enumerate((constant, in_pieces)))
+    for effect in effects:
+        if effect in turning or effect.normal_load != 0:
+            yield (effect, layered), (constant,)
+            yield (effect,), soils
     yield from ((turning, (constant, replace(law, name=law.name + OF_COHESION))) for law in of_slip)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import factorial
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from derive.flow import layout
 from derive.flow.integrator import TEXT, one_lane
@@ -139,7 +139,7 @@ class Text:
         return any(self.iterates(x) for x in self.names_of(function) - {name})
 
 
-def refuse(path: str, node: ast.AST, why: str) -> None:
+def refuse(path: str, node: ast.AST, why: str) -> NoReturn:
     """Raise an error that names the file and the line."""
     raise GrammarError(f"{path}, line {getattr(node, 'lineno', 0)}: {why}: {ast.unparse(node).splitlines()[0]}")
 
@@ -154,7 +154,6 @@ def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
         case ast.Subscript(value=ast.Name(id="tuple")):
             return "PAIR"
     refuse(path, node, "every parameter and result has one of the kinds " + ", ".join(ANNOTATIONS))
-    raise AssertionError
 
 
 def integrator() -> Text:

@@ -4,7 +4,6 @@ An ``if`` by lane selects the lanes where its condition is true from the index a
 """
 
 import ast
-import textwrap
 from collections.abc import Iterator, Sequence
 
 from derive.flow.restricted import Function, Text
@@ -114,16 +113,19 @@ class NumPy(Writer):
         self.ifs = 0
 
     def let(self, name: str, kind: str, value: Value, new: bool) -> str:
+        """Return the statement that assigns a value to a name."""
         declared = f": {TYPES[kind]}" if new and value.kind in ("K", "N") and kind != "N" else ""
         held = value.text.startswith(("c[", f"{self.state}.registers[")) and value.kind == "V"
         held = held or value.text.partition("[")[0] in (x for x, k in self.kinds.items() if k == "A")
         return f"{name}{declared} = {value.text}{'.copy()' if held else ''}"
 
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
+        """Yield the lines of a block for each lane where a mask is true."""
         yield f"i = np.flatnonzero({mask})"
         yield from self.block("if i.size", body)
 
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
+        """Yield the lines of an ``if`` on a truth value of one lane, which may leave the function."""
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
@@ -144,6 +146,7 @@ class NumPy(Writer):
             yield f"{known} = {kept}"
 
     def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+        """Yield the lines of a loop on a truth value of one lane."""
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
@@ -184,8 +187,8 @@ class NumPy(Writer):
             if kind == "LANE":
                 parameters.append("i: Index")
         yield f"def {f.name}({', '.join(parameters)}) -> {TYPES[f.returns]}:"
-        words = textwrap.wrap(f.words.split("\n\n")[0].replace("\n", " "), 110)
-        yield '    """' + "\n    ".join(words) + '"""'
+        words = f.words.split("\n\n")[0].replace("\n", " ")
+        yield f'    """{words}"""'
         if f.of and any("c[" in line for line in body):
             yield f"    c = {self.state}.cells"
         for line in body:

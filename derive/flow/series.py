@@ -79,7 +79,7 @@ CASE = """\
 """
 FUNCTION = """\
 def _{code}(r: Floats, c: Floats, n: int, {parameters}) -> None:
-    \"""{means}.\"""
+    \"""Compute {means}.\"""
 {names}
     if n == 0:
 {start}

@@ -15,12 +15,11 @@ from derive.declare.effects import EFFECTS, K_H, K_V, LAWS, WATER
 from derive.flow.link import lookup
 from derive.flow.link.definitions import Recipe
 from derive.flow.link.program import Program, build
-from derive.flow.recurrences import OPERATIONS, RESULTS
+from derive.flow.recurrences import OPERATIONS
 
 # Parameters that change along the motion: none, a level of water, a record in one direction or in two.
 MOVING: tuple[tuple[Symbol, ...], ...] = ((), (WATER,), (K_H,), (K_H, K_V))
 FUNCTIONS = """\
-/* {comment} */
 INLINE void rates_{k}(const int32_t *own, V *r, const V *c, int n, double by_n)
 {{
 {rates}
@@ -64,19 +63,6 @@ def operation(kind: str, *places: Any) -> list[str]:
     return [kind.upper(), *(f"{register} * STRIDE" for register in registers), *["CELL"] * cells]
 
 
-def described(program: Program) -> str:
-    """Return a description of the operations on which rates depend, and of the others: kind and registers."""
-    words = []
-    for kind, *places in program.series:
-        arguments = places[RESULTS.get(kind, 1) :]
-        if kind == "lin":
-            arguments = [register for _, register in arguments[1]]
-        elif kind == "ramp":
-            arguments = []
-        words.append(" ".join([kind, *map(str, arguments)]))
-    return " | ".join("; ".join(words[k] for k in group) for group in program.split)
-
-
 def c() -> dict[str, str]:
     """Return programs as integers, as functions, and as a table of these functions, by their marks in the C text."""
     patterns = functions = rows = ""
@@ -92,6 +78,6 @@ def c() -> dict[str, str]:
         count = len(rates)
         patterns += f"    {{{begins[count]}, {len(integers)}, (const int32_t[]){{{', '.join(integers)}}}}},\n"
         first, last = ("\n".join(x) for x in (calls[:count], calls[count:]))
-        functions += FUNCTIONS.format(comment=described(program), k=k, rates=first, others=last)
+        functions += FUNCTIONS.format(k=k, rates=first, others=last)
         rows += f"    {{order_{k}, later_{k}}},\n"
     return {"PATTERNS": patterns, "STRAIGHT": functions, "STRAIGHT_ROWS": rows}

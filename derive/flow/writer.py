@@ -3,6 +3,7 @@
 import ast
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import NoReturn
 
 from derive.flow.restricted import (
     CODES,
@@ -49,7 +50,8 @@ class Writer:
         at = self.forms["at"] if self.lane else ""
         return form.format(x=name, X=name.upper(), s=self.state, at=at, **parts)
 
-    def refuse(self, node: ast.AST, why: str) -> None:
+    def refuse(self, node: ast.AST, why: str) -> NoReturn:
+        """Raise an error that names the file and the line of a construct outside the grammar."""
         refuse(self.function.path, node, why)
 
     def _here(self, kind: str) -> str:
@@ -114,7 +116,6 @@ class Writer:
                 sign = self.say("and" if isinstance(op, ast.And) else "or", kind)
                 return Value(self._joined(sign, several), kind)
         self.refuse(e, "this expression is not in the grammar of the integrator")
-        raise AssertionError
 
     def _joined(self, sign: str, values: Sequence[Value]) -> str:
         """Return values joined by a sign. An integer beside numbers of lanes becomes a number."""

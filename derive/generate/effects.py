@@ -2,7 +2,7 @@
 
 import re
 
-import sympy as sp
+from sympy import Expr, Symbol, pycode
 
 from derive.code.emit import filled
 from derive.declare.cohesion import COHESION_LAWS
@@ -49,7 +49,7 @@ def _effect(e: Effect | Law) -> str:
 def _parameter(p: Parameter) -> str:
     """Return the source of a parameter. Its conversion to a dimensionless value is a lambda of the arc's scales."""
     symbol = p.symbol.name if p.symbol is not None else ""
-    convert = sp.pycode(p.dimensionless, fully_qualified_modules=False)
+    convert = pycode(p.dimensionless, fully_qualified_modules=False)
     for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
         convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
     bounds = "{!r}, {!r}".format(*p.bounds).replace("inf", "INFINITY")
@@ -64,15 +64,15 @@ _NOTATION = {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho", REFERENC
 def formulas(effect: Effect) -> tuple[str, ...]:
     """Return the terms of an effect in the balance, and definitions of dimensionless parameters, marked by a star."""
     starred = {symbol: p for symbol, p in effect.symbols.items() if p.dimensionless != VALUE}
-    stars = {symbol: sp.Symbol(f"{symbol}_star") for symbol in starred}
+    stars = {symbol: Symbol(f"{symbol}_star") for symbol in starred}
 
-    def shown(e: sp.Expr) -> str:
+    def shown(e: Expr) -> str:
         return term("", e.subs(stars)).formula.replace("J_theta'", "dJ_theta/dpsi").replace("J_r'", "dJ_r/dpsi")
 
     lines = ["psi = psi_0 - phi"] if effect.turns else []
     lines += [f"adds {shown(added)} to {quantity}" for quantity, added in effect.terms.items() if added != 0]
     lines += [f"d{x}/dphi = {shown(effect.growth)}" for x in effect.states]
     for symbol, p in starred.items():
-        scales = p.dimensionless.subs(_NOTATION | {VALUE: sp.Symbol(p.name)})
+        scales = p.dimensionless.subs(_NOTATION | {VALUE: Symbol(p.name)})
         lines.append(f"{symbol}* = {in_words(scales)}")
     return tuple(lines)

@@ -36,7 +36,7 @@ def kernels(proved: Sequence[Record]) -> list[Function]:
         every.append(
             Function(
                 tiers["best"],
-                f"{symbol}: {x.help}, dimensionless.",
+                f"Return {symbol}, the {x.help}, dimensionless.",
                 f"{symbol} = {formulas[name]}",
                 _source(x),
                 (_ALPHA,),
@@ -125,14 +125,14 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
             _, amplitude = m.kernel
             turned = f"{amplitude}(alpha) {derive(m).direction}"
             words = (
-                f"{symbol}: {m.help}, dimensionless.",
+                f"Return {symbol}, the {m.help}, dimensionless.",
                 f"{symbol} = {turned}, alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.",
                 _source(m),
             )
         else:
             symbol = "mu_eq"
             words = (
-                "mu_eq: friction coefficient at limit equilibrium.",
+                "Return mu_eq, the friction coefficient at limit equilibrium.",
                 "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
                 f"eq. (3.21) of {PAPER}",
             )

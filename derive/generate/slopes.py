@@ -3,7 +3,7 @@
 from derive.algebra import slopes
 from derive.algebra.slopes import NODES, REACH, WEIGHTS
 from derive.code import emit
-from derive.code.program import operations, program
+from derive.code.program import program
 
 TITLE = "The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."
 _WORDS = {
@@ -34,57 +34,57 @@ _LISTED = ", ".join(WEIGHTS)
 # The docstring of each function besides its inputs: summary, formula, returns and a note.
 _TEXTS = {
     "closed": (
-        "Integrals over the ring between an edge and the arc under it: sector minus triangle.",
+        "Return the integrals over the ring between an edge and the arc under it: sector minus triangle.",
         "Of r dr dtheta, then of its products with r and r^2, with (cos, sin)(theta), and with r (cos, sin)(theta).",
         f"{_LISTED}, all over powers of R.",
         f"Accurate where the edge is longer than {REACH} (r1 + r2); `rings` elsewhere.",
     ),
     "rings": (
-        "Increments of the integrals over a ring along its edge, divided by P1 x e, for quadrature over s from 0 to 1.",
+        "Return the integrands, over s from 0 to 1 along an edge, of the integrals over a ring; divided by P1 x e.",
         "(1 - rho^n)/(n rho^2) for n = 2, 3, 4, then (1 - rho^n)/(n rho^3) for n = 2, 3, to be times the point itself.",
         "area, polar, inertia, radial, moment.",
         f"With g = (1-s) g1 + s g2 + s (1-s) d^2 and Gauss' rule of {NODES} nodes: accurate however thin the ring, "
         f"where the edge is at most {REACH} (r1 + r2) long.",
     ),
     "head": (
-        "Integral of the height of a line above the arc, from a point of the arc over an angle.",
+        "Return the integral of the height of a line above the arc, from a point of the arc over an angle.",
         "height a + (slope cos - sin) (1 - cos(a)) - (slope sin + cos) (a - sin(a)), a the angle, sin and cos the "
         "point's.",
         "Over R.",
         "Over at most pi; accurate however near the line and however steep.",
     ),
     "drive": (
-        "Driving moment of the slices about the centre, over dbeta and gamma R^3.",
+        "Return the driving moment of the slices about the centre, over dbeta and gamma R^3.",
         "Weight and k_h times it, at half the slice's height.",
         "Positive down-slope.",
     ),
     "ordinary_normal": (
-        "Effective normal stress of the ordinary method (Fellenius), over gamma R.",
+        "Return the effective normal stress of the ordinary method (Fellenius), over gamma R.",
         "The forces between slices have no component along the radius: N' = W (cos a - k_h sin a) - u l.",
         "May be negative.",
     ),
     "bishop_strength": (
-        "Strength of Bishop's simplified method times its lever, over gamma R.",
+        "Return the strength of Bishop's simplified method times its lever, over gamma R.",
         "(c + mu (h - u)) cos(beta).",
         "Strength is this over `bishop_lever`.",
     ),
     "bishop_lever": (
-        "m_alpha of Bishop's simplified method.",
+        "Return m_alpha of Bishop's simplified method.",
         "cos(beta) - sin(beta) mu/F.",
         "Below 0.05 the method is of no use.",
     ),
     "bishop_normal": (
-        "Effective normal stress of Bishop's simplified method, over gamma R.",
+        "Return the effective normal stress of Bishop's simplified method, over gamma R.",
         "From the vertical balance of a slice that carries no vertical force to its neighbours.",
         "May be negative.",
     ),
     "radial_weight": (
-        "Weight along the radius (2.23) by strips above the arc, over dbeta and gamma R^2.",
+        "Return the weight along the radius (2.23) by strips above the arc, over dbeta and gamma R^2.",
         "Integral of the cosine of a point's angle from straight below the centre, over a strip.",
         "Its integral over the arc is J_r, of the paper's mean normal stress.",
     ),
     "radial_tilt": (
-        "Contribution of a unit of k_h to `radial_weight`.",
+        "Return the contribution of a unit of k_h to `radial_weight`.",
         "Integral of the sine of a point's angle from straight below the centre, over a strip.",
         "Its integral over the arc is dJ_r/dpsi.",
     ),
@@ -102,9 +102,9 @@ def module() -> str:
         summary, formula, returned, *notes = _TEXTS[name]
         inputs = [(n, "float or ndarray", _WORDS[n]) for n in p.inputs]
         returns = "tuple of ndarray" if len(outputs) > 1 else "float or ndarray", returned
-        cost = f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast."
+        note = "No domain check; shapes broadcast."
         examples = emit.example(p, "generated.slopes", [_GIVEN[n] for n in p.inputs])
-        text = emit.numpydoc(summary, formula, inputs, returns, *notes, cost, examples=examples, width=114)
+        text = emit.numpydoc(summary, formula, inputs, returns, *notes, note, examples=examples, width=114)
         functions.append((p, text))
     constants = (
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "

@@ -17,8 +17,8 @@ from sympy import Expr, Integer
 from derive.algebra.dynamics import mu, omega_star, sigma_mean
 from derive.check.proof import ProofError
 from derive.declare.symbols import a, b, t, theta, u
-from derive.judge import mechanics as m
-from derive.judge import section as s
+from derive.judge.mechanics import a_of, b_of, j_r, j_theta, mu_of, sigma, sigma_n, tau_n, turn
+from derive.judge.section import DIP, HALF, RESIDUAL, limit_friction, moment, reached, turned
 
 Along = Callable[[Any], mpf]  # a function of u = theta - theta_m, along the arc
 
@@ -31,30 +31,30 @@ class State:
     """
 
     stress: Along | None = None
-    friction: Along = lambda u: s.RESIDUAL
-    psi: mpf = s.DIP
+    friction: Along = lambda u: RESIDUAL
+    psi: mpf = DIP
     omega: mpf | int = 0
 
     @cached_property
     def total(self) -> mpf:
         """Total of the stress along the arc by (2.5)."""
-        return s.moment("radial_weight", psi=self.psi) + s.moment("polar_moment") * self.omega**2
+        return moment("radial_weight", psi=self.psi) + moment("polar_moment") * self.omega**2
 
     def normal(self, u: Any) -> mpf:
         """Return the stress at u."""
         if self.stress:
             return self.stress(u)
-        return self.total / (2 * s.HALF)
+        return self.total / (2 * HALF)
 
 
 def sum_of(f: Along) -> mpf:
     """Return the integral along the arc."""
-    return quad(f, [-s.HALF, 0, s.HALF])
+    return quad(f, [-HALF, 0, HALF])
 
 
 def columns(u: mpf) -> mpf:
     """Return the stress at rest if all radial columns were independent."""
-    return cos(s.DIP - u) * (1 - (cos(s.HALF) / cos(u)) ** 2) / 2
+    return cos(DIP - u) * (1 - (cos(HALF) / cos(u)) ** 2) / 2
 
 
 def along_bisector(u: mpf) -> mpf:
@@ -62,13 +62,13 @@ def along_bisector(u: mpf) -> mpf:
 
     Its resultant is 2 R sin(alpha) sigma, the shear is odd in u, and the weight is the segment's.
     """
-    area = s.HALF - sin(2 * s.HALF) / 2
-    return area * cos(s.DIP) / (2 * sin(s.HALF))
+    area = HALF - sin(2 * HALF) / 2
+    return area * cos(DIP) / (2 * sin(HALF))
 
 
 def uneven(u: mpf) -> mpf:
     """Return a friction coefficient that is 10 % larger at one end of the arc and 10 % smaller at the other."""
-    return s.RESIDUAL * (1 - u / (10 * s.HALF))
+    return RESIDUAL * (1 - u / (10 * HALF))
 
 
 @dataclass(frozen=True)
@@ -96,23 +96,23 @@ def _of_uniform(stress: Along) -> mpf:
 
 def _centripetal_share(as_printed: bool = False) -> mpf:
     """Return the centripetal stress over the static stress after 30 s of (3.20)."""
-    return State(omega=s.reached("omega*", as_printed)).total / State().total - 1
+    return State(omega=reached("omega*", as_printed)).total / State().total - 1
 
 
 def _changes(name: str) -> Callable[[State], mpf]:
-    return lambda x: s.moment(name, psi=x.psi) / s.moment(name) - 1
+    return lambda x: moment(name, psi=x.psi) / moment(name) - 1
 
 
 # In the order in which the paper first needs them.
 POSTULATES = (
     Postulate(
         "Coulomb friction, one coefficient",
-        ((m.tau_n, mu * m.sigma_n),),
-        lambda x: x.friction(s.HALF) / x.friction(-s.HALF) - 1,
+        ((tau_n, mu * sigma_n),),
+        lambda x: x.friction(HALF) / x.friction(-HALF) - 1,
         "friction that varies along the arc",
         lambda: State(friction=uneven),
         "20 % from end to end change the friction force by {} if columns stand alone",
-        lambda: sum_of(lambda u: uneven(u) * columns(u)) / sum_of(lambda u: s.RESIDUAL * columns(u)) - 1,
+        lambda: sum_of(lambda u: uneven(u) * columns(u)) / sum_of(lambda u: RESIDUAL * columns(u)) - 1,
     ),
     Postulate(
         "radial components of different directions are added as scalars",
@@ -125,8 +125,8 @@ POSTULATES = (
     ),
     Postulate(
         "uniform stress, where the distribution is undetermined",
-        ((m.sigma(theta), sigma_mean),),
-        lambda x: x.normal(0) * 2 * s.HALF / sum_of(x.normal) - 1,
+        ((sigma(theta), sigma_mean),),
+        lambda x: x.normal(0) * 2 * HALF / sum_of(x.normal) - 1,
         "radial columns that stand alone",
         lambda: State(columns),
         "0 at the ends, {} above the mean in the middle",
@@ -137,37 +137,37 @@ POSTULATES = (
         ((omega_star, Integer(0)),),
         lambda x: x.total / State(psi=x.psi).total - 1,
         "a mass that moves",
-        lambda: State(omega=s.reached("omega*")),
+        lambda: State(omega=reached("omega*")),
         "{} of the static stress after 30 s of (3.20) with correct coefficients, {printed} with the paper's own",
         _centripetal_share,
         lambda: _centripetal_share(as_printed=True),
     ),
     Postulate(
         "J_r frozen",
-        ((m.j_r, m.j_r.subs(m.turn, 0)),),
+        ((j_r, j_r.subs(turn, 0)),),
         _changes("radial_weight"),
         "the mass turns",
-        lambda: State(psi=s.DIP - s.reached("phi", as_printed=True)),
+        lambda: State(psi=DIP - reached("phi", as_printed=True)),
         "{} over the paper's rotation in 30 s",
-        lambda: s.turned("radial_weight"),
+        lambda: turned("radial_weight"),
     ),
     Postulate(
         "J_theta frozen",
-        ((m.j_theta, m.j_theta.subs(m.turn, 0)),),
+        ((j_theta, j_theta.subs(turn, 0)),),
         _changes("weight_moment"),
         "the mass turns by twice its dip, which reverses J_theta and leaves J_r",
-        lambda: State(psi=-s.DIP),
+        lambda: State(psi=-DIP),
         "{} over the paper's rotation in 30 s",
-        lambda: s.turned("weight_moment"),
+        lambda: turned("weight_moment"),
     ),
     Postulate(
         "friction at its residual value from the start, and constant",
-        ((m.mu_of(t), mu), (m.a_of(t), a), (m.b_of(t), b)),
-        lambda x: x.friction(0) / s.RESIDUAL - 1,
+        ((mu_of(t), mu), (a_of(t), a), (b_of(t), b)),
+        lambda x: x.friction(0) / RESIDUAL - 1,
         "friction that softens from its limit",
-        lambda: State(friction=lambda u: s.limit_friction()),
+        lambda: State(friction=lambda u: limit_friction()),
         "drops by {} of the limit friction at once",
-        lambda: 1 - s.RESIDUAL / s.limit_friction(),
+        lambda: 1 - RESIDUAL / limit_friction(),
     ),
 )
 

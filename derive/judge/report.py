@@ -1,6 +1,7 @@
 """Reports of the verdicts on the paper: a table of its errors, claims in full, Markdown, or JSON."""
 
 import json
+import re
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -21,7 +22,6 @@ def selected(names: Sequence[str]) -> list[Claim]:
     ValueError
         If a name selects no claim; the message lists the places.
     """
-
     chosen = []
     for name in names:
         sought = _plain(name)
@@ -60,7 +60,7 @@ def report(
     form : {"text", "json", "markdown"}
         Format of the report.
     width : int
-        Columns of the text. In a text wider than every claim, each claim is one line.
+        Columns of the text. In a text wider than every claim, each field of a claim is one line.
     names : sequence of str
         Places of the claims to judge, see `selected`; all claims by default.
     verdict : str, optional
@@ -88,9 +88,9 @@ def report(
         return json.dumps([row._asdict() for row in rows], indent=2)
     if form == "markdown":
         return _markdown(rows)
-    if names or verdict:
-        return "\n\n".join([*(_in_full(x, width) for x in rows), f"{counts(rows)}."])
-    return _text(rows, width) if every else errors(rows, width)
+    if names or verdict or every:
+        return "\n\n".join([*(_in_full(x, width) for x in rows), textwrap.fill(f"{counts(rows)}.", width)])
+    return errors(rows, width)
 
 
 def failing(rows: Iterable[Row]) -> list[Row]:
@@ -106,28 +106,21 @@ def errors(rows: Sequence[Row], width: int) -> str:
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1), expand=True)
     table.add_column("place", no_wrap=True)
-    table.add_column("printed", ratio=3)
-    table.add_column("correct", ratio=4)
-    table.add_column("cause", ratio=6)
+    for name, ratio in (("printed", 3), ("correct", 4), ("cause", 8)):
+        table.add_column(name, ratio=ratio)
+    places: dict[tuple[str, str, str], list[str]] = {}  # of a mistake, which may occur at several
     for row in rows:
         if row.verdict in ERRORS:
-            table.add_row(row.id, row.printed, row.computed, row.cause)
+            correct = re.sub(r"; \d+ operations -> \d+$", "", row.computed)
+            places.setdefault((row.printed, correct, row.cause), []).append(row.id)
+    for mistake, found in places.items():
+        table.add_row("\n".join(found), *mistake)
     console = Console(width=min(width, 120), color_system=None, highlight=False, markup=False)
     with console.capture() as captured:
         console.print(table)
-    lines = [line.rstrip() for line in captured.get().splitlines()]
-    lines.append(f"{counts(rows)}.")
-    lines.append("All claims: --all; one claim: its number, such as 3.15.")
-    return "\n".join(lines)
-
-
-def _paragraph(text: str, width: int) -> str:
-    return textwrap.fill(text, width, subsequent_indent="    ")
-
-
-def _described(x: Row, width: int) -> str:
-    compared = f"printed {x.printed}; from the definitions {x.computed}"
-    return _paragraph(f"{x.id}: {x.verdict}: {x.cause or x.claim} [{compared}]", width)
+    lines = [line.rstrip() for line in captured.get().splitlines() if line.strip()]
+    note = f"{counts(rows)}. All claims: --all; one: 3.15."
+    return "\n".join([*lines, textwrap.fill(note, width)])
 
 
 def _in_full(x: Row, width: int) -> str:
@@ -141,22 +134,6 @@ def _in_full(x: Row, width: int) -> str:
         if text
     ]
     return "\n".join([f"{x.id}, {x.claim}: {x.verdict}", *wrapped])
-
-
-def _text(rows: Sequence[Row], width: int) -> str:
-    return "\n".join(
-        [
-            *(_described(x, width) for x in rows if x.verdict in SIMPLY),
-            "",
-            "Errors, assumptions, and claims that cannot be checked:",
-            *(_described(x, width) for x in failing(rows)),
-            "",
-            "Verdicts:",
-            *(_paragraph(f"{verdict}: {rule}.", width) for verdict, rule in VERDICTS.items()),
-            "",
-            textwrap.fill(f"{counts(rows)}.", width),
-        ]
-    )
 
 
 def _markdown(rows: Sequence[Row]) -> str:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from flint import arb
 
 from derive.check.truth import limit, value, working
-from derive.theorem.swing import Standstill, Swing, Undecided, standstill
+from derive.theorem.swing import Standstill, Swing, Undecided, between
 
 BITS = 3.33  # a digit
 SPARE = 6  # digits of each part of a motion, more than the sum is to have
@@ -148,7 +148,7 @@ def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
     stands: list[Standstill] = []
     still = arb(0)
     while swing.acceleration(still, still) > 0:
-        stand = standstill(swing, tolerance)
+        stand = between(swing, tolerance)
         stands.append(stand)
         if len(stands) == 1:
             proof.proved += [

@@ -8,6 +8,10 @@ A step of the motion is a polynomial of t with balls for coefficients. The last 
 Taylor series about every state of the step (Lagrange). The derivatives of the polynomial therefore enclose the
 derivatives of the motion, and its integral encloses the rotation. The proof consists of the signs of omega' and omega''
 on a whole step and of balls for their zeros by Newton's method.
+
+With E = omega^2/2, dE/dx = omega' as a function of x. Where E is equal and the mass presses on the arc, less friction,
+load or resistance make omega' greater, and so does a swing that began at a greater dip. Solutions of an equation of
+first order do not cross. Rest and peak of uncertain coefficients therefore lie between those of two extreme swings.
 """
 
 from typing import Any, NamedTuple
@@ -150,6 +154,30 @@ def standstill(swing: Swing, tolerance: arb) -> Standstill:
         if end is not length:
             return Standstill(x, time, peak_at, peak, steps)
         length = min(2 * length, FIRST_STEP)
+
+
+GREATER = ("dip", "pore", "decay")  # greater coefficients that prolong a swing
+LESS = ("press", "polar", "cohesion", "residual", "drop")  # lesser ones
+
+
+def between(swing: Swing, tolerance: arb) -> Standstill:
+    """Return the next standstill for uncertain coefficients, with rest and peak between those of the extreme swings."""
+    stand = standstill(swing, tolerance)
+    if all(x.rad() < tolerance for x in swing):
+        return stand
+    ends = []
+    for more, less in (("upper", "lower"), ("lower", "upper")):
+        extremes = dict.fromkeys(GREATER, more) | dict.fromkeys(LESS, less)
+        coefficients = {}
+        for name, end in extremes.items():
+            ball = getattr(swing, name)
+            coefficients[name] = getattr(ball, end)()
+        ends.append(standstill(swing._replace(**coefficients), tolerance))
+    longest, shortest = ends
+    return stand._replace(
+        rest=stand.rest.intersection(shortest.rest.union(longest.rest)),
+        peak=stand.peak.intersection(shortest.peak.union(longest.peak)),
+    )
 
 
 def decided(part: Step, rises: bool) -> tuple[arb, bool]:

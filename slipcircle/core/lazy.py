@@ -15,6 +15,8 @@ MODULES = {
     "forcing": "slipcircle.tables.forcing",  # shaking, or pore pressure that changes with time
     "tables": "slipcircle.tables.tables",  # a function of time, or a piecewise or tabulated law
     "functions": "slipcircle.tables.functions",  # friction is a Python function of slip
+    "ponds": "slipcircle.ground.ponds",  # a section has a water level or ponds
+    "heights": "slipcircle.ground.heights",  # a section has a water level, or its arc overhangs
     "water": "slipcircle.ground.water",  # a section has a water level
     "depths": "slipcircle.layers.depths",  # cohesion of one soil grows with depth
     "standing": "slipcircle.layers.standing",  # free water covers the exit of a section

@@ -3,17 +3,10 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from slipcircle.ground.ground import (
-    FAR,
-    circle_through,
-    circle_touching,
-    continued,
-    points_errors,
-    simple_slope,
-    slope_errors,
-)
+from slipcircle.ground.ground import FAR, continued, points_errors, slope_errors
 
 if TYPE_CHECKING:
+    from slipcircle.ground.construction import circle_through, circle_touching, simple_slope
     from slipcircle.ground.errors import outside_between
     from slipcircle.ground.ponds import Ponds, ends_above, free_water, water_fault
     from slipcircle.ground.section import Section
@@ -33,7 +26,11 @@ __all__ = [
     "slope_errors",
     "water_fault",
 ]
-_MODULES = {"Section": "section", "outside_between": "errors"}
+_MODULES = {
+    **dict.fromkeys(("circle_through", "circle_touching", "simple_slope"), "construction"),
+    "Section": "section",
+    "outside_between": "errors",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -12,27 +12,25 @@ import numpy as np
 import slipcircle.ground.circles as circles
 from slipcircle.base.checks import Fault
 from slipcircle.base.kinds import Texts
+from slipcircle.core.lazy import lazy_import
 from slipcircle.ground.ground import AS_PRINTED
-from slipcircle.ground.ponds import ends_above, water_fault
 
 
 def geometry_errors(section: Any) -> Iterator[Fault]:
     """Yield the errors of lanes whose geometry is not a section."""
-    yield water_fault(*section.water)
+    if section.has_water:
+        yield lazy_import("ponds").water_fault(*section.water)
     yield _not_one_stretch(section)
-    # The error of centres below the ground, including ground that passes over the centre outside the circle.
-    centre = section._circle[1]
+    _, centre, _ = section._circle
     first, last = section._angles
-    is_below = circles.below_ground(section._cut, section._mine)
+    is_below = circles.below_ground(section._cut, section._mine)  # the ground may pass over it outside the circle
     yield (
-        (
-            is_below | (last <= first),
-            lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
-        )
+        is_below | (last <= first),
+        lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
     )
     yield _one_point(section)
     if section.level is not None:
-        yield ends_above(section._level, *_x_of_ends(section))
+        yield lazy_import("ponds").ends_above(section._level, *x_of_ends(section))
     if section.base is not None:
         yield _below_base(section)
 
@@ -53,7 +51,9 @@ def _not_one_stretch(section: Any) -> Fault:
         if count[k] > 1 or one_besides_an_end:
             ends = zip(left[mine], right[mine], strict=True)
             stretches = ", ".join(_pairs(ends))
-            short = " besides one that an end of the ground cuts short" if held[k] else ""
+            short = ""
+            if held[k]:
+                short = " besides one that an end of the ground cuts short"
             return f"{which}: cuts off several masses; choose one by {{between}} = {stretches}{short}"
         if held[k]:
             beyond = f"x = {x - r:.6g} or {x + r:.6g}"
@@ -68,7 +68,7 @@ def _not_one_stretch(section: Any) -> Fault:
     return (count != 1) | held, sentence
 
 
-def _x_of_ends(section: Any) -> Any:
+def x_of_ends(section: Any) -> Any:
     """Return x of the left and the right end of arcs, (2, n)."""
     _, centre, radius = section._circle
     left, right = section._ends
@@ -77,7 +77,7 @@ def _x_of_ends(section: Any) -> Any:
 
 def outside_between(section: Any) -> Fault:
     """Return the error of masses that exceed the range of x that selects them."""
-    left, right = _x_of_ends(section)
+    left, right = x_of_ends(section)
     low, high = section.between or (-np.inf, np.inf)
     rounding = AS_PRINTED * (right - left)
     given = f"{{between}} = [{low:.6g}, {high:.6g}]"
@@ -130,32 +130,6 @@ def _below_base(section: Any) -> Fault:
     return lowest < base - AS_PRINTED * radius, sentence
 
 
-def _other_water(section: Any) -> Fault:
-    """Return the error of masses under free water of another level than at the exit."""
-    _, centre, radius = section._circle
-    left, right = _x_of_ends(section)
-    water = section.free_water
-    first = np.maximum(water.first, left)
-    last = np.minimum(water.last, right)
-    at_exit = centre[:, 1] + radius * section.standing_level
-    difference = np.abs(water.level - at_exit)
-    differs = difference > 1e-9 * radius
-    covers = last > first
-    other = covers & differs
-
-    def sentence(k: int) -> str:
-        levels = np.broadcast_to(water.level, other.shape)
-        of_lane = levels[:, k]
-        level = of_lane[other[:, k]][0]
-        height = at_exit[k]
-        why = "not its exit" if np.isinf(height) else f"free water at y = {height:.6g} its exit"
-        return (
-            f"{{level}}: free water at y = {level:.6g} covers the mass, and {why}; a motion takes the level at the exit"
-        )
-
-    return other.any(axis=0), sentence
-
-
 def motion_errors(section: Any) -> Iterator[Fault]:
     """Yield the errors of lanes to which the method does not apply."""
     half_angle = np.ravel(section.half_angle)
@@ -167,7 +141,8 @@ def motion_errors(section: Any) -> Iterator[Fault]:
             "stress of the method (2.9) loses its sense"
         ),
     )
-    yield _other_water(section)
+    if section.has_water:
+        yield lazy_import("ponds").other_water(section, *x_of_ends(section))
     normal_load = np.ravel(section.moment_coefficients.normal_load)
     yield (
         normal_load <= 0.0,

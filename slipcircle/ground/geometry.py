@@ -7,11 +7,11 @@ import numpy as np
 
 import slipcircle.ground.circles as circles
 from slipcircle.base.kinds import ArrayDict, ArrayPair, ArrayTriple, Floats, Shape
+from slipcircle.core.lazy import lazy_import
 from slipcircle.ground.circles import Cut
 from slipcircle.ground.ground import AS_PRINTED, leading_shape
-from slipcircle.ground.heights import HeightIntegrals, height_integrals, integral_inside
+from slipcircle.ground.pieces import integral_inside
 from slipcircle.ground.plane import Vectors
-from slipcircle.ground.ponds import Given, Ponds, free_water
 from slipcircle.ground.turning import TurningMass
 
 
@@ -214,23 +214,32 @@ class SectionGeometry(TurningMass):
         return self._lines(self.level)
 
     @property
-    def water(self) -> tuple[Floats, Floats | None, bool, Given]:
+    def has_water(self) -> bool:
+        """Whether the section has a water level or ponds."""
+        return self.level is not None or len(self.ponds) > 0
+
+    @property
+    def water(self) -> tuple[Any, ...]:
         """Ground and water level with one axis of lanes, whether the level is confined, and ponds."""
-        level = None if self.level is None else self._level
+        if self.level is None:
+            level = None
+        else:
+            level = self._level
         return self._lines(self.ground), level, self.confined, self.ponds
 
     @cached_property
-    def free_water(self) -> Ponds:
-        """Free water above the ground."""
-        return free_water(*self.water)
+    def free_water(self) -> Any:
+        """Free water above the ground, `slipcircle.ground.ponds.Ponds`."""
+        return lazy_import("ponds").free_water(*self.water)
 
     @cached_property
     def standing_level(self) -> Floats:
         """Level of free water above the exits relative to the centres, over R, (lanes,); -inf for a dry exit."""
         _, centre, radius = self._circle
+        if not self.has_water:
+            return np.full_like(radius, -np.inf)
         x, y = self.exit.reshape(-1, 2).T
-        level = self.free_water.covering(x, y)
-        return (level - centre[:, 1]) / radius
+        return (self.free_water.covering(x, y) - centre[:, 1]) / radius
 
     @cached_property
     def in_standing_water(self) -> bool:
@@ -248,8 +257,8 @@ class SectionGeometry(TurningMass):
         return entry, exit_
 
     @cached_property
-    def _water(self) -> HeightIntegrals:
-        return height_integrals(self._level, *self._circle[1:])
+    def _water(self) -> Any:
+        return lazy_import("heights").height_integrals(self._level, *self._circle[1:])
 
     @cached_property
     def mean_cover(self) -> Any:
@@ -258,13 +267,9 @@ class SectionGeometry(TurningMass):
         Where the arc overhangs, the ground above it lies outside the mass.
         """
         first, last = self._angles
-        of_cut = integral_inside(self._cut)
-        by_edge = np.where(self._mine, of_cut, 0.0)
-        integral = by_edge.sum(axis=1)
-        widest = np.maximum(-first, last)
-        overhangs = widest > np.pi / 2
+        integral = np.where(self._mine, integral_inside(self._cut), 0.0).sum(axis=1)
+        overhangs = np.maximum(-first, last) > np.pi / 2
         if overhangs.any():
-            above = height_integrals(*self._circle)
+            above = lazy_import("heights").height_integrals(*self._circle)
             integral = np.where(overhangs, above.integral(first, last), integral)
-        mean = self._shaped(integral) / (2 * self.half_angle)
-        return mean * self.radius
+        return self._shaped(integral) / (2 * self.half_angle) * self.radius

@@ -17,36 +17,16 @@ from generated import slopes
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.circles import Cut, cut
 from slipcircle.ground.ground import continued
+from slipcircle.ground.pieces import Pieces, pieces_inside, slope_of, span_of
 from slipcircle.ground.plane import Vectors, each_lane
 
 _TOGETHER = 1 << 14  # arcs times pieces per block, whose arrays fit into the cache
 
 
-class _Pieces(NamedTuple):
-    """Pieces of circles over which one edge of a line lies above the arc, one column per edge, (n, pieces)."""
-
-    low: Floats  # angles of a piece's ends
-    high: Floats
-    span: Floats  # high - low to full precision; 0 where there is no such piece
-    sine: Floats  # at the low end
-    cosine: Floats
-    height: Floats
-
-    def only(self, pieces: Any) -> "_Pieces":
-        """Return selected pieces."""
-        return _Pieces._make(column[:, pieces] for column in self)
-
-    def turned(self, angle: float) -> "_Pieces":
-        """Return the pieces turned by an angle."""
-        low = self.low + angle
-        high = self.high + angle
-        return self._replace(low=low, high=high)
-
-
 class HeightIntegrals(NamedTuple):
     """Pieces of circles with an edge of a line above each, over two turns from -3 pi/2 on."""
 
-    pieces: _Pieces
+    pieces: Pieces
     slope: Floats  # of the edge above each piece, (n, pieces)
 
     @property
@@ -76,7 +56,7 @@ class HeightIntegrals(NamedTuple):
         return total
 
 
-def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
+def _over_parts(pieces: Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
     """Return integrals over the parts of pieces between two angles, each from its own start to avoid cancellation."""
     low, high, span, sine, cosine, height = pieces
     start = np.clip(first, low, high)
@@ -102,14 +82,6 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
     return slopes.head(angle, start_sine, start_cosine, start_height, slope)
 
 
-def integral_inside(parts: Cut) -> Floats:
-    """Return height integrals of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
-    pieces = _inside(parts)
-    slope = _slope(parts.part)
-    _, _, span, sine, cosine, height = pieces
-    return slopes.head(span, sine, cosine, height, slope)
-
-
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:
     """Return height integrals of lines (n or 1, V, 2) above circles with centres (n, 2) and radii (n,), m.
 
@@ -125,7 +97,7 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     from_centre = points - centre[:, None]
     line = from_centre / radius[:, None, None]
     edges = Vectors.of(points).edges
-    slope = _slope(edges)
+    slope = slope_of(edges)
     parts = cut(points, centre, radius)
     vertices = Vectors.of(line)
     lower, upper = _halves(parts, vertices, slope)
@@ -136,14 +108,14 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     two_turns = [*before, *lower, *upper, *after]
     by_column = zip(*two_turns, strict=True)
     columns = [np.concatenate(column, axis=1) for column in by_column]
-    every = _Pieces(*columns)
+    every = Pieces(*columns)
     has_width = every.span > 0.0
     used = np.flatnonzero(has_width.any(axis=0))
     pieces = every.only(used)
     return HeightIntegrals(pieces, slope[:, used % slope.shape[1]])
 
 
-def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
+def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[Pieces], list[Pieces]]:
     """Return pieces over the lower halves of circles, for all three parts of edges, and over the upper halves."""
     start = line.starts
     last = line.ends.x
@@ -154,39 +126,11 @@ def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], li
     leaves = np.where(has_part_inside, exit_.x, last)
     before, before_upper = _outside(start, slope, start.x, enters)
     after, after_upper = _outside(start, slope, leaves, last)
-    inside = _inside(parts)
+    inside = pieces_inside(parts)
     return [inside, before, after], [before_upper, after_upper]
 
 
-def _slope(edge: Vectors) -> Floats:
-    of_scarps = np.zeros_like(edge.x)
-    has_run = edge.x > 0.0
-    return np.divide(edge.y, edge.x, out=of_scarps, where=has_run)
-
-
-def _inside(parts: Cut) -> _Pieces:
-    """Return pieces over the lower half for the parts of edges inside circles.
-
-    With g = 1 - rho^2, known without cancellation near the circle, the arc below a point has cos = sqrt(y^2 + g), and
-    the height of the point above it is cos + y = g/(cos - y).
-    """
-    x, y = parts.start
-    end = parts.start + parts.part
-    cosine_squared = y**2 + parts.first
-    cosine = np.sqrt(cosine_squared)
-    end_cosine_squared = end.y**2 + parts.second
-    end_cosine = np.sqrt(end_cosine_squared)
-    difference = cosine - y
-    total = cosine + y
-    is_lower = y < 0.0
-    height = np.divide(parts.first, difference, out=total, where=is_lower)
-    low = np.arctan2(x, cosine)
-    high = np.arctan2(end.x, end_cosine)
-    span = _span(parts.part.x, cosine, end_cosine)
-    return _Pieces(low, high, span, x, cosine, height)
-
-
-def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
+def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[Pieces, Pieces]:
     """Return pieces over the lower and the upper half for the parts of edges outside circles between two x."""
     x = np.clip(first, -1.0, 1.0)
     end_x = np.clip(last, -1.0, 1.0)
@@ -199,17 +143,17 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
     run = end_x - x
     is_upper = y + end_y > 0.0
     is_above = is_upper & (run > 0.0)
-    full_span = _span(run, cosine, end_cosine)
+    full_span = span_of(run, cosine, end_cosine)
     span = np.where(is_above, full_span, 0.0)
     low = np.arctan2(x, cosine)
     end_angle = np.arctan2(end_x, end_cosine)
     high = np.where(is_above, end_angle, low)
     above_lower = y + cosine
     above_upper = end_y - end_cosine
-    lower = _Pieces(low, high, span, x, cosine, above_lower)
+    lower = Pieces(low, high, span, x, cosine, above_lower)
     upper_low = np.pi - high
     upper_high = np.pi - low
-    upper = _Pieces(upper_low, upper_high, span, end_x, -end_cosine, above_upper)
+    upper = Pieces(upper_low, upper_high, span, end_x, -end_cosine, above_upper)
     return lower, upper
 
 
@@ -217,9 +161,3 @@ def _half_width(x: Floats) -> Floats:
     """Return half the width of the circle at x, the cosine of a direction whose sine is x."""
     square = (1.0 - x) * (1.0 + x)
     return np.sqrt(square)
-
-
-def _span(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
-    """Return the angle between two points of the lower half: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
-    half_span = np.arctan2(run, cosine + end_cosine)
-    return 2 * half_span

@@ -74,7 +74,10 @@ def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any
     """Return each ground with its level, or None without a level."""
     if levels is None:
         return zip(grounds, repeat(None), strict=False)
-    lanes = len(levels) if len(grounds) == 1 else len(grounds)
+    if len(grounds) == 1:
+        lanes = len(levels)
+    else:
+        lanes = len(grounds)
     of_grounds = each_lane(grounds, lanes)
     of_levels = each_lane(levels, lanes)
     return zip(of_grounds, of_levels, strict=True)
@@ -206,3 +209,30 @@ def ends_above(levels: Floats, left: Floats, right: Floats) -> Fault:
         return f"{{level}}: ends at x = {x:.10g}, above {mass}; extend it beyond the mass"
 
     return inside.any(axis=0), sentence
+
+
+def other_water(section: Any, left: Floats, right: Floats) -> Fault:
+    """Return the error of masses under free water of another level than at the exit, with ends at x, (n,)."""
+    _, centre, radius = section._circle
+    water = section.free_water
+    first = np.maximum(water.first, left)
+    last = np.minimum(water.last, right)
+    at_exit = centre[:, 1] + radius * section.standing_level
+    difference = np.abs(water.level - at_exit)
+    differs = difference > 1e-9 * radius
+    covers = last > first
+    other = covers & differs
+
+    def sentence(k: int) -> str:
+        levels = np.broadcast_to(water.level, other.shape)
+        of_lane = levels[:, k]
+        level = of_lane[other[:, k]][0]
+        if np.isinf(at_exit[k]):
+            why = "not its exit"
+        else:
+            why = f"free water at y = {at_exit[k]:.6g} its exit"
+        return (
+            f"{{level}}: free water at y = {level:.6g} covers the mass, and {why}; a motion takes the level at the exit"
+        )
+
+    return other.any(axis=0), sentence

@@ -6,7 +6,6 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
-from itertools import chain
 from typing import Any, ClassVar
 
 import numpy as np
@@ -134,10 +133,11 @@ class Section(SectionGeometry, Mass):
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Yield the errors of invalid sections and of sections that cannot move."""
-        levels = () if self.level is None else line_errors("level", self._level)
-        ground, *_ = self._circle
-        lines = chain(line_errors("ground", ground), levels)
-        return chain(lines, geometry_errors(self), motion_errors(self))
+        yield from line_errors("ground", self._circle[0])
+        if self.level is not None:
+            yield from line_errors("level", self._level)
+        yield from geometry_errors(self)
+        yield from motion_errors(self)
 
     def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages if the method does not apply, or if a water level is combined with another pore pressure."""

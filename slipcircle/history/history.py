@@ -176,17 +176,33 @@ class History:
         return self._over_time(time, values.reshape(time.size, self.problem.lanes))
 
     def _stresses(self, time: Floats) -> Stresses:
-        outputs = self._mean_forces.outputs(self._states(time))
+        states = self._states(time)
+        outputs = self._mean_forces.outputs(states)
         unit = before(stress_unit(self.plan.scene.arc), time.ndim)
-        total = self._by_state(time, outputs["pressing"])
-        return Stresses(total * unit, self._by_state(time, outputs["normal"]) * unit)
+        of_weight = self._by_state(time, outputs["pressing"]) * unit
+        effective = self._by_state(time, outputs["normal"]) * unit
+        of_lanes = states.rotation.reshape(time.size, *self.shape)
+        load = self._water_load(of_lanes)
+        return Stresses(of_weight + self._by_state(time, load), effective)
+
+    def _water_load(self, rotation: Any) -> Any:
+        """Return the mean normal stress at rotations (rad) from the weight of free water above the mass, Pa."""
+        section: Any = self.plan.scene.arc
+        if not section.in_standing_water:
+            return np.zeros_like(rotation)
+        if "rotation" not in self.plan.effects:
+            rotation = np.zeros_like(rotation)
+        pressure = section.mean_pressure(rotation)
+        lift = section.mean_lift(rotation)
+        return pressure - lift
 
     def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """Return the mean normal stress of each lane in a state at its end, Pa."""
         at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
         states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
         pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])
-        return pressing * stress_unit(self.plan.scene.arc) + 0.0
+        of_weight = pressing * stress_unit(self.plan.scene.arc)
+        return of_weight + self._water_load(self.motion._shaped(rotation))
 
     def further_factors(self) -> FurtherFactors:
         """Return the factors of safety with residual strength and at rest. See `Motion.further_factors`."""

@@ -111,12 +111,9 @@ class RotationTables(NamedTuple):
         """
         if self.upslope or "rate" in friction or "soils" in friction:
             return np.inf
-        contact_lost = upright(self.section)
-        farthest = float(contact_lost.max())
+        farthest = float(upright(self.section).max())
         for shares in _SHARES[:10], _SHARES:  # most masses rest in the first quarter
-            rotation = shares[:, None] * farthest
-            net_moment = self._net_moment(rotation, friction)
-            energy = np.cumsum(net_moment, axis=0)
+            energy = np.cumsum(self._net_moment(shares[:, None] * farthest, friction), axis=0)
             if np.all(energy[-1] < 0.0):
                 return float(shares[np.argmax(energy < 0.0, axis=0).max()] * _MARGIN + shares[1]) * farthest
         return np.inf
@@ -124,8 +121,7 @@ class RotationTables(NamedTuple):
     def _net_moment(self, rotation: Floats, friction: Parameters) -> Floats:
         """Return driving moment minus least strength, over Theta*, for a sample of lanes at rotations, (M, lanes)."""
         moments = self.section.moment_coefficients
-        mean_peak = self.section.arc_strength.mean_peak
-        count = max(np.size(moments.normal_load), np.size(mean_peak))
+        count = max(np.size(moments.normal_load), np.size(self.section.arc_strength.mean_peak))
         step = 1 + count // _SAMPLE
 
         def of_sample(value: Any) -> Floats:
@@ -139,29 +135,25 @@ class RotationTables(NamedTuple):
         turned_load = load + terms.get("turning", 0.0)
         turned_slope = load_slope + terms.get("turning_slope", 0.0)
         peak = friction.get("peak", friction.get("coefficient"))
-        residual = friction.get("residual", peak)
-        least = np.minimum(peak, residual)
+        least = np.minimum(peak, friction.get("residual", peak))
         cosine = np.cos(rotation)
         sine = np.sin(rotation)
         normal = turned_load * cosine - turned_slope * sine
-        effective = normal + terms.get("normal", 0.0) - terms.get("lift", 0.0)
-        friction_moment = of_sample(least) * effective
+        friction_moment = of_sample(least) * (normal + terms.get("normal", 0.0) - terms.get("lift", 0.0))
         resisting = np.maximum(friction_moment, 0.0)
         return drive * cosine - drive_slope * sine - resisting - terms.get("strength", 0.0)
 
     def _terms_of_sample(self, rotation: Floats, step: int) -> ArrayDict:
         """Return the terms of every ``step``-th lane at rotations, (M, lanes) or (lanes,)."""
         strength = self.section.arc_strength
-        of_circles = np.broadcast_to(rotation, (len(rotation), self.circles))
-        every_part = strength.parts(of_circles, self.names)
+        every_part = strength.parts(np.broadcast_to(rotation, (len(rotation), self.circles)), self.names)
         parts = {name: part[..., ::step] for name, part in every_part.items()}
         terms = {}
         for name, term in self.terms.items():
             if isinstance(term, OfRotation):
                 every_lane = term.coefficients.items()
                 some = {part: values[:, ::step] for part, values in every_lane}
-                of_sample = term._replace(coefficients=some)
-                terms[name] = of_sample.combined(parts)
+                terms[name] = term._replace(coefficients=some).combined(parts)
             else:
                 terms[name] = np.ravel(term)[::step]
         return terms

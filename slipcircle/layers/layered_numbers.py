@@ -54,8 +54,7 @@ class LayeredNumbers(CrackedSection):
 
     def cohesion_laws(self, cohesion: Values) -> tuple[Law, ...]:
         """Return the laws by which the cohesion of the soils changes with slip."""
-        laws: tuple[Law, ...] = self.arc_strength.cohesion_laws
-        return laws
+        return self.arc_strength.cohesion_laws
 
     def parts(self) -> Parts:
         """Return the numbers of the geometry, soils by name, tops of layers and surcharges, with their declarations."""
@@ -114,8 +113,7 @@ def _moved(top: Any, height: Any) -> Any:
     if height is None or np.ndim(top) < 2:
         return top if height is None else height
     line = np.asarray(top)
-    rise = np.asarray(height - line[..., 0, 1])[..., None]
-    shift = np.broadcast_arrays(0.0, rise)
+    shift = np.broadcast_arrays(0.0, np.asarray(height - line[..., 0, 1])[..., None])
     return line + np.stack(shift, axis=-1)
 
 

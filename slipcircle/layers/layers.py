@@ -179,8 +179,7 @@ class LayeredSection(LayeredNumbers):
     def _shaped(self, values: Any) -> Any:
         """Return values by lane in the shape of the geometry or of all results."""
         values = np.asarray(values)
-        circles = int(np.prod(self.shape))
-        of_geometry = len(values) == circles
+        of_geometry = len(values) == int(np.prod(self.shape))
         shape = self.shape if of_geometry else self.lanes_shape
         _, *components = values.shape
         return values.reshape((*shape, *components))[()]
@@ -243,8 +242,7 @@ class LayeredSection(LayeredNumbers):
         weight = self.of_soils("unit_weight")[:count]
         steps = [np.diff(weight, axis=0, prepend=0.0)]
         if self._saturated:
-            wet = self.of_soils("weight_below_water")
-            increase = wet[:count] - weight
+            increase = self.of_soils("weight_below_water")[:count] - weight
             steps.append(np.diff(increase, axis=0, prepend=0.0))
         if self.surcharge:
             pressures = []

@@ -66,16 +66,12 @@ class Part(NamedTuple):
             piece += inside >= edge
         number = piece * circles + np.arange(circles)
         first = edges.take(number)
-        last = edges.take(number + circles)
-        width = last - first
-        divisor = np.where(width != 0.0, width, 1.0)
-        share = (inside - first) / divisor
-        place = 2.0 * share - 1.0
+        width = edges.take(number + circles) - first
+        place = 2.0 * ((inside - first) / np.where(width != 0.0, width, 1.0)) - 1.0
         polynomials = np.ascontiguousarray(chebyshev.chebvander(place, terms - 1))
         every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
         within = np.einsum("...it,...t->...i", every_piece.take(number, axis=0), polynomials)
-        every_edge = self.before.reshape(-1, columns * integrals)
-        up_to = every_edge.take(number, axis=0)
+        up_to = self.before.reshape(-1, columns * integrals).take(number, axis=0)
         up_to += within
         return up_to.reshape(*beta.shape, columns, integrals)
 
@@ -107,8 +103,7 @@ class Profile(NamedTuple):
         first = 0
         for part in self.parts:
             last = first + part.edges.shape[1]
-            up_to = part.up_to(beta[:, first:last])
-            every[..., first:last] = up_to.transpose(3, 2, 0, 1)
+            every[..., first:last] = part.up_to(beta[:, first:last]).transpose(3, 2, 0, 1)
             first = last
         return every
 
@@ -153,17 +148,12 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     for first in range(0, max(1, circles.size), _CIRCLES):
         some = slice(first, first + _CIRCLES)
         # The integrals of all columns along the arcs of some circles with the given edges of strips.
-        converged = _converged(strips, weights, circles[some], edges[:, some])
-        pieces = sorted(converged, key=_order)
+        pieces = sorted(_converged(strips, weights, circles[some], edges[:, some]), key=_order)
         firsts, lasts, by_piece = zip(*pieces, strict=True)
-        in_order = np.stack(by_piece)
-        series = np.ascontiguousarray(in_order)
+        series = np.ascontiguousarray(np.stack(by_piece))
         each = series @ np.ones(_COUNT + 1)  # at the right end every Chebyshev polynomial is 1
-        nothing = np.zeros_like(each[:1])
-        up_to_ends = np.cumsum(each, axis=0)
-        before = np.concatenate([nothing, up_to_ends])
-        ends = np.stack([*firsts, lasts[-1]])
-        part = Part(ends, before, series)
+        before = np.concatenate([np.zeros_like(each[:1]), np.cumsum(each, axis=0)])
+        part = Part(np.stack([*firsts, lasts[-1]]), before, series)
         whole.append(part.before[-1])
         if has_many:
             part = part.combined(steps[:, some])
@@ -185,15 +175,10 @@ def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats)
     done = list[_Piece]()
     scale = 0.0
     while len(strip):
-        integrands = _integrands(strips, weights, strip[:, None], circle, first, last)
-        series, size, tail = _developed(integrands)
+        series, size, tail = _developed(_integrands(strips, weights, strip[:, None], circle, first, last))
         scale = float(size.max(initial=scale))
-        is_truncated = tail > _ACCURACY * scale
-        is_long = last - first > _SHORTEST
-        is_rough = is_truncated & is_long
-        rough = np.logical_or.reduce(is_rough, axis=1)
-        pieces = zip(first, last, series, strict=True)
-        done += compress(pieces, ~rough)
+        rough = np.logical_or.reduce((tail > _ACCURACY * scale) & (last - first > _SHORTEST), axis=1)
+        done += compress(zip(first, last, series, strict=True), ~rough)
         left = first[rough]
         right = last[rough]
         middle = (left + right) / 2
@@ -209,13 +194,11 @@ def _developed(values: Floats) -> ArrayTriple:
     The head is the greater of the first two coefficients, the tail the greater of the last two.
     """
     *axes, pieces, circles = values.shape
-    flat = values.reshape(*axes, pieces * circles)
-    developed = _DEVELOPING @ flat
+    developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)
     by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
     terms = _COUNT + 1
     series = by_piece[:, :, :terms]
-    sizes = np.abs(by_piece[:, :, terms:])
-    of_terms = sizes.max(axis=(0, 1))
+    of_terms = np.abs(by_piece[:, :, terms:]).max(axis=(0, 1))
     return series.transpose(3, 4, 1, 0, 2), of_terms[:2].max(axis=0), of_terms[2:].max(axis=0)
 
 
@@ -228,26 +211,19 @@ def _integrands(
     x = np.sin(beta)
     c = np.cos(beta)
     per_node = half * c
-    left = strips.x[circle, strip]
-    beyond = x - left
+    beyond = x - strips.x[circle, strip]
     at_left = strips.y[:, circle, strip]
     slope = strips.slope[:, circle, strip]
-    above = strips.above[:, circle, strip]
-    weight = weights[:, :, None, circle] * above
+    weight = weights[:, :, None, circle] * strips.above[:, circle, strip]
     columns = np.moveaxis(weight, 1, 0)[:, :, None]  # weights of each surface
     total = np.zeros((_INTEGRALS, len(weight), *beta.shape))
-    of_heights = weight[:, : len(slope)]
-    counts = of_heights.any(axis=(0, 2, 3))
+    counts = weight[:, : len(slope)].any(axis=(0, 2, 3))
     for k in np.flatnonzero(counts).tolist():
-        y = at_left[k] + slope[k] * beyond
-        height = np.maximum(y + c, 0.0)
-        of_surface = columns[k] * per_node
-        rows = over_height(c, height)
-        _add(total, rows, of_surface)
+        height = np.maximum(at_left[k] + slope[k] * beyond + c, 0.0)
+        _add(total, over_height(c, height), columns[k] * per_node)
     _complete(total, x, c)
     ground = at_left[0] + slope[0] * beyond
-    of_loads = columns[len(slope) :] * per_node
-    _add_loads(total, strips.loads, circle, x, ground, of_loads)
+    _add_loads(total, strips.loads, circle, x, ground, columns[len(slope) :] * per_node)
     return total
 
 
@@ -269,8 +245,7 @@ def _add_loads(
         for pressure in (1.0 - share, share):
             weight = next(remaining) * pressure
             if weight.any():
-                rows = _of_pressure(x, y)
-                _add(total, rows, weight)
+                _add(total, _of_pressure(x, y), weight)
 
 
 def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
@@ -279,8 +254,7 @@ def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
     gap = h * chord  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
-    to_top = rho + c - h
-    ratio = (inward + h) / to_top
+    ratio = (inward + h) / (rho + c - h)
     centre = h / 3 - c
     yield RADIAL_Y, -inward
     yield RADIAL_X, np.log1p(ratio)

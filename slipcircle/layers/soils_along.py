@@ -60,8 +60,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
     vertical = _means(section, ends, _from_entry(section, HEAD, ends))
-    depth = section.arc_strength.growth_up_to(ends[:, None])
-    growth = _means(section, ends, depth[..., 0])
+    growth = _means(section, ends, section.arc_strength.growth_up_to(ends[:, None])[..., 0])
     rows = []
     for k, layer in enumerate(layers):
         soil, _ = section.layers[layer]
@@ -69,11 +68,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
         end = float(ends[k + 1])
         ratio = plain(soil.pore_ratio)
         pressure = ratio * vertical[k] if ratio else _head(section, start, end)
-        gradient = np.asarray(soil.cohesion_gradient)
-        increase = gradient * growth[layer, k]
-        cohesion = np.asarray(soil.peak_cohesion) + increase
-        effective = normal[k] - pressure
-        friction = np.asarray(soil.peak) * effective
+        cohesion = np.asarray(soil.peak_cohesion) + np.asarray(soil.cohesion_gradient) * growth[layer, k]
         stretch = Stretch(
             soil=soil,
             start=start,
@@ -82,7 +77,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
             weight_share=float(shares[k]),
             normal_stress=float(normal[k]),
             pore_pressure=float(pressure),
-            strength=float(cohesion + friction),
+            strength=float(cohesion + np.asarray(soil.peak) * (normal[k] - pressure)),
         )
         rows.append(stretch)
     return tuple(rows)
@@ -115,8 +110,7 @@ def _radius(section: LayeredSection) -> float:
 def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[int], Floats]:
     """Return the numbers of the soils along the mass of one section after a rotation, and directions of their ends."""
     strength = section.arc_strength
-    turned = np.full((1, 1), rotation)
-    *joints, last, first = strength.space(turned).ravel().tolist()
+    *joints, last, first = strength.space(np.full((1, 1), rotation)).ravel().tolist()
     (after,) = strength.stretches.after
     every_soil = [*strength.stretches.first, *after]
     soils = list[int]()
@@ -137,12 +131,10 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
     """Return an integral of the weights from the entry to directions, over R or R^2, (M,)."""
     (facing,) = section._facing
     profile = section.profile
-    to_the_right = facing * directions[:, None]
-    up_to = profile.up_to(to_the_right)[integral, :, :, 0]
+    up_to = profile.up_to(facing * directions[:, None])[integral, :, :, 0]
     if facing < 0.0:
         up_to = profile.whole[integral] - up_to
-    by_surface = up_to * section.weight_steps
-    return by_surface.sum(axis=0)
+    return (up_to * section.weight_steps).sum(axis=0)
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:
@@ -152,6 +144,4 @@ def _head(section: LayeredSection, start: float, end: float) -> float:
     (facing,) = section._facing
     low, high = np.sort([[facing * start], [facing * end]], axis=0)
     (integral,) = section.heads_between(low, high)
-    height = float(integral / (high - low)[0])
-    water_unit_weight = plain(section.water_unit_weight)
-    return height * _radius(section) * water_unit_weight
+    return float(integral / (high - low)[0]) * _radius(section) * plain(section.water_unit_weight)

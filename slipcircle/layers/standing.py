@@ -41,19 +41,14 @@ def displaced(section: Any, rotation: Floats, directions: Floats) -> ArrayPair:
     for circle in np.flatnonzero(under_water).tolist():
         surface = _surface(section, circle)
         first, last = ends[:, circle]
-        size = len(every) * len(surface)
-        blocks = 1 + size // _TOGETHER
+        blocks = 1 + len(every) * len(surface) // _TOGETHER
         for rows in np.array_split(every, blocks):
             turned = np.clip(rotation[rows, circle], -_UPRIGHT, _UPRIGHT)
-            cosine = np.cos(turned)
-            sine = np.sin(turned)
-            level = _Level(heights[circle], cosine, sine)
+            level = _Level(heights[circle], np.cos(turned), np.sin(turned))
             upto = directions[:, rows, circle]
-            kinks = _kinks(surface, level, turned)
-            cuts = np.concatenate([kinks, upto])
+            cuts = np.concatenate([_kinks(surface, level, turned), upto])
             cuts.sort(axis=0)
-            edges = np.clip(cuts, first, last)
-            integrals = _Integrals(surface, level, edges)
+            integrals = _Integrals(surface, level, np.clip(cuts, first, last))
             to_directions = integrals.normal(upto)
             whole = integrals.moment
             normal[:, rows, circle] = to_directions
@@ -65,12 +60,8 @@ def _surface(section: Any, circle: int) -> Floats:
     """Return the ground relative to the centre of a circle, over R, with x down-slope."""
     ground, centre, radius = section._circle
     way = int(section._facing[circle])
-    line = ground[circle % len(ground)]
-    from_centre = line - centre[circle]
-    over_radius = from_centre / radius[circle]
-    mirror = [way, 1.0]
-    down_slope = over_radius * mirror
-    return down_slope[::way]
+    over_radius = (ground[circle % len(ground)] - centre[circle]) / radius[circle]
+    return (over_radius * [way, 1.0])[::way]
 
 
 class _Level(NamedTuple):
@@ -89,8 +80,7 @@ class _Level(NamedTuple):
 
 def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
     """Return directions of kinks of integrands: ends, vertices, and crossings of the level with ground or arc."""
-    columns = surface.T
-    x, y = columns[..., None]
+    x, y = surface.T[..., None]
     depth = y - level.at(x)
     fall = depth[:-1] - depth[1:]
     divisor = np.where(fall == 0.0, np.inf, fall)

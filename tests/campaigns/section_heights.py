@@ -17,7 +17,7 @@ import mpmath
 import numpy as np
 
 from slipcircle import Section
-from slipcircle.ground.ground import circle_through
+from slipcircle.ground.construction import circle_through
 
 mpmath.mp.dps = 40
 Point = tuple[Any, Any]

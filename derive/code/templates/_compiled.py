@@ -17,12 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from generated._evaluate import BLOCK, OWN, Array, check_items, evaluate, real
+from generated._evaluate import HALF_PI, OWN, Array, check_items, evaluate, real
 from generated.tiers import BOUNDS, DIGEST, LIMIT
 
 Text = Callable[..., Array]
 CHEAPEST_FIRST = ("1e-6", "1e-10", "best")
-HALF_PI = np.pi / 2
 FREE_THREADED = "wheels have no binary for free-threaded Python; pip install --no-binary slipcircle slipcircle makes it"
 
 
@@ -103,17 +102,8 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     # That of float32 is a type of the best one's.
     compiled: dict[str, Any] = {tier: loops.get(tier, {}).get(name) for tier in CHEAPEST_FIRST}
     best = compiled["float32"] = compiled["best"]
-    cheapest = partial(_checked, name, cache(partial(_cheapest, name, form)))
-    numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
-    own = partial(_general, name, texts, compiled, cheapest, numpy)
-    inside = _is_arc if both_ends else _inside
-
-    def general(args: tuple[Any, ...], out: Any, where: Any, accuracy: float | None) -> Any:
-        kinds = map(type, (*args, where))
-        is_own = out is None or isinstance(out, np.ndarray)
-        if is_own and OWN.issuperset(kinds):
-            return own(args, out, where, accuracy)
-        return _elsewhere(name, texts, inside, args, out, where, accuracy)
+    cheapest = partial(_checked, name, form)
+    general = partial(_general, name, texts, compiled, cheapest, _is_arc if both_ends else _inside)
 
     def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
@@ -126,9 +116,8 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
         return general((alpha,), out, where, accuracy)
 
     def of_ends(one: Any, two: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
-        simple = best is not None and where is True and out is None
-        simple = simple and accuracy is None
-        if simple and type(one) is type(two) is float:
+        floats = type(one) is type(two) is float
+        if floats and best is not None and where is True and out is None is accuracy:
             return best(one, two)
         return general((one, two), out, where, accuracy)
 
@@ -140,31 +129,33 @@ def _general(
     texts: Mapping[str, Text],
     compiled: Mapping[str, Any],
     cheapest: Callable[[str, float], str],
-    numpy: Callable[..., Any],
+    inside: Callable[..., Any],
     args: tuple[Any, ...],
     out: Any,
     where: Any,
     accuracy: float | None,
 ) -> Any:
-    """Compute arguments of any type that NumPy accepts, by the compiled loop of a tier or by its text."""
+    """Compute arguments of any type, by the compiled loop of a tier, by its text, or as an array's library does."""
+    if not OWN.issuperset(map(type, (*args, where))) or not isinstance(out, np.ndarray | None):
+        return _elsewhere(name, texts, inside, args, out, where, accuracy)
     items, kind = real(name, args)
     tier = "float32" if kind.char == "f" and "float32" in texts else "best"
     if accuracy is not None:
         tier = cheapest(kind.char, accuracy)
     loop = compiled[tier]
     if loop is None or kind.char not in "df":
-        return numpy(texts[tier], items, kind, out, where)
-    arrays = [np.asarray(x, dtype=kind) for x in items]
-    return _masked(loop, arrays, out, where)
+        return evaluate(name, texts[tier], inside, (0.5,) if len(args) == 1 else (4.0, 5.0), items, kind, out, where)
+    return _masked(loop, [np.asarray(x, dtype=kind) for x in items], out, where)
 
 
-def _checked(name: str, cheapest: Callable[[str, float], str], kind: str, accuracy: float) -> str:
+def _checked(name: str, form: str, kind: str, accuracy: float) -> str:
     """Return the cheapest tier for a single number."""
     if not isinstance(accuracy, _NUMBERS):
         raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
-    return cheapest(kind, accuracy)
+    return _cheapest(name, form, kind, accuracy)
 
 
+@cache
 def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
     """Return the cheapest tier that is proved to satisfy a relative error in a float format.
 
@@ -202,40 +193,6 @@ _NUMBERS = (int, float, np.integer, np.floating)
 _SCALARS = frozenset((float, np.float64, np.float32))
 
 
-def _numpy(name: str, text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, where: Any) -> Any:
-    """Compute blocks. Blocks within [0, pi/2], the usual case, need no masks."""
-    body = partial(_clipped, text)
-    if where is not True:
-        return evaluate(name, body, _inside, (0.5,), tuple(items), out, where)
-    alpha = np.asarray(items[0], dtype=kind)
-    result = np.empty(alpha.shape, kind)
-    flat = alpha.reshape(-1)
-    values = result.reshape(-1)
-    with np.errstate(under="ignore"):  # an underflow is correctly rounded, or nearly so
-        for start in range(0, flat.size, BLOCK):
-            block = flat[start : start + BLOCK]
-            inside = block.min() >= 0.0 and float(block.max()) <= HALF_PI  # in float64: float32's pi/2 lies above
-            if inside:
-                part = text(block.astype(np.float64, copy=False))
-            else:
-                part = evaluate(name, body, _inside, (0.5,), (block,), None, True)
-            values[start : start + BLOCK] = part
-    if out is None:
-        return result[()]
-    np.copyto(out, result, casting="same_kind")
-    return out
-
-
-def _numpy_of_ends(name: str, text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any, where: Any) -> Any:
-    """Set the limit friction of arcs without normal load to infinity, without a flag."""
-
-    def body(theta_1: Array, theta_2: Array) -> Array:
-        with np.errstate(divide="ignore", over="ignore", under="ignore"):
-            return text(theta_1, theta_2)
-
-    return evaluate(name, body, _is_arc, (4.0, 5.0), tuple(items), out, where)
-
-
 def _is_arc(eps: float, theta_1: Array, theta_2: Array) -> Any:
     alpha = 0.5 * theta_2 - 0.5 * theta_1
     near = (theta_1 >= -LIMIT) & (theta_2 <= LIMIT)
@@ -247,13 +204,9 @@ def _inside(eps: float, alpha: Array) -> Any:
     return (alpha >= 0.0) & (alpha <= HALF_PI * (1.0 + 4.0 * eps))
 
 
-def _clipped(text: Text, alpha: Array) -> Array:
-    return text(np.minimum(HALF_PI, alpha))
-
-
 # --- arrays of other libraries ---------------------------------------------------------------------------------------
 
-# Libraries whose arrays stay what they are; of several arguments, the first library here decides.
+# Libraries whose arrays keep their type; of several arguments, the first library here decides.
 LIBRARIES = ("xarray", "pandas", "pint", "dask", "jax", "jaxlib")
 
 

@@ -687,7 +687,10 @@ static int load_neighbours(Batch *b, int64_t first)
     if (b->held || job->end - first < LANES) return 0;
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
     const double *from = job->all + first;
-    for (int i = 0; i < job->made; i++, from += job->count) memcpy(b->c + i, from, sizeof(V));
+    for (int i = 0; i < job->made; i++, from += job->count) {
+        memcpy(b->c + i, from, sizeof(V));
+        __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
+    }
     for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
     b->held = ALL;
     return 1;

@@ -101,7 +101,7 @@ def rest_through(lane: Lane, t: T) -> None:
 
 
 def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: float, by_load: float) -> bool:
-    """Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an end.
+    """Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
 
     ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began.
     """

@@ -25,7 +25,7 @@ from derive.flow.integrator.records import look_for_quiet, rest_through
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.series import expand, radius_of_convergence
 from derive.flow.integrator.step import make_step
-from derive.flow.integrator.swing import leap
+from derive.flow.integrator.swing import swing
 from derive.flow.integrator.tables import next_break, pass_breaks
 
 TOUCHES = 2.0  # units of rounding of the drive below which the net moment at rest is zero
@@ -170,7 +170,7 @@ def advance(s: Lanes, here: M) -> None:
     moving = here and s.status == number(Status.MOVING)
     resting = here and s.status == number(Status.RESTING)
     if s.has.net_sine and not s.samples:
-        moving = moving and not leap(s, moving)
+        moving = moving and not swing(s, moving)
     if any_lane(moving) and lanes_in(moving) >= lanes_in(resting):
         make_step(s, moving)
     if lanes_in(resting) > lanes_in(moving):

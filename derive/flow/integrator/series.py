@@ -119,7 +119,7 @@ def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
 
 
 def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
-    """Compute the series of all registers, where states have one order more than rates, and return the highest order.
+    """Compute the series of all registers, of states to one order more than of rates; return the highest order.
 
     If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
     negligible there. At rest the states are constant, and the net moment decides. Each lane's order is `series_order`,

@@ -181,7 +181,7 @@ def peak_of_swing(e: S, end: V, which: M) -> V:
 
 
 def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
-    """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a turn.
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn.
 
     A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
     """
@@ -255,16 +255,20 @@ def finish(s: Lanes, here: M, e: S, end: V, duration: V) -> None:
 
 
 def swing(s: Lanes, which: M) -> M:
-    """Complete phases in the closed form where it applies, and return these lanes."""
+    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
+    rests = s.x == 0.0 and s.omega == 0.0
+    fits = which and rests and s.drive > 0.0 and s.lifted == 0.0
+    if not any_lane(fits):
+        return fits
     e = new_series()
     back = new_series()
     f = new_series()
     q = -2.0 * s.net_square
     factors(e, s.drive, s.net_sine, s.net_vers, q)
-    end = end_of_swing(e, s.net_sine, which)
+    end = end_of_swing(e, s.net_sine, fits)
     functions(f, minimum(end, FARTHEST), q)
     mirror(back, s.drive, s.net_sine, s.net_vers, q, f)
-    fits = which and end < FARTHEST and back[0] > 0.0
+    fits = fits and end < FARTHEST and back[0] > 0.0
     fits = fits and q >= 0.0 and q * end < FADED
     fits = fits and s.normal_square >= 0.0
     fits = fits and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
@@ -275,12 +279,3 @@ def swing(s: Lanes, which: M) -> M:
         if any_lane(fits):
             finish(s, fits, e, end, duration)
     return fits
-
-
-def leap(s: Lanes, which: M) -> M:
-    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
-    rests = s.x == 0.0 and s.omega == 0.0
-    begins = which and rests and s.drive > 0.0 and s.lifted == 0.0
-    if any_lane(begins):
-        begins = swing(s, begins)
-    return begins

@@ -98,7 +98,7 @@ class State:
     Notes
     -----
     ``normal_stress`` is the mean total normal stress over the arc, including water pressure, by (2.20) from the weight
-    in its position, the rotation and shaking. It does not depend on the layers below the arc.
+    in its position with free water above it, the rotation and shaking. It does not depend on the layers below the arc.
     `slipcircle.layers.mean_normal_stress` returns the means over parts of the arc.
     """
 

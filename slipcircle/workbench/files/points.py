@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from csv import reader
 from io import StringIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -16,12 +17,18 @@ from slipcircle.workbench.common.textfiles import decoded
 from slipcircle.workbench.common.units import LENGTH, unit_of
 
 _PLACES = {"ground": "points", "water": "level", "layers": "top"}
-_COLUMNS = {"x": "x|station|chainage|distance|offset", "y": "y|z|elevation|level|height"}
+_COLUMNS = {  # in English, German, French, Italian and Spanish
+    "x": "x|station|chainage|distance|offset|sta|abstand|abscisse|distanza|progressiva|distancia",
+    "y": "y|z|elevation|level|height|elev|altitude|höhe|hoehe|quota|cota|altitud",
+}
 _MOST_BYTES = 10**7
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?", re.IGNORECASE)
-_TYPES = "LINE LWPOLYLINE POLYLINE"
+_STATION = re.compile(r"(\d+)\+(\d{2,3})([.,]\d+)?")  # 1+25 is 125 ft, 1+250 is 1250 m
+_TYPES = {"LINE", "LWPOLYLINE", "POLYLINE", "SPLINE", "ARC", "ELLIPSE"}
 _DRAWING_UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 21: "us_ft"}  # $INSUNITS
 _TOGETHER = 1e-6  # relative to the size of a drawing: ends of lines at most this far apart are joined
+_CURVED = 1e-5  # relative to the size of a curve, its distance from the edges that replace it
+_PARTS = 8  # of a quarter of a circle, each a cubic curve
 Points = list[Pair]
 
 
@@ -105,17 +112,20 @@ def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, s
 
 def _sheet(text: str) -> tuple[Points, str]:
     """Return the points of a spreadsheet and the unit that its header states."""
-    filled = [line for line in text.splitlines() if line.strip()]
-    separator = next((mark for mark in ";\t" if mark in "".join(filled[-1:])), ",")
-    sheet = reader(StringIO(text.replace("\N{MINUS SIGN}", "-"), newline=""), delimiter=separator)
-    lines = [(sheet.line_num, [cell.strip() for cell in row]) for row in sheet]
-    rows = [(k, row) for k, row in lines if any(row) and not row[0].startswith("#")]
+    rows, separator = _rows(text)
     either = "|".join(_COLUMNS.values())
-    head = next((k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row)), -1)
+    named = (k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row))
+    no_numbers = rows and not any(_NUMBER.match(cell) for cell in rows[0][1])
+    head = next(named, 0 if no_numbers else -1)
     columns = (0, 1)
     unit = ""
     if head >= 0:
         columns, unit = _columns(rows[head][1])
+        below = [row for _, row in rows[head + 1 : head + 2]]
+        of_row = {unit_of(cell.strip("()[]"), LENGTH) for row in below for cell in row if cell}
+        if not unit and len(of_row) == 1 and (stated := of_row.pop()):
+            unit = stated
+            head += 1
     else:
         width = max((k for _, row in rows for k, cell in enumerate(row, 1) if cell), default=0)
         if width != 2:
@@ -125,9 +135,24 @@ def _sheet(text: str) -> tuple[Points, str]:
     return [_point(line, row, columns, decimal) for line, row in rows[head + 1 :]], unit
 
 
+def _rows(text: str) -> tuple[list[tuple[int, Texts]], str]:
+    """Return the filled rows of a spreadsheet as cells, with the numbers of their lines, and the separator."""
+    filled = [line for line in text.splitlines() if line.strip()]
+    last = "".join(filled[-1:])
+    separator = next((mark for mark in ";\t," if mark in last), " ")
+    if separator == " ":  # columns of any number of blanks
+        text = "\n".join(" ".join(line.split()) for line in text.splitlines())
+    sheet = reader(StringIO(text.replace("\N{MINUS SIGN}", "-"), newline=""), delimiter=separator)
+    lines = [(sheet.line_num, [cell.strip() for cell in row]) for row in sheet]
+    return [(k, row) for k, row in lines if any(row) and not row[0].startswith("#")], separator
+
+
 def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> Pair:
     """Return the x and y of a row of a spreadsheet."""
     cells = [row[k] if k < len(row) else "" for k in columns]
+    station = _STATION.fullmatch(cells[0])
+    if station:
+        cells[0] = "".join(part or "" for part in station.groups())
     for cell in cells:
         marks = set(cell) & {".", ","}
         if not _NUMBER.fullmatch(cell) or not marks <= {decimal}:
@@ -165,18 +190,20 @@ def _columns(head: Sequence[str]) -> tuple[tuple[int, int], str]:
 # --- drawings --------------------------------------------------------------------------------------------------------
 
 
-def _drawing(path: Path, layer: str) -> tuple[Points, str]:
+def _drawing(file: Path, layer: str) -> tuple[Points, str]:
     """Return the points of the connected lines on a layer of a drawing, from left to right, and the drawing's unit."""
     ezdxf = optional("ezdxf", "profiles from drawings")
     make_path = optional("ezdxf.path", "profiles from drawings").make_path
+    recursive_decompose = optional("ezdxf.disassemble", "profiles from drawings").recursive_decompose
     try:
-        drawing = ezdxf.readfile(path)
+        drawing = ezdxf.readfile(file)
     except (OSError, ezdxf.DXFError, ValueError) as error:
         raise ValueError(f"is not a drawing in DXF: {error}") from error
     lines: dict[str, list[Points]] = {}
-    for entity in drawing.modelspace().query(_TYPES):
-        vertices = make_path(entity).flattening(_TOGETHER)
-        lines.setdefault(entity.dxf.layer, []).append([(float(v.x), float(v.y)) for v in vertices])
+    for entity in recursive_decompose(drawing.modelspace()):
+        if entity.dxftype() not in _TYPES:
+            continue
+        lines.setdefault(entity.dxf.layer, []).append(_vertices(make_path(entity, segments=_PARTS)))
     chosen = [name for name in lines if name.lower() == layer.lower()] if layer else [*lines]
     if len(chosen) != 1:
         fault = f"has no lines on layer {layer}" if layer else "needs the name of a layer"
@@ -185,6 +212,15 @@ def _drawing(path: Path, layer: str) -> tuple[Points, str]:
     joined = _joined(lines[chosen[0]])
     unit = _DRAWING_UNITS.get(drawing.header.get("$INSUNITS", 0), "")
     return joined if joined[0][0] <= joined[-1][0] else joined[::-1], unit
+
+
+def _vertices(path: Any) -> Points:
+    """Return the points of a path of ``ezdxf``, with edges in the place of curves; an upright section has y = z."""
+    corners = np.array([corner.xyz for corner in path.control_vertices()])
+    near = _CURVED * float(np.ptp(corners, axis=0).max())
+    x, y, z = np.array([vertex.xyz for vertex in path.flattening(near)]).T
+    is_upright = np.ptp(y) == 0.0 and np.ptp(z) > 0.0
+    return list(zip(x.tolist(), (z if is_upright else y).tolist(), strict=True))
 
 
 def _joined(lines: Iterable[Points]) -> Points:

@@ -30,7 +30,7 @@ _SHAPE = ("radius", "dip")
 _MOST_OF_SHAPE = 0.1  # relative range of these
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
-MOST_COEFFICIENTS = 1969  # greatest number of numbers of interpolants, for a page below 130 kB
+MOST_COEFFICIENTS = 1600  # greatest number of numbers of interpolants, for a page below 130 kB
 MOST_NUMBERS = 60_000  # greatest number of values in tables
 
 
@@ -116,7 +116,7 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> ValueDict:
         "runs": _runs(inputs),
         "start": inputs.start and _start(inputs, inputs.start),
         "rounded": ROUNDED,
-        "stresses": of_means(scene) is scene,
+        "stresses": of_means(scene) is scene and not scene.arc.in_standing_water,
         "input_error": greatest_error(inputs, fits),
         "statuses": [[status.name, end.get(status, status.words), status.reason] for status in Status],
         "of_end": STATUS_OF_END.tolist(),

@@ -77,6 +77,7 @@ class Start(NamedTuple):
         """Return the integrals of the strength over its lever on each interval, (lanes, intervals)."""
         slices = driven.slices
         cohesion, friction = slices.cohesion(), slices.friction
+        mobilised = np.resize(mobilised, friction.shape[-1:])  # of every lane where lanes have arcs of their own
         if self.method == "ordinary":
             shear = cohesion + friction * slices.ordinary_normal()
         else:

@@ -1,0 +1,78 @@
+"""Parts of a ground inside circles, as pieces of the arcs below them, and the integrals of its height over them.
+
+Lengths are divided by R, and the origin is the centre. Angles are measured from straight below the centre in rad, so
+that a point of the arc is (sin, -cos).
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated import slopes
+from slipcircle.base.kinds import Floats
+from slipcircle.ground.circles import Cut
+from slipcircle.ground.plane import Vectors
+
+
+class Pieces(NamedTuple):
+    """Pieces of circles over which one edge of a line lies above the arc, one column per edge, (n, pieces)."""
+
+    low: Floats  # angles of a piece's ends
+    high: Floats
+    span: Floats  # high - low to full precision; 0 where there is no such piece
+    sine: Floats  # at the low end
+    cosine: Floats
+    height: Floats
+
+    def only(self, pieces: Any) -> "Pieces":
+        """Return selected pieces."""
+        return Pieces._make(column[:, pieces] for column in self)
+
+    def turned(self, angle: float) -> "Pieces":
+        """Return the pieces turned by an angle."""
+        low = self.low + angle
+        high = self.high + angle
+        return self._replace(low=low, high=high)
+
+
+def integral_inside(parts: Cut) -> Floats:
+    """Return height integrals of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
+    pieces = pieces_inside(parts)
+    slope = slope_of(parts.part)
+    _, _, span, sine, cosine, height = pieces
+    return slopes.head(span, sine, cosine, height, slope)
+
+
+def slope_of(edge: Vectors) -> Floats:
+    """Return the slopes of edges, 0 for scarps."""
+    of_scarps = np.zeros_like(edge.x)
+    has_run = edge.x > 0.0
+    return np.divide(edge.y, edge.x, out=of_scarps, where=has_run)
+
+
+def pieces_inside(parts: Cut) -> Pieces:
+    """Return pieces over the lower half for the parts of edges inside circles.
+
+    With g = 1 - rho^2, known without cancellation near the circle, the arc below a point has cos = sqrt(y^2 + g), and
+    the height of the point above it is cos + y = g/(cos - y).
+    """
+    x, y = parts.start
+    end = parts.start + parts.part
+    cosine_squared = y**2 + parts.first
+    cosine = np.sqrt(cosine_squared)
+    end_cosine_squared = end.y**2 + parts.second
+    end_cosine = np.sqrt(end_cosine_squared)
+    difference = cosine - y
+    total = cosine + y
+    is_lower = y < 0.0
+    height = np.divide(parts.first, difference, out=total, where=is_lower)
+    low = np.arctan2(x, cosine)
+    high = np.arctan2(end.x, end_cosine)
+    span = span_of(parts.part.x, cosine, end_cosine)
+    return Pieces(low, high, span, x, cosine, height)
+
+
+def span_of(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
+    """Return the angle between two points of the lower half: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
+    half_span = np.arctan2(run, cosine + end_cosine)
+    return 2 * half_span
