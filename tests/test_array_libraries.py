@@ -57,7 +57,7 @@ def test_xarray(name: str) -> None:
 
 @each_of_ends
 def test_dimensions_pair_by_name(name: str) -> None:
-    """xarray's dimensions broadcast by name, in either order; NumPy arrays and numbers beside them by position."""
+    """Dimensions of xarray broadcast by name, in either order; NumPy arrays and numbers beside them by position."""
     xr = pytest.importorskip("xarray")
     function, first, last = getattr(kernels, name), np.array([3.9, 4.0, 4.1]), np.array([4.9, 5.1, 5.0])
     one, two = xr.DataArray(first, dims="a"), xr.DataArray(last, dims="b")

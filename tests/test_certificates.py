@@ -197,10 +197,9 @@ def test_the_checker_proves_certificates() -> None:
 
 @pytest.mark.parametrize("r", RECORDS, ids=lambda r: f"{r['kernel']}-{r['tier']}-{r['form']}")
 def test_bounds_reach_the_goals(r: Record) -> None:
-    """The checker holds the goals; here that they are close to the worst known error, which
-    `test_observed_errors` runs.
+    """Proved bounds are close to the worst known errors, which `test_observed_errors` computes.
 
-    Of float32 what is promised is the rounding, for which the bound serves.
+    The checker compares bounds and goals. In float32 correct rounding is promised, which follows from the bound.
     """
     if r["tier"] == "float32":
         return

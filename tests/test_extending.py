@@ -1,7 +1,8 @@
-"""How to add a law, an effect and a moment, as `derive` says it: followed to the letter in a copy, and used there.
-A new kind of mass is a class: here an arc with a rigid load on top.
+"""A law, an effect and a moment are added by the instructions of `derive`, in a copy, and used there.
 
-`python -m tests.campaigns.all_weights` declares all 15 weights that a moment may have."""
+A new kind of mass is a class, here an arc with a rigid load on top. `python -m tests.campaigns.all_weights` declares
+all 15 weights that a moment may have.
+"""
 
 import json
 import math

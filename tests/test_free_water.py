@@ -396,7 +396,7 @@ def test_pages_and_pictures_are_the_same_in_map_coordinates(tmp_path: Path) -> N
     drawings, frames = [], []
     for pool.shift in (0.0, 5e6):
         motion = solve(combined.read(pool, tmp_path))
-        section = livesection.section(motion, livesection.frame_around(motion, 1.0), 1.0, "pool")
+        section = livesection.drawn_section(motion, livesection.frame_around(motion, 1.0), 1.0, "pool")
         paths = re.findall(r'<path class="(?:soil|body|slip|water|circle)" d="([^"]*)"', str(section))
         drawings.append([float(number) for number in re.findall(r"-?\d+\.\d+", " ".join(paths))])
         axes = motion.plot("section")
@@ -429,7 +429,7 @@ def test_the_total_stress_includes_the_weight_of_free_water() -> None:
 
 
 def test_a_page_of_a_slope_with_free_water_starts_by_bishop() -> None:
-    """Its lanes have arcs of their own, as many as there are places of the sliders."""
+    """Lanes have arcs of their own, as many as the sliders have positions."""
     slope = Slope([[-24, 20], [0, 20], [40, 0], [60, 0]], 2e3, 0.32, 19e3, level=[[-24, 14], [0, 12], [30, 5], [60, 5]])
     scene = critical(slope).scene(["rotation"])
     assert [one.number.name for one in default_sliders(scene)]

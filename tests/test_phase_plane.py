@@ -31,7 +31,7 @@ EFFECTS: dict[str, dict[str, Any]] = {
 
 
 def in_time(problem: lanes.Problem) -> lanes.Problem:
-    """The same lanes without closed form: the other method."""
+    """Return the same lanes without their closed form, so that they are integrated in time."""
     roles = {role: place for role, place in problem.program.roles.items() if "cell_net_" not in role}
     return replace(problem, program=replace(problem.program, roles=roles))
 
@@ -94,7 +94,7 @@ def test_e_under_constant_friction_solves_the_equation(q: float) -> None:
 @pytest.mark.parametrize("distance", [0.0, 1e-10, -1e-6, 0.3])
 @pytest.mark.parametrize("order", [1, 2])
 def test_e_under_exponential_softening_passes_resonances(order: int, distance: float) -> None:
-    """Where q is a multiple of the decay, 2 k = n R/length, the plain series divides by zero."""
+    """The plain series divides by zero where q is a multiple of the decay, 2 k = n R/length."""
     q = 0.6
     softens = (q / order * (1 + mpmath.mpf(distance)), 0.4, 0.05, 0.3, -0.1)
     with mpmath.workdps(25):
@@ -104,7 +104,7 @@ def test_e_under_exponential_softening_passes_resonances(order: int, distance: f
 
 @pytest.mark.parametrize("share", [0.5, 1e-9])
 def test_a_phase_near_the_limit_keeps_its_digits(share: float) -> None:
-    """From a small drive: its rotation and its duration by quadrature of the definition, with thirty digits."""
+    """A small drive has its rotation and its duration by quadrature of the definition, with thirty digits."""
     numbers = (0.05 * share, -0.9, -0.05 * share, 0.3)
     e, back = [0.0] * 5, [0.0] * 5
     swing.factors(e, *numbers)

@@ -22,7 +22,7 @@ from slipcircle.layers import LayeredSection, Soil, stretches
 from slipcircle.messages.choice import FLOW
 from slipcircle.messages.equation import Equation
 from slipcircle.tables import Series
-from slipcircle.workbench.cost.ladder import ladder
+from slipcircle.workbench.cost.ladder import effect_ladder
 from slipcircle.workbench.files.shipped import shipped
 
 ARC = load("vaiont").arc
@@ -93,7 +93,7 @@ def test_accuracy_counts_in_ensembles_alone() -> None:
 @pytest.mark.parametrize("name", ["vaiont", "wet-slope", "valley-side"])
 def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
     full = solve(load(name))
-    rungs = ladder(full.plan.scene)
+    rungs = effect_ladder(full.plan.scene)
     assert set(rungs[-1].effects) == set(full.plan.effects)
     assert not rungs[0].effects
     for before, after in pairwise(rungs):
@@ -164,9 +164,7 @@ EQUATIONS: dict[str, tuple[Any, dict[str, Any]]] = {
 
 
 def as_function(equation: Equation, formula: str) -> Callable[[dict[str, float]], float]:
-    """Return a formula by the terms as they are printed, as a function of what is in them and of the numbers below
-    them.
-    """
+    """Return a printed formula as a function of its variables and of the numbers listed below it."""
     sums: dict[str, str] = dict.fromkeys(["M", "sigma", "u", "T", "u_1", "u_2", "u_3"], "0")
     for term in equation.sums:
         sums[term.symbol] = f"{sums[term.symbol]} + ({term.formula})" if term.symbol in sums else term.formula
@@ -219,9 +217,7 @@ def test_the_printed_equation_gives_the_acceleration_of_the_motion(name: str) ->
 
 
 def check_equation(scene: Scene[Any], times: tuple[float, ...]) -> None:
-    """Return the printed equation gives the acceleration, and another one where any printed number is off by a
-    hundredth.
-    """
+    """Assert that the printed equation gives the acceleration, and a different one if a number changes by 1 %."""
     motion, equation = solve(scene), by_soil(plan(scene).equation)
     net_moment = as_function(equation, equation.balance.formula)
     numbers = {number.symbol: number.value for number in equation.numbers}

@@ -201,7 +201,7 @@ def test_xarray_keeps_dimensions(study: Study) -> None:
 
 
 def test_a_type_checker_tells_one_motion_from_many() -> None:
-    """mypy holds the types, the run that they are true."""
+    """Types that mypy infers are those of the results."""
     arc, mu = Arc(60.0, 3.8, 4.9, 2e4), np.array([0.1, 0.2])
     one = solve(Scene(arc, 0.2, {"rotation": {}, "pore_pressure": {"ratio": 0.1}}))
     assert_type(one, Motion[float])

@@ -100,7 +100,7 @@ def test_remainders_are_counted() -> None:
 
 
 def test_extreme_swings_enclose_the_others_closely() -> None:
-    """Each coefficient prolongs a swing or shortens it, as declared."""
+    """Coefficients prolong or shorten a swing, as declared."""
     small = arb(10) ** -8
     with working(120, 20):
         middle = first_swing(made(SCENES[0][0], 2e3, 1e4))

@@ -35,7 +35,9 @@ def test_a_number_is_replaced_alone(name: str) -> None:
     """Except for the slip length that soils share, and for the factor and the peak of a record."""
     scene = EVERY[name]
     known = numbers(scene)
-    assert mapped(scene.arc, lambda value, axes: value) == scene.arc
+    assert mapped(scene.arc, lambda value: value) == scene.arc
+    with pytest.raises(ValueError, match="radus: is not a number of this scene"):
+        put(scene, {"radus": 1.0})
     for path, value in known.items():
         changed = numbers(put(scene, scene.arc.together({path: value + 0.25})))
         follow = {other for other in known if path.endswith(".length") and other.endswith(".length")}
@@ -46,7 +48,7 @@ def test_a_number_is_replaced_alone(name: str) -> None:
 
 
 def test_lenses_change_what_they_stand_for() -> None:
-    """By their definitions: a line moves as a whole, pressures stay in proportion, a dip turns both ends."""
+    """Lenses follow their definitions: a line moves as a whole, pressures stay in proportion, a dip turns both ends."""
     paths = {"layers.2.top": 17.0, "surcharge.1.pressure": 6e4, "soils.sand 1.2.friction.length": 0.7}
     arc: Any = with_parameters(LAYERED, paths).arc
     assert np.asarray(arc.layers[1][1]).tolist() == [[-60, 17.0], [10, 17.5], [20, 11.0]]

@@ -26,7 +26,7 @@ from slipcircle.workbench.files.keys import WITH_ARC, Key, Table, fitted
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 from slipcircle.workbench.files.points import read_points
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
-from slipcircle.workbench.outputs.pictures.plotstyle import amount, measure
+from slipcircle.workbench.outputs.pictures.plotstyle import formatted_amount, label_direction
 from slipcircle.workbench.stability import factors
 from slipcircle.workbench.stability.slices import slices_above
 from tests.campaigns import profiles
@@ -377,15 +377,15 @@ def test_axes_in_feet() -> None:
         PRINTED.set(SYSTEMS["US"])
         ax = Figure().subplots()
         ax.set_xlim(0.0, 30.48)
-        measure(ax.xaxis, "x", "m")
+        label_direction(ax.xaxis, "x", "m")
         ticks = [f"{tick / 0.3048:.6g}" for tick in ax.get_xticks()]
         assert [text.get_text() for text in ax.get_xticklabels()] == ticks
-        return ticks, ax.get_xlabel(), amount(3.048, "m")
+        return ticks, ax.get_xlabel(), formatted_amount(3.048, "m")
 
     ticks, words, text = copy_context().run(draw)
     assert ticks == ["0", "20", "40", "60", "80", "100"]
     assert (words, text) == ("x (ft)", "10 ft")
-    assert amount(3.048, "m") == "3.048 m"
+    assert formatted_amount(3.048, "m") == "3.048 m"
 
 
 def test_units_of_output_that_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -416,7 +416,7 @@ def test_sweep_in_feet(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
 
 @pytest.mark.parametrize("command", ["records", "sweep"])
 def test_tables_of_records_in_feet(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """Each cell below a head in ft or ft/s is the cell in SI units over 0.3048, the others are equal."""
+    """Cells below a head in ft or ft/s are the cells in SI units over 0.3048, the others are equal."""
     words = [*{"records": ["records"], "sweep": ["sweep", "shaken-slope"]}[command], "--synthetic", "3:1.5:12"]
     tables = []
     for units in ("SI", "US"):
@@ -467,7 +467,7 @@ def test_a_rugged_valley_of_the_paper() -> None:
 
 
 def _points_of(slope: Slope) -> int:
-    """Number of points at which a search evaluates the stress on arcs."""
+    """Return the number of points at which a search evaluates the stress on arcs."""
     count = 0
 
     def counting(*arguments: Any) -> Any:
@@ -493,6 +493,6 @@ def test_the_work_of_a_search_hardly_grows_with_points_and_soils() -> None:
 
 
 def test_many_soils() -> None:
-    """As low a factor as when every circle of the family is evaluated, touching boundaries included."""
+    """The factor is as low as when every circle of the family is evaluated, touching boundaries included."""
     above, _ = profiles.excess(profiles.random_soils(21, np.random.default_rng(3)), "bishop")
     assert above < 1e-6

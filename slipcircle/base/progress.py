@@ -74,7 +74,16 @@ class Progress:
             self.pause *= 2
             print(self.text(), file=self.stream, flush=True)
         elif find_spec("rich"):
-            self._draw_bar()
+            if self.bar is None:
+                rich = import_module("rich.progress")
+                console = import_module("rich.console").Console(file=self.stream)
+                columns = rich.BarColumn(), rich.TextColumn("{task.description}", markup=False)
+                bar = rich.Progress(*columns, console=console, auto_refresh=False, transient=True)
+                bar.add_task("", total=self.total)
+                bar.start()
+                self.bar = bar  # which can be stopped now
+            (task,) = self.bar.task_ids
+            self.bar.update(task, completed=self.done, description=self.text(), refresh=True)
         else:
             print(f"{_CLEAR}{self.text()}", end="", file=self.stream, flush=True)
 
@@ -90,18 +99,6 @@ class Progress:
             left = f"{(self.total - self.done) / rate:.0f} s left"
         kept = f", {self.kept} from before" if self.kept else ""
         return f"{self.done} of {self.total} {self.things}{kept}, {rate:.3g} a second, {left}"
-
-    def _draw_bar(self) -> None:
-        if self.bar is None:
-            rich = import_module("rich.progress")
-            console = import_module("rich.console").Console(file=self.stream)
-            columns = rich.BarColumn(), rich.TextColumn("{task.description}", markup=False)
-            bar = rich.Progress(*columns, console=console, auto_refresh=False, transient=True)
-            bar.add_task("", total=self.total)
-            bar.start()
-            self.bar = bar  # which can be stopped now
-        (task,) = self.bar.task_ids
-        self.bar.update(task, completed=self.done, description=self.text(), refresh=True)
 
 
 def counted(total: int, things: str) -> Progress:

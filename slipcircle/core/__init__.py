@@ -18,7 +18,7 @@ from slipcircle.core.scene.effects import cohesion_mistakes
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
-from slipcircle.core.scene.tree import STORED, Leaf, Parts, bounds, declared, leaves, number, numbers
+from slipcircle.core.scene.tree import STORED, Leaf, Parts, bounds, declared, joined, leaves, number, numbers
 
 __all__ = [
     "ANSWERED",
@@ -45,6 +45,7 @@ __all__ = [
     "cohesion_mistakes",
     "declared",
     "depends_on",
+    "joined",
     "law_mistakes",
     "law_names",
     "law_parts",

@@ -144,15 +144,12 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
 def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
     """Return selected lanes of a scene, by an index of its shape or of its lanes in one row. Nothing is checked."""
 
-    def of_lanes(value: Any, axes: int) -> Any:
-        shape = np.shape(value)
-        if len(shape) <= axes:
+    def of_lanes(value: Any) -> Any:
+        if not np.ndim(value):
             return value
-        own_axes = shape[len(shape) - axes :]
-        whole_shape = scene.shape + own_axes
-        every_lane = np.broadcast_to(value, whole_shape)
+        every_lane = np.broadcast_to(value, scene.shape)
         if flat:
-            every_lane = every_lane.reshape(-1, *own_axes)
+            every_lane = every_lane.reshape(-1)
         return plain(every_lane[index])
 
     lanes: Scene = mapped(scene, of_lanes)

@@ -76,7 +76,7 @@ class SoilCohesion:
             law = cohesion_law(soil.cohesion)
             if law is None:
                 continue
-            along = np.array([[float(other is soil)] for other in soils])
+            along = np.array([[float(other.name == soil.name)] for other in soils])
             one = along * np.ones_like(self.growth)
             terms[f"{OF_COHESION}{k}"] = law, one, along * self.growth / divisor
         return terms

@@ -30,7 +30,7 @@ PRESSURE = Parameter(
     kind="lens",
 )
 _TOP_OF_LINE = replace(TOP, kind="lens")
-_LINES = Parameter("tops", axes=2, kind="stored")
+_LINE = replace(STORED, axes=2)
 
 
 class LayeredNumbers(CrackedSection):
@@ -61,24 +61,31 @@ class LayeredNumbers(CrackedSection):
         found = super().parts()
         rate = found.pop("rate")
         crack, depth = found.pop("crack")
-        found |= {"soils": (self.soils_by_name, None), "tops": (self.tops, _LINES)}
+        found["soils"] = self.soils_by_name, None
         for k, top in enumerate(self.tops, 2):
-            found[f"layers.{k}.top"] = (np.asarray(top)[..., 0, 1], _TOP_OF_LINE) if np.ndim(top) > 1 else (top, TOP)
-        found |= {"rate": rate, "surcharge": (self.surcharge, STORED)}
+            found[f"layers.{k}.top"] = top, TOP
+            if np.ndim(top) > 1:
+                found[f"layers.{k}.top"] = np.asarray(top)[..., 0, 1], _TOP_OF_LINE
+                found[f"line.{k}"] = top, _LINE
+        found["rate"] = rate
         for k, (_, _, left, right) in enumerate(self.surcharge, 1):
             found[f"surcharge.{k}.pressure"] = np.maximum(left, right), PRESSURE
+            found |= {f"left.{k}": (left, STORED), f"right.{k}": (right, STORED)}
         return found | {"crack": (crack if np.any(crack) else None, depth)}
 
     def with_parts(self, changed: Values) -> Any:
         """Return the section with other parts. Nothing is checked."""
         fields = {name: changed[name] for name in changed if "." not in name}
         soils = fields.pop("soils", self.soils_by_name)
-        names = [soil.name for soil, _ in self.layers]
-        lines = (None, *fields.pop("tops", self.tops))
-        tops = [_moved(top, changed.get(f"layers.{k}.top")) for k, top in enumerate(lines, 1)]
-        loads = enumerate(fields.pop("surcharge", self.surcharge), 1)
-        fields["surcharge"] = tuple(_scaled(load, changed.get(f"surcharge.{k}.pressure")) for k, load in loads)
-        fields["layers"] = tuple((soils[name], top) for name, top in zip(names, tops, strict=True))
+        layers = []
+        for k, (soil, top) in enumerate(self.layers, 1):
+            line = changed.get(f"line.{k}", top)
+            layers.append((soils[soil.name], _moved(line, changed.get(f"layers.{k}.top"))))
+        loads = []
+        for k, (first, last, left, right) in enumerate(self.surcharge, 1):
+            load = first, last, changed.get(f"left.{k}", left), changed.get(f"right.{k}", right)
+            loads.append(_scaled(load, changed.get(f"surcharge.{k}.pressure")))
+        fields |= {"layers": tuple(layers), "surcharge": tuple(loads)}
         return super().with_parts(fields | {"foreland": self.foreland and soils[self.foreland.name]})
 
     @property

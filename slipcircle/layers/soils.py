@@ -223,7 +223,7 @@ def _is_layer(pair: Any) -> bool:
 
 def _tops(soil: Soil, layers: Layers) -> list[Any]:
     """Return the tops of the layers of one soil."""
-    return [top for other, top in layers if other is soil]
+    return [top for other, top in layers if other.name == soil.name]
 
 
 def top_of(foreland: Soil, layers: Layers) -> Any:

@@ -231,7 +231,7 @@ class ArcStrength(StretchIntegrals):
 
     def _is_soil(self, soil: Soil) -> Floats:
         """Return 1 for a soil and 0 for the other soils, (soils, 1)."""
-        return np.array([[float(other is soil)] for other in self.section.soils])
+        return np.array([[float(other.name == soil.name)] for other in self.section.soils])
 
     def of_soil(self, soil: Soil) -> ValueDict:
         """Return the terms of a soil in the balance at the start, over Theta*, and the angle of its stretches."""

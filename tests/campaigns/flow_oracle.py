@@ -199,9 +199,7 @@ def at_a_point(case: Case, seed: int, asked: tuple[str, ...]) -> tuple[Program, 
 
 
 def difference(case: Case, seed: int) -> float:
-    """Return the largest error of a coefficient of any register that both sides have, relative to the largest
-    coefficient.
-    """
+    """Return the largest error of a coefficient, in registers of both sides, relative to the largest coefficient."""
     effects, laws, *_ = case
     program, registers, p = at_a_point(case, seed, ("mu",))
     ctx.prec, ctx.cap = 128, ORDER + 1

@@ -27,10 +27,9 @@ PROFILE_NUMBERS = ("radius", "ground.1.y", "layers.2.top", "centre.x", "ground.2
 
 
 def difference(scene: Scene, number: str, values: Any) -> float:
-    """Return the greatest relative difference of lanes from the same scenes alone; infinite if only one side has no
-    scene.
+    """Return the greatest relative difference between lanes and the same scenes solved alone.
 
-    What one refuses the other has to refuse.
+    It is infinite if only one of the two is refused.
     """
     lanes, invalid = with_parameter_arrays(scene, {number: values})
     motions = solve(lanes)

@@ -26,9 +26,7 @@ WATER = {"kN, m": 9.81, "lb, ft": 62.449}  # unit weight, where a case says none
 
 
 def solved(case: Mapping[str, Any]) -> Critical:
-    """Return the factors of a case's circle, or of that of the least factor by Bishop's method; in the units of the
-    case.
-    """
+    """Return the circle of a case, or the critical one by Bishop's method, with its factors, in the case's units."""
     friction = [math.tan(math.radians(soil["angle_deg"])) for soil in case["soils"]]
     more = [{k: v for k, v in soil.items() if k != "angle_deg"} for soil in case["soils"]]
     soils = [Soil(**row, friction=mu, name=f"soil-{k}") for k, (row, mu) in enumerate(zip(more, friction, strict=True))]

@@ -90,9 +90,7 @@ def compilers() -> list[str]:
 
 
 def oldest_versions() -> list[str]:
-    """Return the lower bound of every dependency of the package and its extras as a pin, without tools of tests and
-    book.
-    """
+    """Return the lower bounds of all dependencies as pins, without the tools of the tests and of the book."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     optional = project["optional-dependencies"]
     every = [*project["dependencies"], *(x for name in EXTRAS if name not in ("test", "book") for x in optional[name])]
@@ -115,9 +113,7 @@ def copied(folder: Path) -> Path:
 
 
 def environment(folder: Path, python: Path, pins: Sequence[str] = ()) -> Path:
-    """Return the interpreter of a new environment with the checkout in it, by these pins and otherwise the newest
-    versions.
-    """
+    """Return the interpreter of a new environment with the checkout, pinned versions and otherwise the newest ones."""
     constraints = folder / "pins.txt"
     constraints.write_text("\n".join(pins), "utf-8")
     subprocess.run([python, "-m", "venv", folder / ".venv"], check=True)

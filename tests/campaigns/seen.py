@@ -236,8 +236,7 @@ def biased(record: Record) -> float:
 
 
 class Mean(NamedTuple):
-    """Mean error of a bin in ulp beyond the mean error of correct rounding, its possible share of chance, and its
-    beginning.
+    """Mean error of a bin beyond correct rounding in ulp, its standard deviation by chance, and the bin's first input.
 
     Correct rounding has a mean error too, where results hardly change or move in step with their inputs.
     """

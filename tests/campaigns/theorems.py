@@ -1,4 +1,4 @@
-"""Motions of random arcs beside their proved enclosures: are errors within the estimates?
+"""Motions of random arcs beside their proved enclosures, which show whether errors are within the estimates.
 
 ``python -m tests.campaigns.theorems COUNT --seed N`` draws COUNT arcs, from a millionth of a radian to a half disc,
 with frictions from a thirtieth of the limit to 1e-9 below it, and prints those whose error is the largest share of the

@@ -305,9 +305,7 @@ class AlongTheArc:
         return Slide(self.radius * rotation, time, self.radius * omega)
 
     def factors(self, k_h: float, bishop: float) -> dict[str, float]:
-        """Return factors of safety by three methods, given Bishop's, and the share of the arc under negative
-        normal stress.
-        """
+        """Return three factors of safety, given Bishop's, and the share of the arc under negative normal stress."""
         columns = self.columns()
         cosine, sine, length = np.cos(columns.b), -np.sin(columns.b), columns.length  # a positive sine drives
         whole = (columns.soil + columns.load) * cosine

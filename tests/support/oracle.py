@@ -84,9 +84,7 @@ def kernel(name: str, alpha: float | Fraction) -> arb:
 
 
 def whole(name: str, theta_1: float, theta_2: float) -> tuple[arb, arb]:
-    """Return a moment of the exact two angles, such as J_r, and its amplitude: of theta_m + u the part even in u is
-    left.
-    """
+    """Return a moment of the two exact angles, such as J_r, and its amplitude (only the part even in u contributes)."""
     half, middle = (Fraction(theta_2) - Fraction(theta_1)) / 2, (Fraction(theta_1) + Fraction(theta_2)) / 2
     amplitude = kernel(WHOLE[name], half)
     with ctx.workprec(BITS + 1100):  # of an angle near a multiple of pi/2, all that is left

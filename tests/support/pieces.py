@@ -29,7 +29,6 @@ class Pieces(NamedTuple):
 
 def polynomial(start: arb, *coefficients: Any, argument: Function = lambda x: x) -> Function:
     """Return a polynomial in the growth of an argument since a place."""
-
     from_here = argument(arb_series([start]))[0]
 
     def value(x: arb_series) -> arb_series:

@@ -1,5 +1,7 @@
-"""Small record files in the layouts of networks and programs, written from one motion; the layouts follow their manuals
-and public files, the numbers are made up."""
+"""Small record files in the layouts of networks and programs, written from one motion.
+
+The layouts follow manuals and public files; the numbers are made up.
+"""
 
 import re
 from collections.abc import Iterable, Sequence

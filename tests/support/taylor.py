@@ -230,9 +230,7 @@ class Solution:
         return None
 
     def _episode(self, time: arb, phi: arb, slip: arb, excess: arb, omega: arb, side: int) -> tuple[arb, arb, arb, arb]:
-        """Integrate until the mass stands still or its time is over; return time, distance, velocity and excess
-        pressure.
-        """
+        """Integrate to the next standstill or the end time; return time, distance, velocity and excess pressure."""
         p, x, piece, band = self.p, arb(0), self.p.slip.at(slip), self.p.speed.at(omega)
         lifted: bool | None = None
         last = "stands" if omega == 0 else ""

@@ -6,7 +6,7 @@ and "series" are stored in the node. Those of kind "lens" and "derived" follow f
 the node changes. Those of kind "derived" and "set" are not listed as inputs. Values of kind "stored" only have lanes.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import INFINITY, LAWS, Parameter
-from slipcircle.base.checks import Bounds, InputError
+from slipcircle.base.checks import EMPTY, Bounds, InputError, raise_all
 from slipcircle.base.kinds import MAPPING, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 
@@ -77,9 +77,23 @@ def parts(node: Any, kind: Any = None) -> Parts:
     if hasattr(type(node), "parts"):
         found: Parts = node.parts()
         return found
-    if isinstance(kind, tuple):
-        return _of_effect(node, kind)
-    return {name: (one, None) for name, one in node.items()} if kind is None else _of_law(node, kind)
+    if kind is None:
+        return {name: (one, None) for name, one in node.items()}
+    if node is None:
+        return {}
+    if isinstance(kind, Parameter):
+        return _of_points(node, kind)
+    return _of_effect(node, kind) if isinstance(kind, tuple) else _of_law(node, kind)
+
+
+def _of_points(points: Any, p: Parameter) -> Parts:
+    """Return the coordinates of points by their places, such as ``3.y``."""
+    lanes: Any = np.asarray(points)
+    declarations = [replace(p, axes=0, key=axis) for axis in "xy"]
+    found: Parts = {}
+    for place, index in _places(lanes.shape[lanes.ndim - p.axes :]).items():
+        found[place] = lanes[(..., *index)], declarations[index[-1]]
+    return found
 
 
 def _of_effect(given: Values, parameters: tuple[Parameter, ...]) -> Parts:
@@ -96,7 +110,7 @@ def _of_effect(given: Values, parameters: tuple[Parameter, ...]) -> Parts:
 
 def _of_law(law: Any, laws: Mapping[str, Any]) -> Parts:
     """Return the parts of a law, or of a constant, which has no name of its own."""
-    if law is None or callable(law):
+    if callable(law):
         return {}
     if not isinstance(law, MAPPING):
         return {"": (law, *laws["constant"].parameters)}
@@ -110,81 +124,86 @@ def _of_law(law: Any, laws: Mapping[str, Any]) -> Parts:
     return found
 
 
-def leaves(node: Any, kind: Any = None, path: str = "", key: str = "") -> Iterator[Leaf]:
-    """Yield the numbers below a node, including those without a value."""
-    for name, (value, what) in parts(node, kind).items():
-        at = path
-        if name or kind is None:
-            at = _joined(path, name)
-        if not isinstance(what, Parameter):
-            yield from leaves(value, what, at, _joined(key, name))
-        elif what.kind not in _POSSIBLE:
+def walked(
+    node: Any, visit: Callable[[Leaf], Any], absent: bool = True, kind: Any = None, path: str = "", key: str = ""
+) -> Any:
+    """Return a node whose leaves have the values that a function returns; the node itself if none has changed.
+
+    Unless ``absent``, numbers and effects without a value are not visited.
+    """
+    known = parts(node, kind)
+    new: ValueDict = {}
+    for name, (value, what) in known.items():
+        if not absent and (value is None or value is EMPTY):
             continue
-        elif not what.axes:
-            inside = [one for one in (key, *name.split(".")[:-1]) if one]
-            full = ".".join([*inside, what.key])
-            known = None if callable(value) else value
-            yield Leaf(at, full, what, known)
-        elif value is not None:
-            lanes: Any = np.asarray(value)
-            own = lanes.shape[lanes.ndim - what.axes :]
-            for place, index in _places(own).items():
-                yield Leaf(f"{at}.{place}", f"{what.key}.{place}", what, lanes[(..., *index)])
+        is_anonymous = not name and kind is not None
+        at = path if is_anonymous else joined(path, name)
+        if isinstance(what, Parameter):
+            *within, _ = name.split(".")
+            keys = [one for one in (key, *within, what.key) if one]
+            inside = ".".join(keys)
+        else:
+            inside = joined(key, name)
+        if isinstance(what, Parameter) and not what.axes:
+            changed = visit(Leaf(at, inside, what, value))
+        else:
+            changed = walked(value, visit, absent, what, at, inside)
+        if changed is not value:
+            new[name] = changed
+    return _with_parts(node, new, known) if new else node
+
+
+def leaves(node: Any, absent: bool = True) -> list[Leaf]:
+    """Return the numbers below a node, with each coordinate of points; if ``absent``, also numbers without a value."""
+    found: list[Leaf] = []
+
+    def visit(leaf: Leaf) -> Any:
+        if leaf.number.kind in _POSSIBLE:
+            found.append(leaf._replace(value=None) if callable(leaf.value) else leaf)
+        return leaf.value
+
+    walked(node, visit, absent)
+    return found
 
 
 def numbers(node: Any) -> ValueDict:
     """Return the values of the numbers below a node by path, without unlisted ones."""
     found: ValueDict = {}
-    for path, _, p, value in leaves(node):
+    for path, _, p, value in leaves(node, absent=False):
         if value is not None and p.kind in _LISTED:
             found[path] = value
     return found
 
 
-def put(node: Any, values: Values, kind: Any = None) -> Any:
-    """Return a node with other values of its numbers, by path. Nothing is checked."""
-    known = parts(node, kind)
-    below: dict[str, ValueDict] = {}
-    for path, value in values.items():
-        name = max((one for one in known if f"{path}.".startswith(f"{one}.")), key=len)  # names of soils may have dots
-        below.setdefault(name, {})[path[len(name) + 1 :]] = value
-    changed: ValueDict = {}
-    for name, new in below.items():
-        value, what = known[name]
-        if not isinstance(what, Parameter):
-            changed[name] = put(value, new, what)
-        elif what.axes:
-            changed[name] = _with_coordinates(value, what.axes, new)
-        else:
-            changed[name] = new[""]
-    return _with_changes(node, known, changed)
+def put(node: Any, values: Values) -> Any:
+    """Return a node with other values of its numbers, by path. Values are not checked."""
+    remaining = dict(values)
+    changed = walked(node, lambda leaf: remaining.pop(leaf.path, leaf.value))
+    raise_all("", [f"{path}: is not a number of this scene" for path in remaining])
+    return changed
 
 
-def mapped(node: Any, change: Callable[[Any, int], Any], kind: Any = None) -> Any:
-    """Return a node with every stored number changed by a function of the value and its number of axes."""
-    if isinstance(kind, Parameter):
-        if kind.kind == "stored" and isinstance(node, tuple):
-            return tuple(mapped(one, change, kind) for one in node)
-        return change(node, kind.axes) if kind.kind in _STORED else node
-    known = parts(node, kind)
-    changed: ValueDict = {}
-    for name, (value, what) in known.items():
-        if value is not None and not callable(value):
-            changed[name] = mapped(value, change, what)
-    return _with_changes(node, known, changed)
+def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
+    """Return a node with every stored number changed by a function."""
+
+    def visit(leaf: Leaf) -> Any:
+        value = leaf.value
+        is_changed = leaf.number.kind in _STORED and not callable(value)
+        return change(value) if is_changed else value
+
+    return walked(node, visit, absent=False)
 
 
-def _with_changes(node: Any, known: Parts, changed: ValueDict) -> Any:
-    """Return a node with those parts replaced that have changed; the node itself without a change."""
-    new = {name: value for name, value in changed.items() if value is not known[name][0]}
-    if not new:
-        return node
+def _with_parts(node: Any, new: Values, known: Parts) -> Any:
+    """Return a node with other parts."""
     if hasattr(node, "with_parts"):
         return node.with_parts(new)
     if hasattr(type(node), "parts"):
         return replace_unchecked(node, new)
-    if not isinstance(node, MAPPING):  # a constant in place of a law
+    if "" in new and not isinstance(node, MAPPING):  # a constant in place of a law
         return new[""]
+    if not isinstance(node, MAPPING):
+        return _with_coordinates(np.asarray(node, float), new, whole=len(new) == len(known))
     if new.keys() >= _DETERMINED.keys():
         both = " and ".join(f"{{shaking.{name}}}" for name in new if name in _DETERMINED)
         raise InputError("", [f"{both} exclude each other: one is the other times the record's peak; vary one"])
@@ -206,16 +225,17 @@ def replace_unchecked(instance: Any, values: Values) -> Any:
     return other
 
 
-def _with_coordinates(points: Any, axes: int, new: Values) -> Any:
-    """Return points in which coordinates, by their places, are replaced by numbers or by arrays over lanes."""
-    points = np.asarray(points, float)
+def _with_coordinates(points: Any, new: Values, whole: bool) -> Any:
+    """Return points with other coordinates, numbers or arrays over lanes, by their places; ``whole`` if all change."""
+    axes = 1 + max(place.count(".") for place in new)
     own = points.shape[points.ndim - axes :]
-    lanes = points.shape[: points.ndim - axes]
+    lanes = () if whole else points.shape[: points.ndim - axes]
     shape = np.broadcast_shapes(lanes, *map(np.shape, new.values()))
-    changed: Any = np.array(np.broadcast_to(points, (*shape, *own)))
-    places = _places(own)
+    changed: Any = np.empty((*shape, *own))
+    if not whole:
+        changed[...] = points
     for place, value in new.items():
-        changed[(..., *places[place])] = value
+        changed[(..., *_places(own)[place])] = value
     return changed
 
 
@@ -229,5 +249,6 @@ def _places(shape: Shape) -> dict[str, Shape]:
     return places
 
 
-def _joined(path: str, name: str) -> str:
+def joined(path: str, name: str) -> str:
+    """Return the path of a part of a node, or of a key or a table inside a table."""
     return f"{path}.{name}" if path else name

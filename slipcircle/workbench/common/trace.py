@@ -27,7 +27,7 @@ def trace(motion: Motion, times: Floats) -> ArrayDict:
 
 
 @lru_cache(maxsize=8)
-def drawn(motion: Motion) -> ArrayDict:
+def columns_of_picture(motion: Motion) -> ArrayDict:
     """Return the motion at the times of `telling_times`, by quantity in SI units; the result is cached."""
     return trace(motion, telling_times(motion))
 
@@ -56,20 +56,16 @@ def telling_times(motion: Motion) -> Floats:
         length = phase.end - phase.start
         times.append(phase.start + length * share)
     for function in in_time(scene.called).values():
-        times += _kinks_and_crests(function)
+        # Breakpoints and crests of a function of time, and the time just before each jump, in s.
+        kinks = np.asarray(function.kinks)
+        before = np.nextafter(kinks, -np.inf)
+        values = function(kinks)
+        is_jump = np.abs(function(before) - values) > _JUMP * np.max(np.abs(values), initial=0.0)
+        times += [kinks, before[is_jump], function.crests]
     law = scene.friction
     if isinstance(law, Mapping) and "time" in law:
         times.append(law["time"])
     return np.unique(np.clip(np.concatenate(times), 0.0, motion.settling_time))
-
-
-def _kinks_and_crests(function: Any) -> list[Any]:
-    """Return breakpoints and crests of a function of time, and the time just before each jump, in s."""
-    kinks = np.asarray(function.kinks)
-    before = np.nextafter(kinks, -np.inf)
-    values = function(kinks)
-    is_jump = np.abs(function(before) - values) > _JUMP * np.max(np.abs(values), initial=0.0)
-    return [kinks, before[is_jump], function.crests]
 
 
 def toe_height(motion: Motion) -> float:
@@ -111,4 +107,4 @@ def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
             for row in np.transpose([*columns.values()]).tolist():
                 yield [motion.plan.scene.name, *row] if several else row
 
-    return files.table(["scene", *heads] if several else heads, rows())
+    return files.csv_table(["scene", *heads] if several else heads, rows())

@@ -13,10 +13,11 @@ from itertools import chain
 from typing import Any
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
+from slipcircle.core import joined
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
-from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
+from slipcircle.workbench.files.keys import VARYING, Key, Table
 
 _UNITS = re.compile(f"_(deg|s|{'|'.join(suffix(next(iter(units))) for units in UNITS_OF_KEYS.values())})$")
 
@@ -49,21 +50,17 @@ class Document:
         self._missing: TextDict = {}
         self._meant: set[str] = set()  # keys that were misspelt
         self._read_table("", content)
-        self._report_missing()
+        for path, words in self._missing.items():
+            if path in self._meant:
+                self._report(path)
+            else:
+                self._report(path, f"{path}: is missing: {words}")
         self._put_in_order_of_samples()
 
     def _report(self, path: str, *sentences: str) -> None:
         """Store messages about a path, and mark its top-level table as wrong."""
         self.mistakes.extend(sentences)
         self.wrong.add(path.partition(".")[0])
-
-    def _report_missing(self) -> None:
-        """Report missing keys and tables, except keys already reported as misspelt."""
-        for path, words in self._missing.items():
-            if path in self._meant:
-                self._report(path)
-            else:
-                self._report(path, f"{path}: is missing: {words}")
 
     def _put_in_order_of_samples(self) -> None:
         """Sort the distributions into the order of samples, and put their mistakes first."""
@@ -93,7 +90,7 @@ class Document:
             elif name in table.tables and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in table.tables:
-                self._report(full, f"{full} = {shown(value)}: must be {self._described(full)}")
+                self._report(full, f"{full} = {shown_value(value)}: must be {self._described(full)}")
             elif known in table.keys:
                 key = table.keys[known]
                 self.typed[joined(path, key.name)] = joined(path, known)
@@ -101,7 +98,7 @@ class Document:
             else:
                 meant, advice = _advice(path, name, self._tables)
                 self._meant.add(meant)
-                self._report(full, f"{full} = {shown(value)}: is unknown; {advice}")
+                self._report(full, f"{full} = {shown_value(value)}: is unknown; {advice}")
             spelt.setdefault(known, name)
         self._report_mixed_units(path, table, spelt)
         self._note_missing(path, spelt)
@@ -144,12 +141,12 @@ class Document:
         wrong = []
         for place, entry in key.wrong(value):
             advice = _question(key, entry, table)
-            wrong.append(f"{full}{place} = {shown(entry)}: must be {key.allowed}{advice}")
+            wrong.append(f"{full}{place} = {shown_value(entry)}: must be {key.allowed}{advice}")
         if key.kind == "points" and not wrong:
             wrong += points_errors(full, value, many=False)
         if key.kind == "series" and isinstance(value, list) and "time_s" not in content:
             needs = "is a list, which needs a list of times, time_s, in the same table; or give one number"
-            wrong.append(f"{full} = {shown(value)}: {needs}")
+            wrong.append(f"{full} = {shown_value(value)}: {needs}")
         if wrong:
             self._report(full, *wrong)
             return None
@@ -196,7 +193,7 @@ class Document:
                 self._report(path)
 
 
-def shown(value: Any) -> str:
+def shown_value(value: Any) -> str:
     """Return a value in the notation of a scene file, shortened to 60 characters."""
     if isinstance(value, bool | float):
         text = str(value).lower()

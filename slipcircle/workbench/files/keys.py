@@ -16,7 +16,7 @@ import numpy as np
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.base.kinds import Names, ValueDict
-from slipcircle.core import RATE_LAWS, Arc, Scene, declared, may_have_rate
+from slipcircle.core import RATE_LAWS, Arc, Scene, declared, joined, may_have_rate
 from slipcircle.tabulated import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
 from slipcircle.workbench.common.units import SYSTEMS, published
@@ -181,11 +181,6 @@ class Table(NamedTuple):
     def is_of_unknown_law(self) -> bool:
         """Whether `of_law` did not recognise the law; parameters of an unknown law cannot be checked."""
         return bool(self.laws) and self.keys["law"].kind not in self.laws
-
-
-def joined(path: str, name: str) -> str:
-    """Return the path of a key or a table inside a table."""
-    return f"{path}.{name}" if path else name
 
 
 def tables_in(content: Any, name: str) -> ValueDict:

@@ -17,17 +17,17 @@ from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
 from slipcircle.base.text import printed
-from slipcircle.core import Scene, leaves
+from slipcircle.core import Scene, joined, leaves
 from slipcircle.workbench.common.distributions import (
     Gaussian,
     Triangle,
-    described,
     distribution_mistakes,
     distribution_of,
+    distribution_record,
 )
 from slipcircle.workbench.common.units import published, suffix
 from slipcircle.workbench.files.keys import Key as Key
-from slipcircle.workbench.files.keys import joined, keys_of
+from slipcircle.workbench.files.keys import keys_of
 
 _POINTS = ("circle.centre_m", "ground.points_m", "water.level_m")
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
@@ -40,7 +40,7 @@ def lengths(arc: Any) -> set[str]:
     """
     if "ground" not in arc.quantities:
         return set()
-    return {"radius", *(leaf.path for leaf in leaves(arc) if leaf.number.axes)}
+    return {"radius", *(leaf.path for leaf in leaves(arc) if leaf.number.key in ("x", "y"))}
 
 
 def by_key(scene: Any) -> dict[str, Key]:
@@ -48,7 +48,7 @@ def by_key(scene: Any) -> dict[str, Key]:
     found = dict[str, Key]()
     for path, full, p, _ in leaves(scene):
         for name, key in keys_of(p).items():
-            spelt = full if p.axes else joined(full.rpartition(".")[0], name)
+            spelt = joined(full.rpartition(".")[0], name)
             spelt = f"slip.{spelt}" if spelt.startswith("rate.") else spelt
             beside_law = spelt.replace(".cohesion.cohesion_kPa", ".cohesion_kPa")  # of a soil, which may have a law
             found |= {one: replace(key, key=one, name=path) for one in (beside_law, spelt)}
@@ -131,7 +131,7 @@ class Uncertain:
     @property
     def record(self) -> ValueDict:
         """Key and distribution as values of JSON."""
-        given = dict(self.given) if isinstance(self.given, Mapping) else described(self.given)
+        given = dict(self.given) if isinstance(self.given, Mapping) else distribution_record(self.given)
         return {"key": self.key} | given
 
 

@@ -4,7 +4,7 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
@@ -18,7 +18,7 @@ from slipcircle.ground import Section
 from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import Table
-from slipcircle.workbench.files.layout import Layout, layout_of
+from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.points import with_points
 from slipcircle.workbench.files.profile import Arguments, idle_loads, profile, surcharges
@@ -165,7 +165,16 @@ def _content(source: Any, file: str) -> ValueDict:
             most = f"must be at most {_MOST_BYTES / 1e6:g} MB; records belong in files of their own"
             raise ValueError(f"{file}: is too large: {most}")
         content = tomllib.loads(text.decode("utf-8-sig"))
-        _check_depth(content, file)
+        # Reject tables and lists nested more deeply than in any scene, on which recursive functions would fail.
+        inside: list[Any] = [content]
+        for _ in range(_DEEPEST):
+            inside = [
+                v for i in inside for v in (i.values() if isinstance(i, dict) else i if isinstance(i, list) else ())
+            ]
+        if inside:
+            raise ValueError(
+                f"{file}: is nested too deeply: must be at most {_DEEPEST} tables and lists in one another"
+            )
         return content
     except OSError as error:
         raise ValueError(f"{file}: {error.strerror}") from error
@@ -174,15 +183,6 @@ def _content(source: Any, file: str) -> ValueDict:
         raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}{advice}") from error
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise ValueError(f"{file}: is not TOML: {error}{'' if file.endswith('.toml') else _ADVICE}") from error
-
-
-def _check_depth(content: Values, file: str) -> None:
-    """Reject tables and lists nested more deeply than in any scene, on which recursive functions would fail."""
-    inside: list[Any] = [content]
-    for _ in range(_DEEPEST):
-        inside = [v for i in inside for v in (i.values() if isinstance(i, dict) else i if isinstance(i, list) else ())]
-    if inside:
-        raise ValueError(f"{file}: is nested too deeply: must be at most {_DEEPEST} tables and lists in one another")
 
 
 class _Input(NamedTuple):
@@ -206,7 +206,15 @@ def _read(content: Values, moving: bool) -> _Input:
     slope = None
     wrong: Texts = []
     if layout.on_slope:
-        slope, wrong = _slope_input(given, layout, document.wrong, keys, moving)
+        # The slope of a file, without the strength of a single soil, and the mistakes across tables.
+        mistakes = motion_mistakes(given, layout.layered) if moving else []
+        layers = None
+        if layout.layered:
+            layers = profile(given, keys, given.get("slip.rate"), not {"soils", "layers", "slip"} & {*document.wrong})
+            mistakes += layers.mistakes
+        loads, of_loads = surcharges(given)
+        slope = SlopeInput(given, {}, layers, loads)
+        wrong = mistakes + of_loads
     elif "arc" not in document.wrong:
         arc, wrong = _arc(given, keys)
     friction = None if layout.layered else _friction(given)
@@ -228,9 +236,18 @@ def _parts(content: ValueDict, file: str, tell: Tell = lambda _: None, moving: b
     if mistakes:
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
     effects = _effects(document.arguments, Path(file).parent)
-    parts = {"arc": arc, "friction": _short(friction), "effects": effects, "uncertain": document.uncertain}
-    parts["observed"] = document.arguments.get("observed", {})
-    parts |= {"stability": None, "remarks": (), "name": Path(file).stem}
+    parts: ValueDict = {
+        "arc": arc,
+        "friction": friction,
+        "effects": effects,
+        "uncertain": document.uncertain,
+        "observed": document.arguments.get("observed", {}),
+        "stability": None,
+        "remarks": (),
+        "name": Path(file).stem,
+    }
+    if friction is not None and friction["law"] == "constant" and "rate" not in friction:
+        parts["friction"] = friction["coefficient"]
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
@@ -241,25 +258,6 @@ def _parts(content: ValueDict, file: str, tell: Tell = lambda _: None, moving: b
     return parts | document.arguments[""], keys
 
 
-def _short(friction: Values | None) -> Any:
-    """Return a friction law as a mapping, or the coefficient of constant friction."""
-    constant = friction is not None and friction["law"] == "constant" and "rate" not in friction
-    return friction["coefficient"] if friction is not None and constant else friction
-
-
-def _slope_input(
-    given: Arguments, layout: Layout, wrong: Collection[str], keys: Rename, moving: bool
-) -> tuple[SlopeInput, Texts]:
-    """Return the slope of a file, without the strength of a single soil, and the mistakes across tables."""
-    mistakes = motion_mistakes(given, layout.layered) if moving else []
-    layers = None
-    if layout.layered:
-        layers = profile(given, keys, given.get("slip.rate"), not {"soils", "layers", "slip"} & {*wrong})
-        mistakes += layers.mistakes
-    loads, of_loads = surcharges(given)
-    return SlopeInput(given, {}, layers, loads), mistakes + of_loads
-
-
 def _along_slope(
     slope: SlopeInput, keys: Rename, tell: Tell, file: str, moving: bool
 ) -> tuple[Section | None, Critical | None]:
@@ -267,7 +265,15 @@ def _along_slope(
     try:
         return slope.moving(tell) if moving else (None, slope.stability(tell)[1])
     except InputError as error:
-        raise ValueError(_slope_message(error, keys, file)) from error
+        # The message of an error in a slope, a section or a search, with the keys of its file.
+        tables = {**SLOPING, **LOADS}
+        about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack")
+        of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}
+        of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
+        of_slope |= {"friction": "friction.coefficient", "cohesion": "cohesion.cohesion_kPa"}
+        of_slope["ponds"] = "[[pond]]"
+        what = f"{file}: critical" if error.what == "critical" else file
+        raise ValueError(error.worded(lambda name: of_slope.get(name, keys(name)), what)) from error
 
 
 def _arc(given: Arguments, keys: Rename) -> tuple[Arc | None, Texts]:
@@ -301,15 +307,3 @@ def _effects(given: Arguments, folder: Path) -> dict[str, ValueDict]:
     for parameters in effects.values():
         parameters |= {name: str(folder / file) for name, file in parameters.items() if name.endswith("record")}
     return effects
-
-
-def _slope_message(error: InputError, keys: Rename, file: str) -> str:
-    """Return the message of an error in a slope, a section or a search, with the keys of its file."""
-    tables = {**SLOPING, **LOADS}
-    about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack")
-    of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}
-    of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
-    of_slope |= {"friction": "friction.coefficient", "cohesion": "cohesion.cohesion_kPa"}
-    of_slope["ponds"] = "[[pond]]"
-    what = f"{file}: critical" if error.what == "critical" else file
-    return error.worded(lambda name: of_slope.get(name, keys(name)), what)

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 from itertools import chain
 
 from generated.effects import EFFECTS, LAWS, Effect, Law
+from slipcircle.core import joined
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.files.keys import EFFECT_TABLES, FRICTION, TOP, WITH_ARC, Table, joined
+from slipcircle.workbench.files.keys import EFFECT_TABLES, FRICTION, TOP, WITH_ARC, Table
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, WITH_LAYERS
 from slipcircle.workbench.stability.stability import METHODS
 
@@ -102,7 +103,9 @@ def _tables(path: str, table: Table) -> Iterator[str]:
 
 
 def _with_source(declared: Law | Effect) -> str:
-    return f"{declared.help} ({declared.source})" if declared.source else declared.help
+    if declared.source:
+        return f"{declared.help} ({declared.source})"
+    return declared.help
 
 
 def _of_uncertain_numbers() -> str:

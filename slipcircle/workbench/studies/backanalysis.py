@@ -331,7 +331,8 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         if problem.limit is None:
             _refuse_indistinct(problem, jacobian)
         inverse = np.linalg.pinv(jacobian)
-        error = max(float(np.max(np.abs(inverse) @ _numerical_errors(problem, motion, outcomes))), EPS)
+        errors = [EPS if name == "factor_of_safety" else motion.error_estimate for name in problem.observed]
+        error = max(float(np.max(np.abs(inverse) @ (errors * np.abs(outcomes) / problem.scales))), EPS)
         covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)
@@ -343,12 +344,6 @@ def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
         return np.full((len(problem.observed), len(si)), np.nan)
     scene = motion.plan.scene
     return np.asarray(neighbour_derivatives(scene, problem.seen, free_parameters(scene, si)).values)
-
-
-def _numerical_errors(problem: SearchProblem, motion: Motion, outcomes: Floats) -> Floats:
-    """Return the numerical errors of the outcomes in units of the residuals' scales."""
-    errors = [EPS if name == "factor_of_safety" else motion.error_estimate for name in problem.observed]
-    return errors * np.abs(outcomes) / problem.scales
 
 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:

@@ -174,7 +174,11 @@ class Design:
     def values(self, index: int) -> list[Floats]:
         """Return the values of each input in the scenes of a block, in the units of their keys."""
         if self.method == "grid":
-            return _on_grid(self, index)
+            # The values of each input in the scenes of a block of a grid, in the units of their keys.
+            _, start, length = self.piece(index)
+            shape = [len(level) for level in self.levels]
+            places = np.unravel_index(np.arange(start, start + length), shape)
+            return [level[place] for level, place in zip(self.levels, places, strict=True)]
         d = len(self.inputs)
         if index < self.sample_blocks:
             return _drawn(self, self.points(index, d))
@@ -243,11 +247,3 @@ def _drawn(design: Design, points: Any) -> list[Floats]:
         points = np.clip(special().ndtr(scores), 2.0**-54, 1.0 - 2.0**-53)
     by_input = zip(design.drawn.values(), points, strict=True)
     return [np.asarray(uncertain.drawn(of_input.reshape(-1))) for uncertain, of_input in by_input]
-
-
-def _on_grid(design: Design, index: int) -> list[Floats]:
-    """Return the values of each input in the scenes of a block of a grid, in the units of their keys."""
-    _, start, length = design.piece(index)
-    shape = [len(level) for level in design.levels]
-    places = np.unravel_index(np.arange(start, start + length), shape)
-    return [level[place] for level, place in zip(design.levels, places, strict=True)]

@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Columns, PathName, Shape, ValueDict, Values
 from slipcircle.base.optional import optional
-from slipcircle.workbench.common.files import write
+from slipcircle.workbench.common.files import write_file
 from slipcircle.workbench.studies.design import Design
 
 ENGINES = ("threads", "processes")
@@ -97,7 +97,21 @@ class Store:
         self._study = b""
         path = None if folder is None else _path(folder)
         if path is not None:
-            self._study = _opened(path, {"format": _FORMAT, **described()})
+            # Create or open the folder of a study and return its digest; ValueError if it holds another study.
+            description = {"format": _FORMAT, **described()}
+            held = stored(path)
+            text = json.dumps(description, indent=2).encode()
+            try:
+                path.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                raise ValueError(f"{path}: cannot be used as a folder for blocks: {error.strerror}") from error
+            if held is None:
+                write_file(path / "study.json", text)
+            elif other := [k for k in description | held if description.get(k) != held.get(k)]:
+                raise ValueError(
+                    f"{path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder"
+                )
+            self._study = hashlib.sha256(text).digest()
             self._digests = _mapped(path, "digests", np.dtype(np.uint8), (design.blocks, _DIGEST))
         in_memory = path is None and math.prod(design.shape) <= _IN_MEMORY
         self.values = {
@@ -127,21 +141,6 @@ class Store:
         for values in self.values.values():
             digest.update(np.ascontiguousarray(values[place]).data)
         return digest.digest()
-
-
-def _opened(path: Path, description: ValueDict) -> bytes:
-    """Create or open the folder of a study and return its digest; ValueError if it holds another study."""
-    held = stored(path)
-    text = json.dumps(description, indent=2).encode()
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ValueError(f"{path}: cannot be used as a folder for blocks: {error.strerror}") from error
-    if held is None:
-        write(path / "study.json", text)
-    elif other := [k for k in description | held if description.get(k) != held.get(k)]:
-        raise ValueError(f"{path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder")
-    return hashlib.sha256(text).digest()
 
 
 def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: Shape) -> NDArray[Any]:

@@ -30,7 +30,10 @@ def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
     same_below = 1.0 if problem.is_weighted else 1e-3  # change of the residuals, in standard errors or shares
     different: list[Fit] = []
     for result in sorted(results, key=lambda result: result.cost):
-        fit = Fit(result.x, 2.0 * float(result.cost), _is_settled(result))
+        # Whether residuals vanish or are normal to the derivatives by all fields inside their ranges.
+        left = np.linalg.norm(result.fun)
+        is_flat = np.abs(result.grad) <= _FLAT * (np.linalg.norm(result.jac, axis=0) * left)
+        fit = Fit(result.x, 2.0 * float(result.cost), bool(np.all(is_flat | (result.active_mask != 0)) or left < _MET))
         is_new = True
         for other in different:
             step = fit.shares - other.shares
@@ -78,10 +81,3 @@ def _minimum(problem: SearchProblem, start: Floats) -> Any:
         gtol=None,
         max_nfev=_EVALUATIONS,
     )
-
-
-def _is_settled(result: Any) -> bool:
-    """Return whether residuals vanish or are normal to the derivatives by all fields inside their ranges."""
-    left = np.linalg.norm(result.fun)
-    is_flat = np.abs(result.grad) <= _FLAT * (np.linalg.norm(result.jac, axis=0) * left)
-    return bool(np.all(is_flat | (result.active_mask != 0)) or left < _MET)

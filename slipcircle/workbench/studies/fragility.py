@@ -115,7 +115,10 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCu
     scaled = (log_pga - centre) / width
     terms = np.stack([np.ones_like(scaled), scaled], axis=1)
     fitted = _most_likely(terms, shares)
-    fitted_covariance = _jackknife(terms, shares, record)
+    # The covariance of the coefficients from fits that leave out one record each.
+    without = np.array([_most_likely(terms[record != one], shares[record != one]) for one in np.unique(record)])
+    count = len(without)
+    fitted_covariance = (count - 1) ** 2 / count * np.cov(without.T)
     unscale = np.array([[1.0, -centre / width], [0.0, 1.0 / width]])
     coefficients = unscale @ fitted
     covariance = unscale @ fitted_covariance @ unscale.T
@@ -192,13 +195,6 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
         return -float(likelihood.sum()), -score @ terms
 
     return minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9}).x
-
-
-def _jackknife(terms: Floats, share: Floats, record: Integers) -> Floats:
-    """Return the covariance of the coefficients from fits that leave out one record each."""
-    without = np.array([_most_likely(terms[record != one], share[record != one]) for one in np.unique(record)])
-    count = len(without)
-    return (count - 1) ** 2 / count * np.cov(without.T)
 
 
 def _likelihood(argument: Floats, share: Floats) -> ArrayTriple:

@@ -125,16 +125,12 @@ def spectral_acceleration(record: Series, period: float) -> float:
     at_rest = np.zeros(math.ceil(1.5 * period / step))  # the oscillation may be greatest after the end
     acceleration = np.concatenate([record(times), at_rest])
     frequency = 2.0 * math.pi / period
-    return float(frequency**2 * np.max(np.abs(_oscillation(acceleration, float(step), frequency))))
-
-
-def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
-    """Return the displacement u at even times of an oscillator from rest: u'' + 2 zeta omega u' + omega^2 u = -a."""
+    # The displacement u at even times of an oscillator from rest: u'' + 2 zeta omega u' + omega^2 u = -a.
     from scipy.signal import lfilter
 
-    weights, recurrence, at_start = _recurrence(step, frequency)
+    weights, recurrence, at_start = _recurrence(float(step), frequency)
     displacement, _ = lfilter(weights, recurrence, acceleration, zi=at_start * acceleration[0])
-    return displacement
+    return float(frequency**2 * np.max(np.abs(displacement)))
 
 
 @lru_cache(maxsize=1024)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
-from slipcircle.base.kinds import Floats, PathName
+from slipcircle.base.kinds import PathName
 from slipcircle.tables import Series
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import special
@@ -81,16 +81,13 @@ def _noise(rng: np.random.Generator, duration: float) -> Series:
     scaled = time / scale
     density = np.exp(special().xlogy(_SHAPE - 1.0, scaled) - scaled - special().gammaln(_SHAPE))
     noise = np.fft.rfft(rng.normal(size=count))
-    filtered = np.fft.irfft(noise * _filter(np.fft.rfftfreq(count, _STEP).astype(float)), count)
-    return Series(time, np.sqrt(density) * filtered, held=False)
-
-
-def _filter(frequencies: Floats) -> Floats:
-    """Return the amplitudes of the soil filter at frequencies in Hz, with low frequencies suppressed."""
+    # The amplitudes of the soil filter at frequencies in Hz, with low frequencies suppressed.
+    frequencies = np.fft.rfftfreq(count, _STEP).astype(float)
     ratio = frequencies / _GROUND
     damped = (2.0 * _DAMPING * ratio) ** 2
     amplitude = np.sqrt((1.0 + damped) / ((1.0 - ratio**2) ** 2 + damped))
-    return amplitude * (frequencies**2 / (frequencies**2 + _SLOWEST**2))
+    filtered = np.fft.irfft(noise * (amplitude * (frequencies**2 / (frequencies**2 + _SLOWEST**2))), count)
+    return Series(time, np.sqrt(density) * filtered, held=False)
 
 
 def write_records(records: Mapping[str, Series], folder: PathName) -> None:
@@ -103,4 +100,6 @@ def write_records(records: Mapping[str, Series], folder: PathName) -> None:
     digits = max(4, len(str(len(records))))  # three would read as an azimuth
     for number, record in enumerate(records.values(), 1):
         rows = zip(record.time.tolist(), (0.0 - record.values).tolist(), strict=True)
-        files.write(place / f"synthetic-{number:0{digits}d}.csv", files.table(["time (s)", "acceleration (g)"], rows))
+        files.write_file(
+            place / f"synthetic-{number:0{digits}d}.csv", files.csv_table(["time (s)", "acceleration (g)"], rows)
+        )
