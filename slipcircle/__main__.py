@@ -134,7 +134,7 @@ def _write(answer: "Answer", options: argparse.Namespace) -> None:
         for path in [named] if isinstance(named, str) else named:
             contents[path] = content(path)
     for path, written in contents.items():
-        files.write(path, written)
+        files.write_file(path, written)
         if options.command != "new" and os.path.isfile(path):
             say(f"wrote {path}")
 

@@ -14,7 +14,7 @@ from scipy.optimize import least_squares, minimize_scalar
 
 from slipcircle import Interval, Scene, Unattainable, backanalyse, grid, load, solve
 from slipcircle.derivatives import with_parameters
-from slipcircle.workbench.common.summary import summary
+from slipcircle.workbench.common.summary import key_results
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs.json_records import record
 from slipcircle.workbench.stability.critical import at_circle
@@ -213,11 +213,21 @@ def test_intervals_count_as_uniform_distributions() -> None:
     assert found.intervals == intervals
 
 
+@pytest.mark.parametrize(
+    ("degrees", "missed"), [(10.0, {"run_out", "toe_rise"}), (13.6, set[str]()), (14.0, set[str]())]
+)
+def test_what_one_friction_angle_meets_of_vaiont(degrees: float, missed: set[str]) -> None:
+    """Reported ranges that a friction angle misses by more than a tenth."""
+    outcomes = observed_of_vaiont(solve(replace(VAIONT, friction=math.tan(math.radians(degrees)))))
+    outside = {n for n, (low, high) in VAIONT.observed.items() if not 0.9 * low <= outcomes[n] <= 1.1 * high}
+    assert outside == missed
+
+
 def test_tables_and_json_show_what_was_observed_beside_the_motion() -> None:
     """Intervals with a verdict, a number with its error without one."""
     seen = {"run_out": Interval(600.0, 700.0), "peak_velocity": Interval(20.0, 25.0), "duration": (40.0, 5.0)}
     motion = solve(replace(VAIONT, observed=seen))
-    assert {label: text for label, text in summary(motion).items() if "observed" in text} == {
+    assert {label: text for label, text in key_results(motion).items() if "observed" in text} == {
         "run-out along the arc": "677.3 m, inside the observed 600 to 700 m",
         "peak velocity": "27.97 m/s, outside the observed 20 to 25 m/s",
         "duration": "38.08 s, observed 40 +- 5 s",

@@ -19,7 +19,7 @@ from generated.tiers import BOUNDS
 from slipcircle import Scene, load, solve
 from slipcircle.tables import Series
 from slipcircle.workbench.cost import kernels, rows, scenes
-from slipcircle.workbench.cost.rows import Row
+from slipcircle.workbench.cost.rows import CostRow
 from slipcircle.workbench.files.shipped import shipped
 from tests.support import oracle, taylor
 from tests.support.outputs import QUICK, words_of
@@ -50,7 +50,7 @@ def digits(name: str, point: float) -> Any:
 @pytest.mark.parametrize("name", kernels.KERNELS)
 def test_references_are_the_definitions(name: str, kind: str) -> None:
     """References at both ends of each format and between are exact; two doubles are 100 bits."""
-    exact = kernels.reference(name, kind)
+    exact = kernels.exact_values(name, kind)
     chosen = {int(np.searchsorted(exact.points, x)) for x in SEEN if exact.points[0] <= x <= exact.points[-1]}
     with mpmath.workdps(90):
         for at in chosen | {len(exact.points) - 1}:
@@ -60,12 +60,12 @@ def test_references_are_the_definitions(name: str, kind: str) -> None:
 
 @pytest.mark.parametrize("kind", ["float64", "float32"])
 def test_inputs_go_from_end_to_end(kind: str) -> None:
-    points = kernels.inputs(kind)
+    points = kernels.kernel_inputs(kind)
     assert points.dtype == kind
     assert [points[0], points[-1]] == [0.0, points.dtype.type(np.pi / 2)]
     assert np.all(np.diff(points) > 0)
     assert np.pi / 2 - points[-2] < 1e-6
-    np.testing.assert_array_equal(kernels.inputs.__wrapped__(kind), points)  # drawn anew, the same
+    np.testing.assert_array_equal(kernels.kernel_inputs.__wrapped__(kind), points)  # drawn anew, the same
 
 
 def test_rows_of_a_kernel() -> None:
@@ -86,7 +86,7 @@ def test_rows_of_a_kernel() -> None:
 
 def test_errors_of_a_kernel_are_fractional() -> None:
     """Against the unrounded value, and infinite for what is not finite."""
-    exact = kernels.reference("resistance_factor")
+    exact = kernels.exact_values("resistance_factor")
     some = np.linspace(9, len(exact.points) - 1, 60).astype(int)
     picked = kernels.Exact(exact.points[some], exact.nearest[some], exact.rest[some], exact.least)
     results = picked.nearest + 3 * np.spacing(picked.nearest)
@@ -101,8 +101,8 @@ def test_errors_of_a_kernel_are_fractional() -> None:
 # --- verdicts --------------------------------------------------------------------------------------------------------
 
 
-def judged(*ways: tuple[str, float, float]) -> list[Row]:
-    return rows.judged([Row("f", way, 1, error, None, seconds) for way, error, seconds in ways])
+def judged(*ways: tuple[str, float, float]) -> list[CostRow]:
+    return rows.with_verdicts([CostRow("f", way, 1, error, None, seconds) for way, error, seconds in ways])
 
 
 def test_verdicts_of_a_race() -> None:
@@ -210,7 +210,7 @@ def test_the_command(asked: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert (found["name"], np.__version__ in found["machine"]) == ("vaiont", True)  # the slide of the paper
     assert [row["way"] for row in found["rows"]] == [scenes.ANY, *scenes.ACCURACIES]
     assert {"alone, filled on the frontier", "ensemble, filled on the frontier"} <= set(words_of(picture.read_bytes()))
-    wrong = Row(MEASURED, "best", 1, 3e-16, 2e-16, 1e-9)
+    wrong = CostRow(MEASURED, "best", 1, 3e-16, 2e-16, 1e-9)
     fails = replace(wrong, way="printed", error=np.inf, bound=None)
     monkeypatch.setattr(kernels, "of_kernel", lambda name: [wrong, fails])
     printed = json.loads(asked("cost polar_moment --json")[1], parse_constant=pytest.fail)
@@ -245,10 +245,10 @@ def test_one_row_meets_what_is_wanted(
     ways = {"good": (1e-8, 2e-8, 10e-9), "lucky": (1e-9, 1e-3, 5e-9), "rough": (1e-4, 1e-4, 1e-9)}
     if best == "rough" and "budget" in wanted:
         del ways["lucky"]
-    found = [Row("f", way, 1, error, bound, time, accuracy=bound) for way, (error, bound, time) in ways.items()]
+    found = [CostRow("f", way, 1, error, bound, time, accuracy=bound) for way, (error, bound, time) in ways.items()]
     if "1us" in wanted:
         found = [row for row in found if row.way != "lucky"]
-    monkeypatch.setattr(kernels, "of_kernel", lambda name: rows.judged(found))
+    monkeypatch.setattr(kernels, "of_kernel", lambda name: rows.with_verdicts(found))
     text = " ".join(asked(f"cost polar_moment {wanted}")[1].split())
     name, _, value = wanted.removeprefix("--").partition(" ")
     said = {"1e-7": "1e-07", "1e-2": "0.01"}.get(value, value.replace("ns", " ns").replace("us", " us"))
@@ -256,7 +256,7 @@ def test_one_row_meets_what_is_wanted(
 
 
 def test_a_row_that_misses_its_accuracy_and_the_price_of_a_digit() -> None:
-    exact = [Row("f", f"1e-{n}", 1, 10.0**-n, None, 1.1**n, accuracy=10.0**-n) for n in (3, 6, 9)]
+    exact = [CostRow("f", f"1e-{n}", 1, 10.0**-n, None, 1.1**n, accuracy=10.0**-n) for n in (3, 6, 9)]
     assert rows.price_of_a_digit(exact) == pytest.approx(1.1)
     assert math.isnan(rows.price_of_a_digit(exact[:1]))
     assert [row.misses for row in (*exact, replace(exact[0], error=2e-3), replace(exact[0], error=math.nan))] == [

@@ -30,8 +30,8 @@ from slipcircle import Arc, ensemble, load
 from slipcircle.base import progress as progress_module
 from slipcircle.base.progress import Progress
 from slipcircle.tables import Series
-from slipcircle.workbench.common.files import write
-from slipcircle.workbench.common.identity import digest
+from slipcircle.workbench.common.files import write_file
+from slipcircle.workbench.common.identity import content_digest
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.studies import engines, export
@@ -343,10 +343,10 @@ def exec_import(slip: Any) -> Any:
 def test_objects_are_recognised_by_their_content(kind: str) -> None:
     """Objects are recognised by their content, also after use."""
     same = KNOWN[kind](0.2)
-    first = digest(same)
+    first = content_digest(same)
     for use in ("mean", "std", "standard_deviation", "median", "support"):
         getattr(same, use, lambda: None)()
-    assert digest(same) == first == digest(KNOWN[kind](0.2)) != digest(KNOWN[kind](0.3))
+    assert content_digest(same) == first == content_digest(KNOWN[kind](0.2)) != content_digest(KNOWN[kind](0.3))
 
 
 @pytest.mark.parametrize("kind", UNKNOWN)
@@ -354,7 +354,7 @@ def test_objects_without_accessible_content_are_refused(kind: str) -> None:
     with pytest.raises(
         ValueError, match=r"a later run could not recognise its content .*; give numbers, a table, or a"
     ):
-        digest(UNKNOWN[kind](0.2))
+        content_digest(UNKNOWN[kind](0.2))
 
 
 def test_folders_of_other_objects_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -419,12 +419,12 @@ def test_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
     """A file is replaced whole (`test_report`), but not what is none."""
     link, pipe = tmp_path / "link", tmp_path / "pipe"
     link.symlink_to("target")
-    write(link, b"through it")
+    write_file(link, b"through it")
     assert (link.is_symlink(), link.read_bytes()) == (True, b"through it")
     os.mkfifo(pipe)
     with ThreadPoolExecutor(1) as reader:
         read = reader.submit(pipe.read_bytes)
-        write(pipe, b"once")
+        write_file(pipe, b"once")
         assert read.result(10) == b"once"
 
 

@@ -264,7 +264,7 @@ def test_where_nothing_is_propagated() -> None:
     found = ensemble(replace(VAIONT, uncertain={"friction": stats.pareto(2, scale=0.05)}), 20, 1)
     assert dict(found.linear) == {}
     assert "not have a finite mean" in found.no_linear
-    assert json.dumps(export.record(found), allow_nan=False)
+    assert json.dumps(export.study_record(found), allow_nan=False)
     assert ensemble(replace(VAIONT, uncertain={"arc.unit_weight_kN_m3": stats.norm(20, 1)}), 500, 1).warnings == []
 
 
@@ -305,12 +305,12 @@ def test_what_is_no_scene_is_counted_apart() -> None:
     study = ensemble(replace(VAIONT, uncertain={"arc.theta_2_deg": stats.uniform(205, 75)}), 4000, 1)
     invalid = np.sum(study.samples["arc.theta_2_deg"] < 215.2)
     assert invalid == study.counts[Status.INVALID] > 300
-    assert study.n == 4000 - invalid == export.record(study)["valid_samples"]
+    assert study.n == 4000 - invalid == export.study_record(study)["valid_samples"]
     assert f"{invalid} of 4000 samples are not valid scenes and not counted" in study.warnings[0]
     assert study.failure["paper"].value == study.moving.value
     nothing = ensemble(replace(VAIONT, uncertain={"arc.theta_2_deg": stats.norm(190, 1)}), 10, 1)
     assert (nothing.n, math.isnan(nothing.moving.value)) == (0, True)
-    assert json.dumps(export.record(nothing), allow_nan=False)
+    assert json.dumps(export.study_record(nothing), allow_nan=False)
     assert export.rows(nothing)
 
 
@@ -393,7 +393,7 @@ def test_the_command_prints_and_writes_the_estimates_of_a_study(file: Path, tmp_
     _, out, err = asked(line, "--json --csv", table, "--npz", arrays)
     assert re.search(r"of \d+ scenes, .* a second", err)
     study: Study = ensemble(read(file), 3000, 4, sensitivity=64)
-    assert json.loads(out) == [{"format": JSON_FORMAT} | json.loads(json.dumps(export.record(study)))]
+    assert json.loads(out) == [{"format": JSON_FORMAT} | json.loads(json.dumps(export.study_record(study)))]
     held = np.load(arrays)
     np.testing.assert_array_equal(held["run_out"], study.samples["run_out"])
     assert study.quantile("run_out", 0.5).value in held["run_out"]

@@ -396,7 +396,7 @@ def test_pages_and_pictures_are_the_same_in_map_coordinates(tmp_path: Path) -> N
     drawings, frames = [], []
     for pool.shift in (0.0, 5e6):
         motion = solve(combined.read(pool, tmp_path))
-        section = livesection.section(motion, livesection.frame_around(motion, 1.0), 1.0, "pool")
+        section = livesection.drawn_section(motion, livesection.frame_around(motion, 1.0), 1.0, "pool")
         paths = re.findall(r'<path class="(?:soil|body|slip|water|circle)" d="([^"]*)"', str(section))
         drawings.append([float(number) for number in re.findall(r"-?\d+\.\d+", " ".join(paths))])
         axes = motion.plot("section")

@@ -28,7 +28,7 @@ from slipcircle.workbench.outputs.pictures.shapes import mass_of
 from tests.support.layered import TURNING, profile
 
 GENERATED = Path(__file__).parents[1] / "generated"
-PROGRAMS = live.script()
+PROGRAMS = live.page_script()
 SOLVED = ("vaiont", "vaiont-softening", "real-slope", "layered-slope", "vaiont-shaken", "weak-toe")
 POSITIONS = 40
 
@@ -250,7 +250,7 @@ def test_the_mass_is_drawn_to_scale_where_it_turns_to(name: str) -> None:
     soil = m.plan.scene.arc
     assert isinstance(soil, Section)
     ends, frame = mass_of(soil, soil).on_circle(mass_of(soil, soil).ends), livesection.frame_around(m, 1.0)
-    drawn = livesection.section(m, frame, 1.0, "x")
+    drawn = livesection.drawn_section(m, frame, 1.0, "x")
     turn = -math.radians(drawn.turn * m.run_out)  # of the drawing, whose y is downwards
     matrix = np.array([[math.cos(turn), -math.sin(turn)], [math.sin(turn), math.cos(turn)]])
     places = drawn.centre + (frame.points(ends) - drawn.centre) @ matrix

@@ -12,7 +12,7 @@ import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.tables import Pulse
-from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, series
+from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, quake, series
 
 
 def shaken(horizontal: Any, vertical: Any = None, mu: float = MU, arc: Arc = ARC, **more: Any) -> Motion:
@@ -36,6 +36,18 @@ def test_rectangular_pulse(amplitude: float) -> None:
     assert motion.peak.time == pytest.approx(0.9, rel=1e-14)
     assert motion.duration == pytest.approx(0.5 + 0.4 * amplitude / n, rel=1e-13)
     assert motion.error_estimate < 1e-13 * amplitude / (amplitude - n)  # near the yield it is ill-conditioned
+
+
+def test_earthquake_against_an_exact_double_integral() -> None:
+    record = quake(7, 700)
+    record = series(record.time, 4.0 * record.values)
+    motion = shaken(record)
+    places, speeds, stop = of_block(record)
+    state = motion.at(np.minimum(record.time, motion.duration))
+    assert motion.run_out == pytest.approx(places[-1], rel=1e-13)
+    assert np.abs(state.displacement - places[:-1]).max() < 1e-13 * places[-1]
+    assert np.abs(state.velocity - speeds).max() < 1e-13 * speeds.max()
+    assert motion.duration == pytest.approx(stop, rel=1e-13)
 
 
 def test_newmark_pulse_is_what_its_comment_says() -> None:

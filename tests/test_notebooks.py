@@ -35,7 +35,7 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle import Status, load, solve
 from slipcircle.base import progress as progress_of_commands
 from slipcircle.workbench.cost import rows as cost
-from slipcircle.workbench.outputs.pictures.plotstyle import described
+from slipcircle.workbench.outputs.pictures.plotstyle import figure_texts
 from slipcircle.workbench.outputs.report import ASSUMED
 from tests.support.outputs import QUICK, words_of
 
@@ -93,13 +93,13 @@ def print_nothing(canvas: Any, target: Any, **more: Any) -> None:
     """Replace the drawing of a picture by its layout and texts."""
     if canvas.figure.get_layout_engine() is None or "draw" in vars(canvas.figure):  # as where it is laid out
         undescribed(canvas, io.BytesIO())
-    undescribed(blank(), target, metadata={"Description": "\n".join(described(canvas.figure))})
+    undescribed(blank(), target, metadata={"Description": "\n".join(figure_texts(canvas.figure))})
 
 
 @wraps(undescribed)
 def print_png(canvas: Any, target: Any, **more: Any) -> None:
     """Pictures say in the file what their legends and axes say, as those of commands do."""
-    undescribed(canvas, target, **more | {"metadata": {"Description": "\n".join(described(canvas.figure))}})
+    undescribed(canvas, target, **more | {"metadata": {"Description": "\n".join(figure_texts(canvas.figure))}})
 
 
 def run(path: Path, first: str = "", draw: Callable[..., None] = print_png) -> Any:

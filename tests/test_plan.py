@@ -22,7 +22,7 @@ from slipcircle.layers import LayeredSection, Soil, stretches
 from slipcircle.messages.choice import FLOW
 from slipcircle.messages.equation import Equation
 from slipcircle.tables import Series
-from slipcircle.workbench.cost.ladder import ladder
+from slipcircle.workbench.cost.ladder import effect_ladder
 from slipcircle.workbench.files.shipped import shipped
 
 ARC = load("vaiont").arc
@@ -93,7 +93,7 @@ def test_accuracy_counts_in_ensembles_alone() -> None:
 @pytest.mark.parametrize("name", ["vaiont", "wet-slope", "valley-side"])
 def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
     full = solve(load(name))
-    rungs = ladder(full.plan.scene)
+    rungs = effect_ladder(full.plan.scene)
     assert set(rungs[-1].effects) == set(full.plan.effects)
     assert not rungs[0].effects
     for before, after in pairwise(rungs):

@@ -17,9 +17,9 @@ from PIL import Image, ImageSequence
 
 from slipcircle import Arc, Scene, Section, Slope, critical, grid, load, solve
 from slipcircle.messages import swings_back
+from slipcircle.workbench.common.trace import columns_of_picture as trace
 from slipcircle.workbench.common.trace import csv
-from slipcircle.workbench.common.trace import drawn as trace
-from slipcircle.workbench.cost.ladder import ladder
+from slipcircle.workbench.cost.ladder import effect_ladder
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.json_records import record
 from slipcircle.workbench.outputs.pictures import layerplot, plots, plotstyle, searchplot, sectionplot
@@ -42,7 +42,7 @@ each_scene = pytest.mark.parametrize("name", SCENES)
 
 @pytest.mark.parametrize("name", ["vaiont-heated", "newmark-pulse", "swings", "still", "to the left"])
 def test_no_text_lies_on_another(name: str) -> None:
-    drawing = plots.overview(motion(name))
+    drawing = plots.motion_overview(motion(name))
     figure = drawing.draw(canvas(drawing.size, 60))
     assert clashes(figure) == []
     written = figure.findobj(Text)
@@ -76,7 +76,7 @@ def test_history_draws_the_motion(name: str) -> None:
 def test_an_overview_of_a_motion() -> None:
     """Degrees beside metres; panels bear letters."""
     m = motion("vaiont")
-    figure = plots.overview(m).draw(canvas((9.0, 12.0)))
+    figure = plots.motion_overview(m).draw(canvas((9.0, 12.0)))
     titles = [ax.get_title("left") for ax in figure.axes if ax.get_title("left")]
     assert titles == [
         "a  Section", "b  Velocity", "c  Displacement", "d  Friction coefficient", "e  Mean normal stress",
@@ -101,7 +101,7 @@ def test_cohesion_and_layers_show_strengths_in_kilopascals() -> None:
     clay = solve(Scene(section, 0.0, {**{name: {} for name in TURNING}, "cohesion": {"cohesion": 35e3}}))
     layered = solve(Scene(profile("softening"), effects=TURNING))
     for m in (clay, layered, solve(load("real-slope"))):  # the last one with a strength factor
-        titles = [ax.get_title("left") for ax in plots.overview(m).draw(canvas((9.0, 12.0))).axes]
+        titles = [ax.get_title("left") for ax in plots.motion_overview(m).draw(canvas((9.0, 12.0))).axes]
         assert "d  Mobilised strength" in titles
         assert "friction" not in " ".join(titles).lower()
         at_peak = m.strength_at(m.peak.time)
@@ -195,7 +195,7 @@ def test_the_water_level_is_drawn_where_it_is() -> None:
 
 
 def test_ladder_is_drawn() -> None:
-    rungs = ladder(SCENES["vaiont"])
+    rungs = effect_ladder(SCENES["vaiont"])
     ax = plots.ladder(rungs, drawn((9.0, 3.5)))
     assert [bar.get_width() for bar in ax.patches] == [r.run_out for r in rungs]
     assert [bool(bar.get_hatch()) for bar in ax.patches] == [not r.arrested for r in rungs]
@@ -206,7 +206,7 @@ def test_ladder_is_drawn() -> None:
 
 def test_animation_moves_the_mass() -> None:
     m, figure = motion("wet-slope"), canvas()
-    played = plots.animate(m, figure=figure)
+    played = plots.slide_animation(m, figure=figure)
     played._init_draw()  # which else complains that nothing was rendered
     moving = [p for p in figure.axes[0].patches if isinstance(p, Polygon)][-1]
     first = float(np.asarray(getattr(m.plan.scene.arc, "theta_1")))  # noqa: B009
@@ -351,7 +351,7 @@ def test_a_flat_map_of_a_search_has_a_scale_with_different_labels() -> None:
 def test_numbers_and_names() -> None:
     """Legends show four digits; a CSV of several scenes has the name of each, quoted if necessary."""
     values = (0.0, 27.9721, 1020.35, -0.5, 12345.6, 1.2345e7, 1.5e-7)
-    assert [plotstyle.number(x) for x in values] == [
+    assert [plotstyle.formatted_number(x) for x in values] == [
         "0", "27.97", "1020", "-0.5", "12350", "$1.234\\times10^{7}$", "$1.5\\times10^{-7}$"]  # fmt: skip
     head, *rows = csv([motion("swings"), motion("wet-slope")]).decode().splitlines()
     assert head.startswith("scene,time_s,")

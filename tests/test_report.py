@@ -26,9 +26,9 @@ from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.json_records import record as record_of
 from slipcircle.workbench.outputs.pictures import files as pictures
-from slipcircle.workbench.outputs.provenance import comments, inputs
+from slipcircle.workbench.outputs.provenance import scene_inputs, toml_comments
 from slipcircle.workbench.outputs.report import _energy, report, study_report
-from slipcircle.workbench.outputs.tables import cell_text, interval
+from slipcircle.workbench.outputs.tables import cell_text, interval_text
 from slipcircle.workbench.studies import export
 from tests.support.outputs import printed, rows, tree, words_of
 
@@ -91,7 +91,7 @@ def test_every_number_of_a_study_is_an_estimate_of_it(method: str) -> None:
     cells = ["".join(cell.itertext()) for cell in root.iter("td")]
     printed = Counter(cells)
     expected = Counter(
-        cell_text(row.estimate.value) if row.table.startswith("linear") else interval(row.estimate)
+        cell_text(row.estimate.value) if row.table.startswith("linear") else interval_text(row.estimate)
         for row in export.estimates(study)
         if row.table != "exceedance"
     )
@@ -141,7 +141,7 @@ def test_inputs_of_a_file() -> None:
     law = "law = 'linear'\npeak_deg = 15\nresidual_deg = 10\nlength_m = 2\n[friction.rate]\nlaw = 'rate_tabulated'\n"
     law += "speed_m_s = [0.1, 10]  # tests\ncoefficient = [1, 0.8]\n[shaking]\namplitude_g = 0.1"
     drawn = "radius_m = { distribution = 'normal', mean = 1490, std = 10 }  # the map"
-    found = {i.path: i[1:] for i in inputs(load("vaiont"), f"[arc]\n{drawn}\n[friction]\n{law}\n")}
+    found = {i.path: i[1:] for i in scene_inputs(load("vaiont"), f"[arc]\n{drawn}\n[friction]\n{law}\n")}
     assert found["friction.rate.speed_m_s"] == ("0.1, 10.0", "m/s", "speeds of the table, increasing", "tests")
     assert found["friction.rate.coefficient"][2] == "friction coefficients at these speeds"
     assert found["friction.peak_deg"][1] == "deg"
@@ -154,7 +154,7 @@ def test_uncertain_inputs_are_marked() -> None:
              "arc.radius_m": {"distribution": "uniform", "low": 1400, "high": 1500}}  # fmt: skip
     scene = replace(load("vaiont"), uncertain=drawn)
     file = "[arc]\nradius_m = 1492.6\n[friction]\nangle_deg = 10\n"
-    shown = {i.path: i.value for i in inputs(scene, file)}
+    shown = {i.path: i.value for i in scene_inputs(scene, file)}
     assert shown["friction.angle_deg"] == "uncertain, normal: mean 10, std 1"
     assert shown["arc.radius_m"] == "uncertain, uniform: low 1400, high 1500"
     text = report([solve(scene)], [file.encode()], COMMAND)
@@ -174,7 +174,7 @@ def test_the_date_of_a_report(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_comments_stand_beside_their_keys() -> None:
-    found = comments(
+    found = toml_comments(
         'name = "a # b"  # the name\n[arc]  # Table 2-1\nradius_m = 40\ntheta_1_deg=210# one\n'
         'slip_m = [1, 2] # list\nnote = \'x # y\'\nwhat = "\\" # no" # yes\n[arc.given] # given\nlambda = 1 # two\n'
     )
@@ -257,17 +257,17 @@ def test_paths_are_checked_before_the_work(
 
 def test_a_file_is_replaced_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "a.txt"
-    files.write(str(path), b"old")
+    files.write_file(str(path), b"old")
 
     def full(descriptor: int) -> None:
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(ValueError, match=r"a\.txt: cannot be written: No space left on device"):
-        files.write(str(path), b"new")
+        files.write_file(str(path), b"new")
     assert path.read_bytes() == b"old"
     monkeypatch.undo()
-    files.write(str(path), b"new")
+    files.write_file(str(path), b"new")
     assert path.read_bytes() == b"new"
     assert list(tmp_path.iterdir()) == [path]
 

@@ -13,7 +13,7 @@ import pytest
 import slipcircle
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load
-from slipcircle.workbench.common.files import write as write_file
+from slipcircle.workbench.common.files import write_file as write_file
 from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import load as read

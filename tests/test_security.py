@@ -132,9 +132,9 @@ def test_pages_are_all_that_is_written(tmp_path: Path, said: Any) -> None:
     ],
 )
 def test_texts_in_tables_and_pages_are_neither_formulas_nor_control_characters(text: str, cell: str) -> None:
-    head, row = csv.reader(io.StringIO(files.table([text], [[text]]).decode(), newline=""))
+    head, row = csv.reader(io.StringIO(files.csv_table([text], [[text]]).decode(), newline=""))
     assert head == row == [cell]
-    assert files.table(["a"], [[-1.5, None]]) == b"a\n-1.5,\n"
+    assert files.csv_table(["a"], [[-1.5, None]]) == b"a\n-1.5,\n"
     assert all(c.isprintable() or c in "\t\n\r" for c in escaped(text))
     assert clean(text).isprintable()
 

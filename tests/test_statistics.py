@@ -9,10 +9,10 @@ import pytest
 from scipy import stats
 
 from slipcircle import ensemble, load
-from slipcircle.workbench.common.distributions import DISTRIBUTIONS, described, distribution_of
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS, distribution_of, distribution_record
 from slipcircle.workbench.files.numbers import Uncertain, number_in
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
-from slipcircle.workbench.studies.statistics import Ordered, indices, proportion, ranks, sums
+from slipcircle.workbench.studies.statistics import Ordered, proportion, ranks, sensitivity_indices, sums
 from tests.campaigns import coverage
 
 _LOG = math.log1p(0.3**2)
@@ -46,10 +46,10 @@ def test_quantiles_are_scipys(name: str, given: dict[str, float], wanted: Any) -
 
 def test_distributions_are_described() -> None:
     """Distributions are described by SciPy's expression, or by moments and quantiles."""
-    assert described(stats.gamma(a=2, scale=3)) == {"distribution": "scipy.stats.gamma(a=2.0, scale=3.0)"}
+    assert distribution_record(stats.gamma(a=2, scale=3)) == {"distribution": "scipy.stats.gamma(a=2.0, scale=3.0)"}
     histogram = stats.rv_histogram((np.array([5, 5]), np.array([1.0, 2.0, 3.0])))
     for given in (histogram, histogram()):
-        found = described(given)
+        found = distribution_record(given)
         assert found.pop("distribution") == "rv_histogram"
         assert (found["mean"], found["std"]) == pytest.approx((2.0, math.sqrt(4.0 / 12.0)))
         assert {p: found[f"quantile_{p}"] for p in (0.05, 0.5, 0.99)} == pytest.approx(
@@ -129,7 +129,7 @@ def test_indices_and_their_intervals() -> None:
     exact = np.concatenate([alone, alone * whole / (1 + alone)]) / (whole - 1)
     inside = []
     for seed in range(50):
-        value, low, high = np.transpose([e for part in indices(batches(seed), 0.95) for e in part])
+        value, low, high = np.transpose([e for part in sensitivity_indices(batches(seed), 0.95) for e in part])
         assert value == pytest.approx(exact, abs=0.15)
         inside.append((low <= exact) & (exact <= high))
     assert 0.91 < np.mean(inside) < 0.98

@@ -15,7 +15,7 @@ from slipcircle.base.text import PRINTED
 from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.outputs.pictures import plots, studyplots, tornado
 from slipcircle.workbench.outputs.report import study_report
-from slipcircle.workbench.outputs.tables import interval
+from slipcircle.workbench.outputs.tables import interval_text
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.statistics import Estimate
 from tests.support.outputs import rows, tree
@@ -51,7 +51,7 @@ WORDS = ("friction angle", "radius", "pore pressure ratio")
 
 @pytest.mark.parametrize("name", ["three, Sobol", "few", "none moves"])
 def test_no_text_lies_on_another(name: str) -> None:
-    drawing = studyplots.overview(found(name))
+    drawing = studyplots.study_overview(found(name))
     figure = drawing.draw(canvas(drawing.size, 60))
     assert clashes(figure) == []
     assert all(re.search(r"\((m|m/s|–)\)$", ax.get_xlabel()) for ax in figure.axes)
@@ -71,7 +71,7 @@ def test_exceedance_counts_the_samples(output: str) -> None:
 
 def test_what_is_rare_shows_on_a_logarithmic_axis() -> None:
     """The logarithmic axis shows the curve of the linear axis beside it."""
-    figure = studyplots.overview(found("two")).draw(canvas())
+    figure = studyplots.study_overview(found("two")).draw(canvas())
     assert [ax.get_yscale() for ax in figure.axes] == [*["linear", "log"] * 2, "linear", "linear"]
     linear, log, *_ = figure.axes
     np.testing.assert_array_equal(linear.lines[0].get_ydata(), log.lines[0].get_ydata())
@@ -181,7 +181,7 @@ def test_a_grid_is_drawn_as_curves() -> None:
     """A curve of the study's results for each radius."""
     radii = [1000.0, 1492.6]
     e = grid(load("vaiont"), {DEGREES: [9.0, 12.0, 15.0], "arc.radius_m": radii})
-    drawing = studyplots.overview(e)
+    drawing = studyplots.study_overview(e)
     figure = drawing.draw(canvas(drawing.size, 60))
     assert clashes(figure) == []
     assert [ax.get_ylabel() for ax in figure.axes] == ["run-out along the arc (m)", "peak velocity (m/s)"]
@@ -214,7 +214,7 @@ def test_one_command_writes_everything(tmp_path: Path, records: Any) -> None:
     root = tree(page.read_text("utf-8"))
     cells, quantiles = rows(root), {e["p"]: e for e in record["outputs"]["duration"]["quantiles"]}
     for name, e in (("probability of moving", record["moving"]), ("0.05", quantiles[0.95])):
-        assert cells[name].text == interval(Estimate(e["value"], e["low"], e["high"]))
+        assert cells[name].text == interval_text(Estimate(e["value"], e["low"], e["high"]))
     folded = {d.find("summary").text: d.find("pre").text for d in root.iter("details")}
     assert json.loads(folded["All numbers, as JSON"]) == record
     (command,) = (pre.text for pre in root.iter("pre") if pre.text.startswith("slipcircle sweep"))

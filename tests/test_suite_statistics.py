@@ -9,7 +9,12 @@ from scipy import signal, stats
 
 from slipcircle import Series
 from slipcircle.workbench.studies.fragility import fragility_curve
-from slipcircle.workbench.studies.statistics import distribution, exceedance, exceedance_shares, variance_shares
+from slipcircle.workbench.studies.statistics import (
+    distribution,
+    exceedance_probabilities,
+    exceedance_shares,
+    variance_shares,
+)
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
 from slipcircle.workbench.suites.synthetic import synthetic_records
@@ -44,14 +49,14 @@ def test_distribution_and_exceedance_of_lognormal_displacements() -> None:
     assert (found.geometric_mean, found.std_ln) == pytest.approx((0.2, 0.8), rel=2e-3)
     quantiles = stats.lognorm(0.8, scale=0.2).ppf([(0.5 - 0.25) / 0.75, (0.84 - 0.25) / 0.75])
     assert (found.p16, found.median, found.p84) == pytest.approx((0.0, *quantiles), rel=1e-2)
-    ((estimate,),) = exceedance(values, np.array([0.2]))
+    ((estimate,),) = exceedance_probabilities(values, np.array([0.2]))
     interval = stats.binomtest(375, 1000).proportion_ci(0.95, "exact")
     assert estimate == pytest.approx((0.375, interval.low, interval.high), rel=1e-9)
 
 
 def test_motions_without_a_result_exceed_every_threshold() -> None:
     values = np.array([0.0, 0.1, np.inf, np.nan]).reshape(4, 1, 1, 1)
-    ((estimate,),) = exceedance(values, np.array([50.0]))
+    ((estimate,),) = exceedance_probabilities(values, np.array([50.0]))
     assert estimate.value == pytest.approx(1 / 3)
     assert math.isinf(distribution(values, 0).mean)
     assert math.isnan(variance_shares(values, 0).records)

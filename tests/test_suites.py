@@ -141,7 +141,7 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(tmp_path: Path) -> Non
 def test_a_file_of_several_records_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     samples = [f"{0.01 * k:.2f},{k % 3 / 10},{k % 5 / 10},{k % 7 / 10}" for k in range(20)]
     (tmp_path / "three.csv").write_text("t (s),x (g),y (g),w (g)\n" + "\n".join(samples), "utf-8")
-    calls = {name: Mock(side_effect=getattr(recordfiles, name)) for name in ("text_of", "cells_of")}
+    calls = {name: Mock(side_effect=getattr(recordfiles, name)) for name in ("text_of", "fields_below")}
     for name, call in calls.items():
         monkeypatch.setattr(recordfiles, name, call)
     suite = read_suite([tmp_path], holds="driving")

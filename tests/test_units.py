@@ -26,7 +26,7 @@ from slipcircle.workbench.files.keys import WITH_ARC, Key, Table, fitted
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 from slipcircle.workbench.files.points import read_points
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
-from slipcircle.workbench.outputs.pictures.plotstyle import amount, measure
+from slipcircle.workbench.outputs.pictures.plotstyle import formatted_amount, label_direction
 from slipcircle.workbench.stability import factors
 from slipcircle.workbench.stability.slices import slices_above
 from tests.campaigns import profiles
@@ -377,15 +377,15 @@ def test_axes_in_feet() -> None:
         PRINTED.set(SYSTEMS["US"])
         ax = Figure().subplots()
         ax.set_xlim(0.0, 30.48)
-        measure(ax.xaxis, "x", "m")
+        label_direction(ax.xaxis, "x", "m")
         ticks = [f"{tick / 0.3048:.6g}" for tick in ax.get_xticks()]
         assert [text.get_text() for text in ax.get_xticklabels()] == ticks
-        return ticks, ax.get_xlabel(), amount(3.048, "m")
+        return ticks, ax.get_xlabel(), formatted_amount(3.048, "m")
 
     ticks, words, text = copy_context().run(draw)
     assert ticks == ["0", "20", "40", "60", "80", "100"]
     assert (words, text) == ("x (ft)", "10 ft")
-    assert amount(3.048, "m") == "3.048 m"
+    assert formatted_amount(3.048, "m") == "3.048 m"
 
 
 def test_units_of_output_that_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -19,12 +19,12 @@ from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.fragility import fragility_curve
 from slipcircle.workbench.studies.statistics import (
     Ordered,
-    exceedance,
+    exceedance_probabilities,
     exceedance_shares,
-    indices,
+    interval_width,
     probability,
+    sensitivity_indices,
     sums,
-    width,
 )
 from tests.campaigns import options
 
@@ -102,7 +102,7 @@ def of_samples(count: int) -> Iterator[Row]:
                     if method == "monte-carlo" or 0 < estimate[0] < 1:
                         counts.add(f"probability {1 - p:.2f}", estimate, 1 - p)
                 value, error, *_ = in_order.spread()
-                half = error * width(0.95, drawn.replicates)
+                half = error * interval_width(0.95, drawn.replicates)
                 moments.add("mean", (value, value - half, value + half), mean)
             yield from counts.rows(method == "monte-carlo")
             yield from moments.rows()
@@ -125,7 +125,7 @@ def of_indices(count: int) -> Iterator[Row]:
                     mixed = [np.where((np.arange(3) == i)[:, None], b, a) for i in range(3)]
                     outputs = [np.prod((np.abs(4 * u - 2) + weights) / (1 + weights), axis=0) for u in (a, b, *mixed)]
                     batches.append(sums(np.stack(outputs)))
-                found = indices(np.stack(batches), 0.95)
+                found = sensitivity_indices(np.stack(batches), 0.95)
                 for k in range(3):
                     coverage.add(f"first-order index {first[k]:.2f}", found.first[k], first[k])
                     coverage.add(f"total index {total[k]:.2f}", found.total[k], total[k])
@@ -151,7 +151,7 @@ def of_suites(count: int) -> Iterator[Row]:
                     likely = stats.norm.cdf(math.log(at / median) / dispersion)
                     coverage.add(f"fragility, probability at {at} g", curve.probability(at), likely)
                 both = math.hypot(0.2, dispersion)
-                estimates = exceedance(displacement, np.array([0.1]))
+                estimates = exceedance_probabilities(displacement, np.array([0.1]))
                 for k in (1, 2):
                     likely = stats.norm.cdf(math.log(scales[k]) / both)
                     shares.add(f"share of motions {likely:.2f}", estimates[k][0], likely)

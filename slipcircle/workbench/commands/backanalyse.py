@@ -14,7 +14,7 @@ from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import json_records as records
 from slipcircle.workbench.outputs.pictures.files import picture
-from slipcircle.workbench.outputs.tables import Answer, Part, beside
+from slipcircle.workbench.outputs.tables import Answer, ResultTable, beside
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solution, backanalyse
@@ -59,7 +59,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command and return its answer."""
     form = "KEY or KEY=LOW:HIGH: friction.angle_deg=5:15"
-    fields = values.by_key("field", options.field or [], form, values.bounds)
+    fields = values.values_by_key("field", options.field or [], form, values.bounds)
     observed = {name: getattr(options, name) for name in OBSERVABLE}
     scene = load(options.scene)
     if options.method:
@@ -76,7 +76,7 @@ def run(options: argparse.Namespace) -> Answer:
     name = fit.motion.plan.scene.name
     columns = [_column(fit, solution) for solution in fit.solutions]
     heads = [name] if len(columns) == 1 else [f"solution {k}" for k in range(1, len(columns) + 1)]
-    table = Part(["", *heads], beside(columns), note=f"by {fit.method}")
+    table = ResultTable(["", *heads], beside(columns), note=f"by {fit.method}")
     drawn = {"plot": partial(picture, "backanalysis", fit)}
     return Answer(lambda: [_record(fit)], [table], [f"{name}: {warning}" for warning in fit.warnings], drawn)
 

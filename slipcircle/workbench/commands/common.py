@@ -46,7 +46,7 @@ def check_files(options: argparse.Namespace) -> None:
     written = ("plot", "report", "csv", "npz", "live", "fragility", "write")
     outputs = {f"--{name}": values[name] for name in written if values.get(name)}
     scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
-    files.check(options.command, outputs, [str(find(name)) for name in scenes])
+    files.check_outputs(options.command, outputs, [str(find(name)) for name in scenes])
     if "--plot" in outputs or "--report" in outputs:
         for path in options.plot or [""]:
             check_picture(options.command, path, len(scenes))

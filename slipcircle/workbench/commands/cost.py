@@ -14,10 +14,10 @@ from slipcircle.workbench.common.quantities import plain, time_text
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs.pictures.files import picture
-from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.outputs.tables import Answer, ResultTable
 
 if TYPE_CHECKING:
-    from slipcircle.workbench.cost.rows import Row
+    from slipcircle.workbench.cost.rows import CostRow
 
 NOTE = (
     "error: largest relative error over the inputs; bound: proved for a kernel, estimated for a scene; time: processor "
@@ -73,12 +73,12 @@ def _wanted(options: argparse.Namespace) -> dict[str, float]:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command and return its answer."""
     from slipcircle.workbench.cost import kernels, scenes
-    from slipcircle.workbench.cost.rows import judged, recommended
+    from slipcircle.workbench.cost.rows import recommended, with_verdicts
     from slipcircle.workbench.outputs.info import machine
 
     wanted = _wanted(options)
     form = "KEY=FROM:TO, each key once, such as friction.angle_deg=6:20"
-    vary = values.by_key("vary", options.vary, form, values.bounds)
+    vary = values.values_by_key("vary", options.vary, form, values.bounds)
     if options.name in kernels.KERNELS:
         if vary:
             raise ValueError(
@@ -96,14 +96,14 @@ def run(options: argparse.Namespace) -> Answer:
         title = scene.name
     if wanted:
         chosen = [row for row in rows if row.group != scenes.ALONE]
-        rows = [row for row in rows if row.group == scenes.ALONE] + recommended(judged(chosen), **wanted)
+        rows = [row for row in rows if row.group == scenes.ALONE] + recommended(with_verdicts(chosen), **wanted)
     measured_on = machine()
     record = {"name": title, "machine": measured_on, "rows": [plain(asdict(row)) for row in rows]}
     drawn = {"plot": partial(picture, "cost", rows)}
     return Answer(lambda: record, _parts(title, rows, measured_on, wanted), (), drawn)
 
 
-def _parts(title: str, rows: Sequence["Row"], machine: str, wanted: Mapping[str, float]) -> Iterator[Part]:
+def _parts(title: str, rows: Sequence["CostRow"], machine: str, wanted: Mapping[str, float]) -> Iterator[ResultTable]:
     """Yield the table of measured rows, with notes below it."""
     fastest = {row.group: min(x.seconds for x in rows if x.group == row.group) for row in rows}
     cells = []
@@ -115,14 +115,14 @@ def _parts(title: str, rows: Sequence["Row"], machine: str, wanted: Mapping[str,
         taken = time_text(1e9 * row.seconds)
         cells.append([row.group, row.way, f"{row.count}", error, bound, taken, relative, verdict])
     heads = ["", "way", "N", "error", "bound", "time", "relative", "verdict"]
-    yield Part(heads, cells, title, " ".join(_notes(rows, machine, wanted)))
+    yield ResultTable(heads, cells, title, " ".join(_notes(rows, machine, wanted)))
 
 
 def _error(error: float) -> str:
     return f"{error:.1e}" if error else "0"
 
 
-def _notes(rows: Sequence["Row"], machine: str, wanted: Mapping[str, float]) -> Iterator[str]:
+def _notes(rows: Sequence["CostRow"], machine: str, wanted: Mapping[str, float]) -> Iterator[str]:
     from slipcircle.workbench.cost.rows import RECOMMENDED, price_of_a_digit
     from slipcircle.workbench.cost.scenes import ALONE
 
@@ -147,7 +147,7 @@ def _notes(rows: Sequence["Row"], machine: str, wanted: Mapping[str, float]) -> 
     yield from (NOTE, f"{machine}.")
 
 
-def _measured(row: "Row") -> str:
+def _measured(row: "CostRow") -> str:
     """Return the name, time, error and bound of a row as text."""
     bound = "" if row.bound is None else f", bound {_error(row.bound)}"
     return f"{row.way} ({time_text(1e9 * row.seconds)}, error {_error(row.error)}{bound})"

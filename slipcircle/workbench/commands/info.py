@@ -13,7 +13,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import Scene, numpy_only, solve
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs.info import facts
-from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.outputs.tables import Answer, ResultTable
 
 
 def options(_: argparse.ArgumentParser) -> None:
@@ -23,7 +23,7 @@ def options(_: argparse.ArgumentParser) -> None:
 def run(_: argparse.Namespace) -> Answer:
     """Run the command and return its answer."""
     rows = facts() | {"speed": _speed()}
-    return Answer(lambda: rows, [Part([], list(rows.items()))])
+    return Answer(lambda: rows, [ResultTable([], list(rows.items()))])
 
 
 def _speed() -> str:

@@ -22,7 +22,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command and return its answer."""
     path = Path(options.file)
-    files.check("new", {"FILE": options.file})
+    files.check_outputs("new", {"FILE": options.file})
     text = find(options.like).read_text("utf-8")
     # Without a name of its own, the scene is named after its file.
     scene = re.sub("^name = .*", f'format = "{SCENE_FORMAT}"', text, flags=re.MULTILINE)

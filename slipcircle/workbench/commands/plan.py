@@ -31,9 +31,9 @@ def run(options: argparse.Namespace) -> Answer:
     record["equation"] = equation.to_dict()
     if not options.ladder:
         return Answer(lambda: [record], [tables.plan_part(chosen), f"\n{equation}"])
-    from slipcircle.workbench.cost.ladder import ladder
+    from slipcircle.workbench.cost.ladder import effect_ladder
 
-    rungs = with_scene_context(chosen.scene, ladder)
+    rungs = with_scene_context(chosen.scene, effect_ladder)
     record["ladder"] = [asdict(rung) for rung in rungs]
     drawn = {"plot": partial(picture, "ladder", rungs)}
     return Answer(lambda: [record], [tables.ladder_part(rungs, chosen.scene.name)], (), drawn)

@@ -6,7 +6,7 @@ from typing import Any
 
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.units import ACCELERATION
-from slipcircle.workbench.outputs.tables import Answer, Part, headed, in_unit
+from slipcircle.workbench.outputs.tables import Answer, ResultTable, headed, in_unit
 from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
 
@@ -79,7 +79,7 @@ def run(options: argparse.Namespace) -> Answer:
     if options.out:
         write_records({entry.name: entry.record() for entry in suite}, options.out)
     rows = record["records"]
-    written = {"csv": lambda _: files.table(rows[0], [row.values() for row in rows])}
+    written = {"csv": lambda _: files.csv_table(rows[0], [row.values() for row in rows])}
     return Answer(lambda: record, [records_part(suite)], suite.warnings, written)
 
 
@@ -94,7 +94,7 @@ def _check_folder(options: argparse.Namespace) -> None:
         raise ValueError(f"records: --out {folder}: there is no folder {folder.parent}")
 
 
-def records_part(suite: Suite) -> Part:
+def records_part(suite: Suite) -> ResultTable:
     """Return a table of the records and their intensity measures."""
     with_components = any(entry.component for entry in suite)
     head = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)", headed("PGV", "m/s")]
@@ -107,7 +107,7 @@ def records_part(suite: Suite) -> Part:
         rows.append([entry.name, *component, entry.samples, entry.step, entry.unit, *measures])
     note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
     pairs = f", {_counted(len(suite.pairs), 'pair')} of components" if suite.pairs else ""
-    return Part(head, rows, f"{_counted(len(suite), 'record')}{pairs}", note)
+    return ResultTable(head, rows, f"{_counted(len(suite), 'record')}{pairs}", note)
 
 
 def _counted(count: int, noun: str) -> str:

@@ -32,7 +32,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     varied = "parameter and range of the first slider of --live: friction.residual_deg=8:18"
     parser.add_argument("--vary", metavar="KEY=FROM:TO", help=varied)
     times = "times of --csv in s: 0:60:1; default: 401 evenly spaced times"
-    parser.add_argument("--times", type=values.times, metavar="FROM:TO:STEP", help=times)
+    parser.add_argument("--times", type=values.output_times, metavar="FROM:TO:STEP", help=times)
 
 
 def run(options: argparse.Namespace) -> Answer:
@@ -74,7 +74,7 @@ def _live(motion: Motion, varied: str | None) -> str:
     if not varied:
         return live.page(motion)
     form = "KEY=FROM:TO, such as friction.residual_deg=8:18"
-    ((key, (low, high)),) = values.by_key("vary", [varied], form, values.bounds).items()
+    ((key, (low, high)),) = values.values_by_key("vary", [varied], form, values.bounds).items()
     return live.page(motion, with_scene_context(motion.plan.scene, lambda scene: live.slider(scene, key, low, high)))
 
 

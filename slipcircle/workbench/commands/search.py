@@ -8,7 +8,7 @@ from slipcircle.workbench.commands.common import add_files, add_units
 from slipcircle.workbench.files.scenefile import critical_of_file, with_circle
 from slipcircle.workbench.outputs import tables
 from slipcircle.workbench.outputs.pictures.files import picture
-from slipcircle.workbench.outputs.tables import Answer, Files, Part
+from slipcircle.workbench.outputs.tables import Answer, Files, ResultTable
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
@@ -40,7 +40,7 @@ def run(options: argparse.Namespace) -> Answer:
     names, notes, circles, warnings = zip(*searched, strict=True)
     columns = [factors | circle for factors, circle in map(tables.stability_columns, circles)]
     note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)
-    table = Part(["", *names], tables.beside(columns), note=note)
+    table = ResultTable(["", *names], tables.beside(columns), note=note)
     records = [
         {"scene": name} | circle.record() | {"warnings": lines}
         for name, circle, lines in zip(names, circles, warnings, strict=True)

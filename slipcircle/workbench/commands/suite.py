@@ -12,10 +12,10 @@ from slipcircle.base.text import measured, shown
 from slipcircle.core import Scene
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
-from slipcircle.workbench.outputs.tables import Part, headed, in_unit
+from slipcircle.workbench.outputs.tables import ResultTable, headed, in_unit
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.fragility import interval_note
-from slipcircle.workbench.studies.statistics import distribution, exceedance, variance_shares
+from slipcircle.workbench.studies.statistics import distribution, exceedance_probabilities, variance_shares
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.suites.regressions import Comparison
 
@@ -67,7 +67,7 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> Study:
     return ensemble(scene, options.samples or 1, **sampling, **of_records)
 
 
-def parts(study: Study, compared: Sequence[Comparison]) -> Iterator[Part]:
+def suite_tables(study: Study, compared: Sequence[Comparison]) -> Iterator[ResultTable]:
     """Yield the tables of a study over records: records, displacements, statistics, fragility and regressions."""
     yield records_part(study.suite)
     scale = study.own_scale
@@ -80,10 +80,10 @@ def parts(study: Study, compared: Sequence[Comparison]) -> Iterator[Part]:
     shares = variance_shares(study.displacement, scale)
     if shares.records == shares.records and study.values["status"].shape[-1] > 1:
         rows = [[name, f"{100 * share:.3g} %"] for name, share in shares._asdict().items()]
-        yield Part(["source alone", "share of the variance"], rows, f"displacement at {study.scale_text(scale)}")
+        yield ResultTable(["source alone", "share of the variance"], rows, f"displacement at {study.scale_text(scale)}")
 
 
-def _by_record_part(study: Study, scale: int) -> Part:
+def _by_record_part(study: Study, scale: int) -> ResultTable:
     """Return a table of the displacement, peak velocity, slips and rotation for each record at a scale."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
@@ -97,10 +97,10 @@ def _by_record_part(study: Study, scale: int) -> Part:
     title = f"{study.scene.name}: displacement along the arc at {study.scale_text(scale)}{others}{of_samples}"
     note = "v: peak velocity; slips: how often it begins to slide; phi: rotation at the end"
     note += "; the greater of both polarities" if len(study.polarities) > 1 else ""
-    return Part([heads[name] for name in columns], rows, title, note)
+    return ResultTable([heads[name] for name in columns], rows, title, note)
 
 
-def _statistics_part(study: Study) -> Part:
+def _statistics_part(study: Study) -> ResultTable:
     """Return a table of the distribution of displacements at each scale."""
     lengths = (headed(name, "m") for name in ("mean", "16 %", "median", "84 %", "geometric"))
     head = ["", "moving", *lengths, "std of ln D"]
@@ -109,7 +109,7 @@ def _statistics_part(study: Study) -> Part:
         moving, mean, median, p16, p84, geometric, std_ln = distribution(study.displacement, k)
         values = (in_unit(value, "m") for value in (mean, p16, median, p84, geometric))
         rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *values, std_ln])
-    return Part(
+    return ResultTable(
         head,
         rows,
         "distribution of the displacement D",
@@ -117,7 +117,7 @@ def _statistics_part(study: Study) -> Part:
     )
 
 
-def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) -> Part:
+def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) -> ResultTable:
     """Return a table of published regressions and the displacements at a scale, with notes on their ranges."""
     head = ["regression", "in range", headed("predicted", "m"), "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
@@ -133,26 +133,26 @@ def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) 
             notes.append(f"{c.name} counts displacements above 1 cm only; at most 1 cm for {shares}")
     k_y = shown(study.yield_coefficient)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
-    return Part(head, rows, title, "; ".join(notes))
+    return ResultTable(head, rows, title, "; ".join(notes))
 
 
-def _exceedance_part(study: Study) -> Part:
+def _exceedance_part(study: Study) -> ResultTable:
     """Return a table of exceedance probabilities at each scale."""
     thresholds = study.records.thresholds
-    levels = exceedance(study.displacement, thresholds)
+    levels = exceedance_probabilities(study.displacement, thresholds)
     pga = [] if study.records.to_pga else np.median(study.pga, axis=0)[:, None].tolist()
     head = ["", *["PGA (g)"] * bool(pga), *(f"D > {measured(d, 'm')}" for d in thresholds.tolist())]
     rows = [[study.scale_text(k), *(pga[k] if pga else []), *levels[k]] for k in range(len(levels))]
     median = "" if study.records.to_pga else "PGA: median of the records; "
     note = f"{median}95 % intervals, of as many draws as there are records"
-    return Part(head, rows, "probability that D exceeds a threshold", note)
+    return ResultTable(head, rows, "probability that D exceeds a threshold", note)
 
 
-def _fragility_part(study: Study) -> Part:
+def _fragility_part(study: Study) -> ResultTable:
     """Return a table of lognormal fragility curves, with the reason where a curve is missing."""
     head = ["", "median PGA (g)", "dispersion", "no curve"]
     rows = [[f"D > {measured(c.threshold, 'm')}", c.median, c.dispersion, c.reason or "-"] for c in study.fragility()]
     if not any(curve.reason for curve in study.fragility()):
         head, rows = head[:-1], [row[:-1] for row in rows]
     title = "lognormal fragility: probability Phi(ln(PGA/median)/dispersion) that D exceeds a threshold"
-    return Part(head, rows, title, f"greatest likelihood; {interval_note(len(study.suite))}")
+    return ResultTable(head, rows, title, f"greatest likelihood; {interval_note(len(study.suite))}")

@@ -27,9 +27,8 @@ from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs.pictures import studyplots
 from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.report import study_report
-from slipcircle.workbench.outputs.studytables import parts
-from slipcircle.workbench.outputs.suitereport import suite_report
-from slipcircle.workbench.outputs.tables import Answer, Files, Part
+from slipcircle.workbench.outputs.studytables import study_tables
+from slipcircle.workbench.outputs.tables import Answer, Files, ResultTable
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import FACTOR, METHODS
 from slipcircle.workbench.studies.engines import ENGINES, engine
@@ -105,7 +104,7 @@ def run(options: argparse.Namespace) -> Answer:
     _check_options(options)
     scene = _with_distributions(load(options.scene), options.uncertain)
     form = "KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as friction.angle_deg=8:12:41"
-    levels = read.by_key("grid", options.grid or [], form, read.levels)
+    levels = read.values_by_key("grid", options.grid or [], form, read.levels)
     if options.plot and levels:
         studyplots.check_grid([len(values) for values in levels.values()])
     content = find(options.scene).read_bytes()
@@ -117,16 +116,20 @@ def run(options: argparse.Namespace) -> Answer:
         )
         raise ValueError(f"sweep: a worker or the scheduler died; {remedy}") from error
     if study.design.records is not None:
-        return _answer_of_records(study, options, content)
-    tables = _of_grid(study) if levels else _of_samples(study, options.verbose)
+        tables = _of_records(study, options)
+    else:
+        tables = _of_grid(study) if levels else _of_samples(study)
+    kind = "study" if study.design.records is None else "suite"
     contents: Files = {
-        "plot": partial(picture, "study", study),
-        "report": lambda _: study_report(study, content, options.line).encode(),
-        "csv": lambda _: files.table(tables.head, tables.rows),
-        "npz": lambda _: files.arrays(export.arrays(study)),
+        "plot": partial(picture, kind, study),
+        "report": lambda _: study_report(study, content, options.line, tables.parts(True), tables.record()).encode(),
+        "csv": lambda _: files.csv_table(tables.head, tables.rows()),
+        "npz": lambda _: files.npz_content(export.arrays(study)),
+        "fragility": lambda _: _table(study.fragility_columns()),
     }
     warnings = [f"{scene.name}: {warning}" for warning in study.warnings]
-    return Answer(lambda: [tables.record()], tables.parts, warnings, contents)
+    record = tables.record if kind == "suite" else lambda: [tables.record()]
+    return Answer(record, tables.parts(options.verbose), warnings, contents)
 
 
 def _check_options(options: argparse.Namespace) -> None:
@@ -152,25 +155,8 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError(f"sweep: --period {options.period:g}: must be a time in s, at least 0")
 
 
-def _answer_of_records(study: Study, options: argparse.Namespace, scene_file: bytes) -> Answer:
-    """Return the tables and file contents of a study over records."""
-    magnitude = math.nan if options.magnitude is None else options.magnitude
-    compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
-    tables = list(suite.parts(study, compared))
-    record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
-    contents: Files = {
-        "plot": partial(picture, "suite", study),
-        "csv": lambda _: _table({name: column.tolist() for name, column in study.columns().items()}),
-        "npz": lambda _: files.arrays(export.arrays(study)),
-        "fragility": lambda _: _table(study.fragility_columns()),
-        "report": lambda _: suite_report(study, tables, record, scene_file, options.line).encode(),
-    }
-    shown_tables = tables if options.verbose else tables[1:]  # `slipcircle records` prints the first
-    return Answer(lambda: record, shown_tables, [f"{study.scene.name}: {line}" for line in study.warnings], contents)
-
-
 def _table(columns: Mapping[str, Sequence[Any]]) -> bytes:
-    return files.table(columns, zip(*columns.values(), strict=True))
+    return files.csv_table(columns, zip(*columns.values(), strict=True))
 
 
 def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
@@ -179,7 +165,7 @@ def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
         return scene
     forms = (":".join((name, *d.parameters)) for name, d in DISTRIBUTIONS.items())
     form = f"KEY=, each key once, and one of {', '.join(forms)}"
-    drawn = read.by_key("uncertain", given, form, read.distribution)
+    drawn = read.values_by_key("uncertain", given, form, read.distribution_parameters)
     others = {name: u for name, u in uncertain_numbers(scene).items() if u.key not in drawn}
     return replace(scene, uncertain=others | drawn)
 
@@ -189,7 +175,7 @@ def _compute(scene: Scene, levels: Values, options: argparse.Namespace) -> Study
         if levels:
             return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)
         form = "KEY,KEY=R, each pair once, such as friction.angle_deg,cohesion.cohesion_kPa=-0.5"
-        pairs = read.by_key("correlation", options.correlation, form, float)
+        pairs = read.values_by_key("correlation", options.correlation, form, float)
         settings: ValueDict = {
             "rng": options.seed,
             "executor": executor,
@@ -207,12 +193,26 @@ def _compute(scene: Scene, levels: Values, options: argparse.Namespace) -> Study
 
 
 class _Tables(NamedTuple):
-    """Results of a study: head and rows of the CSV file, JSON record, and printed parts."""
+    """Results of a study: head and rows of the CSV file, JSON record, and tables, verbose or brief."""
 
     head: Sequence[str]
-    rows: Sequence[Sequence[Any]]
+    rows: Callable[[], Iterable[Sequence[Any]]]
     record: Callable[[], Any]
-    parts: Iterable[Part | str]
+    parts: Callable[[bool], Sequence[ResultTable | str]]
+
+
+def _of_records(study: Study, options: argparse.Namespace) -> _Tables:
+    """Return the results of a study over records: displacements, their statistics, fragility and regressions."""
+    magnitude = math.nan if options.magnitude is None else options.magnitude
+    compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
+    record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
+    columns = {name: column.tolist() for name, column in study.columns().items()}
+    tables = [*suite.suite_tables(study, compared)]
+
+    def parts(verbose: bool) -> Sequence[ResultTable | str]:
+        return tables if verbose else tables[1:]  # `slipcircle records` prints the first
+
+    return _Tables([*columns], lambda: zip(*columns.values(), strict=True), lambda: record, parts)
 
 
 def _of_grid(study: Study) -> _Tables:
@@ -228,10 +228,10 @@ def _of_grid(study: Study) -> _Tables:
         shared = {"factors_of_safety": _factors_of_grid(study), "outside_range": study.outside_range}
         return {"scene": study.scene.name, "rows": scenes} | shared
 
-    return _Tables(head, rows, record, [_grid_part(study, keys, statuses)])
+    return _Tables(head, lambda: rows, record, lambda _: [_grid_part(study, keys, statuses)])
 
 
-def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> Part | str:
+def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> ResultTable | str:
     """Return a table of the outcomes on a grid, run-outs for two inputs; for a large grid, the counts by status."""
     words = [Status(s).reason or Status(s).words for s in statuses]
     counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
@@ -241,7 +241,7 @@ def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> Pa
     return f"{len(statuses)} scenes; {counts}; give --csv FILE, --npz FILE or --json for the results"
 
 
-def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str) -> Part:
+def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str) -> ResultTable:
     """Return a table of the run-outs on a grid of two inputs; cells without a run-out show the status."""
     down, along = (level.tolist() for level in study.design.levels)
     run_outs = study.samples["run_out"].tolist()
@@ -249,10 +249,10 @@ def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str
     known = [w if math.isnan(r) else factor * r for r, w in zip(run_outs, words, strict=True)]
     rows = [[at, *known[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
     title = f"{study.scene.name}: {OUTCOMES['run_out'].heading} by {keys[0]} (rows) and {keys[1]} (columns)"
-    return Part([keys[0], *map(shown, along)], rows, title, note)
+    return ResultTable([keys[0], *map(shown, along)], rows, title, note)
 
 
-def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Part:
+def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> ResultTable:
     """Return a table with one row for each scene of a grid: inputs, outcomes, starting factor of safety, status."""
     heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
     heads |= {f"{FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
@@ -260,7 +260,7 @@ def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Part:
     known = [name for name in heads if name in study.samples]
     columns = {heads[name] or name: (factors.get(name, 1.0) * study.samples[name]).tolist() for name in known}
     rows = [[*row, w] for *row, w in zip(*columns.values(), words, strict=True)]
-    return Part([*columns, "status"], rows, study.scene.name)
+    return ResultTable([*columns, "status"], rows, study.scene.name)
 
 
 def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
@@ -278,9 +278,11 @@ def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
     return shares
 
 
-def _of_samples(study: Study, verbose: bool) -> _Tables:
+def _of_samples(study: Study) -> _Tables:
     """Return all estimates of a study with their intervals."""
     design = study.design
     drawn = [f"{design.n} samples", design.method, f"seed {study.seed}", *filter(None, [design.correlations_text])]
     title = f"{study.scene.name}: {', '.join(drawn)}\n"
-    return _Tables(export.HEAD, export.rows(study), study.to_dict, [title, *parts(study, verbose)])
+    return _Tables(
+        export.HEAD, lambda: export.rows(study), study.to_dict, lambda verbose: [title, *study_tables(study, verbose)]
+    )

@@ -13,7 +13,7 @@ from slipcircle.workbench.common.quantities import Interval, Observed
 MOST_TIMES = 1_000_000
 
 
-def times(text: str) -> Floats:
+def output_times(text: str) -> Floats:
     """Return evenly spaced times in s, parsed from ``FROM:TO:STEP`` such as ``0:60:1``."""
     try:
         first, last, step = map(float, text.split(":"))
@@ -67,7 +67,7 @@ def removed(text: str) -> None:
     raise argparse.ArgumentTypeError("was removed; use --run-out-m, which is the greatest displacement")
 
 
-def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> ValueDict:
+def values_by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> ValueDict:
     """Return values by key, parsed from texts ``KEY=VALUE``; a repeated key is an error.
 
     Parameters
@@ -104,7 +104,7 @@ def bounds(text: str) -> Pair | None:
     return low, high
 
 
-def distribution(text: str) -> ValueDict:
+def distribution_parameters(text: str) -> ValueDict:
     """Return a distribution as in a scene file, a mapping of parameters, parsed from ``NAME:A:B``."""
     name, *numbers = text.split(":")
     parameters = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()

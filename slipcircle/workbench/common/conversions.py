@@ -12,20 +12,20 @@ from slipcircle.base.kinds import TextDict, Texts, ValueDict
 from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
-from slipcircle.workbench.common.markup import Raw, table, tag
+from slipcircle.workbench.common.markup import Raw, html_table, tag
 from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, factors_of, results, words
-from slipcircle.workbench.common.summary import summary
+from slipcircle.workbench.common.summary import key_results
 
 
-def html(motion: Motion) -> str:
+def motion_table(motion: Motion) -> str:
     """Return an HTML table of the key results; for an ensemble, the count of each status and ranges of outcomes."""
-    rows = summary(motion) if not motion.shape else {}
+    rows = key_results(motion) if not motion.shape else {}
     if motion.shape:
         for name, count in motion.count().items():
             rows[Status[name].words] = str(count)
         for name, quantity in OUTCOMES.items():
             rows[words(name)] = _span(motion.outcomes[name], quantity.unit)
-    return Raw(tag("b", motion.plan.scene.name or "motion") + table([*rows.items()]))
+    return Raw(tag("b", motion.plan.scene.name or "motion") + html_table([*rows.items()]))
 
 
 def _span(values: Any, unit: str) -> str:

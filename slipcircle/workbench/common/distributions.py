@@ -150,7 +150,7 @@ def distribution_of(given: Values) -> Any:
     return DISTRIBUTIONS[given["distribution"]].frozen(**numbers)
 
 
-def described(frozen: Any) -> ValueDict:
+def distribution_record(frozen: Any) -> ValueDict:
     """Return a distribution as values of JSON: its SciPy expression, or its class, moments and quantiles."""
     name = str(getattr(getattr(frozen, "dist", None), "name", ""))
     standard = getattr(statistics(), name, None)

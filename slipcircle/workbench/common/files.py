@@ -19,7 +19,7 @@ ENDINGS |= {"--write": (".toml", "")}
 NEW = ("FILE", "--write")  # options of files that are never overwritten
 
 
-def check(command: str, outputs: Mapping[str, str | Texts], inputs: Sequence[str] = ()) -> None:
+def check_outputs(command: str, outputs: Mapping[str, str | Texts], inputs: Sequence[str] = ()) -> None:
     """Check that the output files of a command, by option, can be written and are not among its input files.
 
     Raises
@@ -87,7 +87,7 @@ def _replacing(name: PathName) -> Iterator[IO[bytes]]:
             raise
 
 
-def write(name: PathName, content: bytes) -> None:
+def write_file(name: PathName, content: bytes) -> None:
     """Write a file atomically, so that a reader sees either the old or the complete new content.
 
     Raises
@@ -99,7 +99,7 @@ def write(name: PathName, content: bytes) -> None:
         file.write(content)
 
 
-def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
+def csv_table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
     """Return a table as the bytes of a CSV file, in full precision; None becomes an empty cell.
 
     A text that a spreadsheet would take for a formula begins with an apostrophe.
@@ -121,7 +121,7 @@ def _cell(text: str) -> str:
     return text
 
 
-def arrays(named: Values) -> bytes:
+def npz_content(named: Values) -> bytes:
     """Return arrays by name as the bytes of an NPZ file, which `numpy.load` reads."""
     import numpy as np
 

@@ -15,7 +15,7 @@ from typing import Any
 _PASSING = ("_cache", "_methods", "_random_state")  # endings of attributes that change when a distribution is used
 
 
-def digest(value: Any) -> str:
+def content_digest(value: Any) -> str:
     """Return a hexadecimal digest that differs if the data or the code of two objects differ.
 
     Raises

@@ -24,7 +24,7 @@ def tag(name: str, text: str) -> Raw:
     return Raw(f"<{name}>{text if isinstance(text, Raw) else escaped(text)}</{name}>")
 
 
-def table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
+def html_table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
     """Return an HTML table of texts, with its rows in groups of at most ten."""
     top = f"<thead><tr>{''.join(tag('th', c) for c in head)}</tr></thead>" if head else ""
     lines = [f"<tr>{''.join(tag('td', c) for c in row)}</tr>" for row in rows]
@@ -32,7 +32,7 @@ def table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
     return Raw(f"<table>{top}{''.join(groups)}</table>")
 
 
-def terms(facts: Iterable[tuple[str, str]]) -> Raw:
+def html_terms(facts: Iterable[tuple[str, str]]) -> Raw:
     """Return names and values as the items of an HTML description list."""
     return Raw("".join(tag("div", Raw(tag("dt", name) + tag("dd", value))) for name, value in facts))
 

@@ -22,7 +22,7 @@ from slipcircle.workbench.common.starting import method_of, start_words, starts
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 
-def summary(motion: Motion) -> TextDict:
+def key_results(motion: Motion) -> TextDict:
     """Return the key results of a single motion in words, by label.
 
     These are the factor of safety by the method that starts the motion, the outcomes with their observed values, the

@@ -121,7 +121,9 @@ def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:
     return []
 
 
-def cells_of(name: str, below: Iterable[str], above: int, separator: str | None, width: int = 1) -> tuple[Texts, Lines]:
+def fields_below(
+    name: str, below: Iterable[str], above: int, separator: str | None, width: int = 1
+) -> tuple[Texts, Lines]:
     """Return the fields below a header and the line number of each; a table of ``width`` > 1 must be complete."""
     fields, lines = list[str](), array("q")
     for k, line in enumerate(map(without_comment, below), above + 1):
@@ -139,7 +141,7 @@ def cells_of(name: str, below: Iterable[str], above: int, separator: str | None,
     return fields, np.array(lines)
 
 
-def numbers_of(name: str, fields: Sequence[str], lines: Lines) -> Floats:
+def parsed_numbers(name: str, fields: Sequence[str], lines: Lines) -> Floats:
     """Return the fields of a file as numbers; an invalid field raises an error with its line."""
     joined = "".join(fields)
     try:

@@ -27,7 +27,7 @@ def trace(motion: Motion, times: Floats) -> ArrayDict:
 
 
 @lru_cache(maxsize=8)
-def drawn(motion: Motion) -> ArrayDict:
+def columns_of_picture(motion: Motion) -> ArrayDict:
     """Return the motion at the times of `telling_times`, by quantity in SI units; the result is cached."""
     return trace(motion, telling_times(motion))
 
@@ -107,4 +107,4 @@ def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
             for row in np.transpose([*columns.values()]).tolist():
                 yield [motion.plan.scene.name, *row] if several else row
 
-    return files.table(["scene", *heads] if several else heads, rows())
+    return files.csv_table(["scene", *heads] if several else heads, rows())

@@ -50,7 +50,7 @@ UNITS = {  # m/s^2
 _PER_S2 = r"(?:/s/s|/\(?s[.*]?s\)?|/\(?s2\)?|[._]?s-2|_s_?2)"
 
 
-class Quantity(NamedTuple):
+class RecordedQuantity(NamedTuple):
     """Quantity in record files: sizes of its units, expressions for their spellings, and formats of its files."""
 
     name: str
@@ -61,7 +61,7 @@ class Quantity(NamedTuple):
     kinds: str = "CSV"
 
 
-ACCELERATION = Quantity(
+ACCELERATION = RecordedQuantity(
     "acceleration",
     UNITS,
     {
@@ -79,17 +79,17 @@ ACCELERATION = Quantity(
     "acceleration",
     "CSV, AT2, or the text of ESM, K-NET, COSMOS, CSMIP, SMC or GeoNet",
 )
-PORE_PRESSURE = Quantity(
+PORE_PRESSURE = RecordedQuantity(
     "pore pressure",
     STRESSES | {"ratio": 1.0},
     {"Pa": "pa", "kPa": "kpa|kn/m2", "MPa": "mpa", "psf": "psf", "ksf": "ksf", "psi": "psi", "ratio": "ratio|r_?u|-"},
     "Pa, kPa, MPa, psf, ksf, psi, ratio",
     "pressure",
 )
-TIME = Quantity(
+TIME = RecordedQuantity(
     "time", {"s": 1.0, "ms": 1e-3, "us": 1e-6}, {"s": "s", "ms": "m(?:illi)?s", "us": "(?:u|µ|μ|micro)s"}, "s, ms, us"
 )
-LENGTH = Quantity(
+LENGTH = RecordedQuantity(
     "length",
     LENGTHS,
     {
@@ -140,7 +140,7 @@ def spelt_like(typed: str, key: str) -> str:
     return key.removesuffix(of_published) + end if unit and key.endswith(f"_{of_published}") else key
 
 
-def unit_of(text: str, quantity: Quantity = ACCELERATION) -> str | None:
+def unit_of(text: str, quantity: RecordedQuantity = ACCELERATION) -> str | None:
     """Return the unit in ``quantity.units`` that a text spells; None if it is not a unit of the quantity."""
     plain = re.sub(r"\bper\b", "/", text.strip().lower().translate(_TYPED))
     plain = re.sub(r"sec(?:ond)?s?(?![a-z])", "s", plain).replace("squared", "2")

@@ -15,7 +15,7 @@ from generated import _compiled, kernels, printed, tiers
 from generated.definitions import CLOSED, QUOTIENTS
 from slipcircle.base.kinds import Floats, Function, ValueDict
 from slipcircle.base.optional import optional
-from slipcircle.workbench.cost.rows import Row, judged, medians
+from slipcircle.workbench.cost.rows import CostRow, medians, with_verdicts
 
 KERNELS = (*CLOSED, *QUOTIENTS)
 SIZE = 10_000  # elements of the timed arrays, which stay in the cache
@@ -49,7 +49,7 @@ class Exact(NamedTuple):
         return np.where(np.isfinite(results), errors, np.inf)
 
 
-def of_kernel(name: str) -> list[Row]:
+def of_kernel(name: str) -> list[CostRow]:
     """Return a row with error and time for each way to compute a kernel."""
     optional("flint", "the reference", "python-flint")
     inputs_in_order = np.random.default_rng(0).uniform(0.0, np.pi / 2, SIZE)
@@ -57,11 +57,11 @@ def of_kernel(name: str) -> list[Row]:
     seconds = medians([partial(way.function, inputs_in_order.astype(way.kind)) for way in every])
     rows = []
     for way, taken in zip(every, seconds, strict=True):
-        exact = reference(name, way.kind)
+        exact = exact_values(name, way.kind)
         results = way.function(exact.points.astype(way.kind))
         errors = exact.errors(results)
-        rows.append(Row(name, way.name, SIZE, float(errors.max()), way.bound, taken / SIZE, accuracy=way.bound))
-    return judged(rows)
+        rows.append(CostRow(name, way.name, SIZE, float(errors.max()), way.bound, taken / SIZE, accuracy=way.bound))
+    return with_verdicts(rows)
 
 
 def ways(name: str) -> Iterator[Way]:
@@ -96,7 +96,7 @@ def as_printed(name: str, x: Floats) -> Floats:
 
 
 @cache
-def inputs(kind: str = "float64") -> NDArray[Any]:
+def kernel_inputs(kind: str = "float64") -> NDArray[Any]:
     """Return inputs from 0 to pi/2 in a format ("float64" or "float32"), sorted, drawn with a fixed seed."""
     rng = np.random.default_rng(2017)
     uniform = rng.uniform(0.0, np.pi / 2, POINTS // 2)
@@ -107,8 +107,8 @@ def inputs(kind: str = "float64") -> NDArray[Any]:
 
 
 @cache
-def reference(name: str, kind: str = "float64") -> Exact:
-    """Return exact values of a kernel at `inputs` where they exist, by its closed form in ball arithmetic."""
+def exact_values(name: str, kind: str = "float64") -> Exact:
+    """Return exact values of a kernel at `kernel_inputs` where they exist, by its closed form in ball arithmetic."""
     from flint import ctx
 
     with ctx.workprec(400):
@@ -129,7 +129,7 @@ def _balls(kind: str) -> dict[float, ValueDict]:
     from flint import arb, ctx
 
     values = {}
-    for alpha in inputs(kind).tolist():
+    for alpha in kernel_inputs(kind).tolist():
         # For 50 digits: closed forms are O(alpha**3) differences of O(alpha) terms, 1 - cos a difference of O(1) terms.
         thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
         with ctx.workprec(320 + 3 * thin):

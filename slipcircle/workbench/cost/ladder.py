@@ -25,7 +25,7 @@ class Rung:
     difference: float  # greatest relative difference from the complete scene in peak velocity, run-out and duration
 
 
-def ladder(scene: Scene) -> list[Rung]:
+def effect_ladder(scene: Scene) -> list[Rung]:
     """Solve a scene with its effects added one at a time, in order of decreasing influence.
 
     The order is found from the complete scene downwards: each step leaves out the effect whose absence changes the

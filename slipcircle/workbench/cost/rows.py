@@ -23,7 +23,7 @@ _PATIENCE = 2.0  # s, after which the turns end
 
 
 @dataclass(frozen=True)
-class Row:
+class CostRow:
     """Error and time of one way to compute a result.
 
     Attributes
@@ -97,7 +97,7 @@ def _timed(work: Callable[[], object], loops: int) -> float:
     return max(timeit(work, timer=time.process_time, number=loops) / loops, 1e-9)
 
 
-def judged(rows: Iterable[Row]) -> list[Row]:
+def with_verdicts(rows: Iterable[CostRow]) -> list[CostRow]:
     """Return the rows of a group with verdicts: the fastest way that beats each, or that it is on the frontier."""
     rows = list(rows)
     judged_rows = []
@@ -111,14 +111,14 @@ def judged(rows: Iterable[Row]) -> list[Row]:
     return judged_rows
 
 
-def _beats(one: Row, other: Row) -> bool:
+def _beats(one: CostRow, other: CostRow) -> bool:
     """Return whether one way is faster or more accurate by more than a tie, and not worse in the other respect."""
     if one.seconds > other.seconds or one.error > other.error + ULP:
         return False
     return one.seconds * MARGIN < other.seconds or one.error * MARGIN + ULP < other.error
 
 
-def recommended(rows: Sequence[Row], accuracy: float | None = None, budget: float | None = None) -> list[Row]:
+def recommended(rows: Sequence[CostRow], accuracy: float | None = None, budget: float | None = None) -> list[CostRow]:
     """Return the rows with the recommended way marked.
 
     This is the most accurate way within a ``budget`` in s; without a budget, the fastest way whose error and bound are
@@ -137,7 +137,7 @@ def recommended(rows: Sequence[Row], accuracy: float | None = None, budget: floa
     return marked
 
 
-def price_of_a_digit(rows: Sequence[Row]) -> float:
+def price_of_a_digit(rows: Sequence[CostRow]) -> float:
     """Return the factor in time for one more digit, between least and most accurate way; NaN if undefined."""
     finite = [row for row in rows if 0.0 < row.error < 1.0]
     if len(finite) < 2:

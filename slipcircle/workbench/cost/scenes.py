@@ -12,7 +12,7 @@ from slipcircle.base.progress import track
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.cost.rows import Row, judged, medians, recommended
+from slipcircle.workbench.cost.rows import CostRow, medians, recommended, with_verdicts
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 
 Ranges = tuple[dict[str, tuple[float, ...]], bool]
@@ -31,7 +31,7 @@ MOST = 10_000  # greatest number of cases of an ensemble
 PASS = 0.15  # s, greatest time of an ensemble
 
 
-def of_scene(scene: Scene, vary: Mapping[str, Pair] | None = None) -> list[Row]:
+def of_scene(scene: Scene, vary: Mapping[str, Pair] | None = None) -> list[CostRow]:
     """Return rows with error and time of a scene, alone and in an ensemble; arrays are an ensemble themselves.
 
     Errors are the largest relative errors of run-out, peak velocity and duration over the ensemble, compared with a
@@ -44,11 +44,11 @@ def of_scene(scene: Scene, vary: Mapping[str, Pair] | None = None) -> list[Row]:
     reference = solve(scene, REFERENCE)
     motion = solve(scene)
     (seconds,) = medians([partial(solve, scene)])
-    alone = Row(ALONE, ANY, 1, _error(motion, reference), motion.error_estimate, seconds)
+    alone = CostRow(ALONE, ANY, 1, _error(motion, reference), motion.error_estimate, seconds)
     cases = 10
     while cases < MOST and 10 * _pass(scene, ranges, cases) < PASS:
         cases *= 10
-    return judged([alone]) + _of_ensemble(*_varied(scene, ranges, cases), cases)
+    return with_verdicts([alone]) + _of_ensemble(*_varied(scene, ranges, cases), cases)
 
 
 def _pass(scene: Scene, ranges: Ranges, cases: int) -> float:
@@ -96,7 +96,7 @@ def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
     return with_parameter_arrays(scene, values)
 
 
-def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[Row]:
+def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[CostRow]:
     """Return a row for each requested accuracy, with one recommended."""
     reference = solve(ensemble, REFERENCE, invalid=invalid)
     motions = [solve(ensemble, float(way), invalid=invalid) for way in track(ACCURACIES, "accuracies solved")]
@@ -105,8 +105,8 @@ def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[Row]:
     for way, motion, taken in zip(ACCURACIES, motions, seconds, strict=True):
         bound = float(np.nanmax(motion.error_estimate, initial=0.0))
         error = _error(motion, reference)
-        rows.append(Row(ENSEMBLE, way, cases, error, bound, taken / cases, accuracy=float(way)))
-    return recommended(judged(rows), ensemble.accuracy or DEFAULT)
+        rows.append(CostRow(ENSEMBLE, way, cases, error, bound, taken / cases, accuracy=float(way)))
+    return recommended(with_verdicts(rows), ensemble.accuracy or DEFAULT)
 
 
 def _error(motion: Motion, reference: Motion) -> float:

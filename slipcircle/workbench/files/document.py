@@ -90,7 +90,7 @@ class Document:
             elif name in table.tables and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in table.tables:
-                self._report(full, f"{full} = {shown(value)}: must be {self._described(full)}")
+                self._report(full, f"{full} = {shown_value(value)}: must be {self._described(full)}")
             elif known in table.keys:
                 key = table.keys[known]
                 self.typed[joined(path, key.name)] = joined(path, known)
@@ -98,7 +98,7 @@ class Document:
             else:
                 meant, advice = _advice(path, name, self._tables)
                 self._meant.add(meant)
-                self._report(full, f"{full} = {shown(value)}: is unknown; {advice}")
+                self._report(full, f"{full} = {shown_value(value)}: is unknown; {advice}")
             spelt.setdefault(known, name)
         self._report_mixed_units(path, table, spelt)
         self._note_missing(path, spelt)
@@ -141,12 +141,12 @@ class Document:
         wrong = []
         for place, entry in key.wrong(value):
             advice = _question(key, entry, table)
-            wrong.append(f"{full}{place} = {shown(entry)}: must be {key.allowed}{advice}")
+            wrong.append(f"{full}{place} = {shown_value(entry)}: must be {key.allowed}{advice}")
         if key.kind == "points" and not wrong:
             wrong += points_errors(full, value, many=False)
         if key.kind == "series" and isinstance(value, list) and "time_s" not in content:
             needs = "is a list, which needs a list of times, time_s, in the same table; or give one number"
-            wrong.append(f"{full} = {shown(value)}: {needs}")
+            wrong.append(f"{full} = {shown_value(value)}: {needs}")
         if wrong:
             self._report(full, *wrong)
             return None
@@ -193,7 +193,7 @@ class Document:
                 self._report(path)
 
 
-def shown(value: Any) -> str:
+def shown_value(value: Any) -> str:
     """Return a value in the notation of a scene file, shortened to 60 characters."""
     if isinstance(value, bool | float):
         text = str(value).lower()

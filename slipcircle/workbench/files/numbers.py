@@ -21,9 +21,9 @@ from slipcircle.core import Scene, joined, leaves
 from slipcircle.workbench.common.distributions import (
     Gaussian,
     Triangle,
-    described,
     distribution_mistakes,
     distribution_of,
+    distribution_record,
 )
 from slipcircle.workbench.common.units import published, suffix
 from slipcircle.workbench.files.keys import Key as Key
@@ -131,7 +131,7 @@ class Uncertain:
     @property
     def record(self) -> ValueDict:
         """Key and distribution as values of JSON."""
-        given = dict(self.given) if isinstance(self.given, Mapping) else described(self.given)
+        given = dict(self.given) if isinstance(self.given, Mapping) else distribution_record(self.given)
         return {"key": self.key} | given
 
 

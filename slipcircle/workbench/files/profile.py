@@ -10,14 +10,14 @@ import numpy as np
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Rename, Texts, ValueDict, Values
 from slipcircle.layers import Soil, layer_mistakes
-from slipcircle.workbench.files.document import shown
+from slipcircle.workbench.files.document import shown_value
 from slipcircle.workbench.stability.critical import Critical
 
 Arguments = Mapping[str, ValueDict]
 Surcharges = list[tuple[float, float, float, float]]  # left and right x in m, and the pressures there in Pa
 
 
-class Profile(NamedTuple):
+class GroundProfile(NamedTuple):
     """Layers of a file for a `Slope` or a `LayeredSection`, mistakes, and remarks."""
 
     layers: list[tuple[Soil, Any]]
@@ -28,7 +28,7 @@ class Profile(NamedTuple):
     remarks: Texts
 
 
-def numbered(given: Arguments, name: str) -> list[ValueDict]:
+def numbered_points(given: Arguments, name: str) -> list[ValueDict]:
     """Return the arguments of the tables of a list such as [[layers]], in order."""
     tables = {}
     for path, table in given.items():
@@ -42,7 +42,7 @@ def surcharges(given: Arguments) -> tuple[Surcharges, Texts]:
     """Return surcharges as tuples (left and right x in m, pressures there in Pa), and mistakes in them."""
     loads = []
     mistakes = []
-    for k, load in enumerate(numbered(given, "surcharge"), 1):
+    for k, load in enumerate(numbered_points(given, "surcharge"), 1):
         left = load.get("from")
         right = load.get("to")
         pressure = load.get("pressure")
@@ -56,9 +56,9 @@ def surcharges(given: Arguments) -> tuple[Surcharges, Texts]:
     return loads, mistakes
 
 
-def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool) -> Profile:
+def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool) -> GroundProfile:
     """Return the layers of a file; if its tables are not ``readable``, only mistakes across them."""
-    layers = numbered(given, "layers")
+    layers = numbered_points(given, "layers")
     slip = given.get("slip", {})
     of_soils = [path.removeprefix("soils.") for path in given if path.startswith("soils.")]
     names = [name for name in of_soils if not name.endswith((".friction", ".cohesion"))]
@@ -72,7 +72,7 @@ def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool)
     soils, wrong = _soils(names if readable else [], given, keys)
     mistakes += wrong
     if mistakes or not readable:
-        return Profile([], None, "", None, mistakes, [])
+        return GroundProfile([], None, "", None, mistakes, [])
     pairs = [(soils[layer["soil"]], layer.get("top")) for layer in layers]
     foreland = soils[slip["foreland"]] if "foreland" in slip else None
     strength = slip.get("strength", "base")
@@ -80,7 +80,7 @@ def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool)
     messages = InputError("", layer_mistakes(pairs, (), strength, foreland)).messages
     mistakes = [message.worded(lambda name: of_slip.get(name, keys(name))) for message in messages]
     remarks = [] if mistakes else list(_cut_off(given, pairs))
-    return Profile(pairs, foreland, strength, rate, mistakes, remarks)
+    return GroundProfile(pairs, foreland, strength, rate, mistakes, remarks)
 
 
 def _soils(names: Texts, given: Arguments, keys: Rename) -> tuple[dict[str, Soil], Texts]:
@@ -104,7 +104,7 @@ def _unknown_soils(places: Mapping[str, str], names: Texts) -> Iterator[str]:
             near = get_close_matches(soil, names, 1)
             meant.update(near)
             advice = f"did you mean {near[0]}?" if near else f"known are {', '.join(names)}"
-            yield f"{path} = {shown(soil)}: is not a soil of this file; {advice}"
+            yield f"{path} = {shown_value(soil)}: is not a soil of this file; {advice}"
     for name in names:
         if name not in places.values() and name not in meant:
             yield f"soils.{name}: is not used by any layer; assign it to a layer, or leave it out"

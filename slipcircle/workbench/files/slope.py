@@ -6,7 +6,7 @@ from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Tell, Texts, ValueDict, Values
 from slipcircle.ground import Section, circle_through, circle_touching, outside_between, simple_slope
 from slipcircle.layers import LayeredSection
-from slipcircle.workbench.files.profile import Arguments, Profile, Surcharges, numbered
+from slipcircle.workbench.files.profile import Arguments, GroundProfile, Surcharges, numbered_points
 from slipcircle.workbench.stability.critical import Critical, at_circle
 from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import METHODS, Slope, require_drive
@@ -33,7 +33,7 @@ class SlopeInput:
 
     given: Arguments
     strength: Values
-    profile: Profile | None
+    profile: GroundProfile | None
     surcharge: Surcharges
 
     @property
@@ -51,7 +51,7 @@ class SlopeInput:
         if "unit_weight" in water:
             water["water_unit_weight"] = water.pop("unit_weight")
         return water | {
-            "ponds": [tuple(map(pond.get, ("from", "to", "level"))) for pond in numbered(self.given, "pond")]
+            "ponds": [tuple(map(pond.get, ("from", "to", "level"))) for pond in numbered_points(self.given, "pond")]
         }
 
     @property
@@ -128,7 +128,7 @@ def motion_mistakes(given: Arguments, layered: bool) -> Texts:
     if given.get("tension_crack", {}).get("crack_water"):
         why = "a crack opens and empties as soon as the mass moves"
         mistakes.append(f"tension_crack.water_m: {alone}: {why}; leave it out")
-    present = {"tension_crack": "tension_crack" in given, "surcharge": bool(numbered(given, "surcharge"))}
+    present = {"tension_crack": "tension_crack" in given, "surcharge": bool(numbered_points(given, "surcharge"))}
     for name in (name for name, there in present.items() if there and not layered):
         fix = "put the soil into [soils.NAME], with one [[layers]] of it"
         mistakes.append(f"{name}: a motion uses it on layered ground only: {fix}; or leave it out")

@@ -7,7 +7,7 @@ from typing import Any
 from slipcircle.base.kinds import Function, PathName, Values
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
-from slipcircle.workbench.common.conversions import html as table_of
+from slipcircle.workbench.common.conversions import motion_table as table_of
 from slipcircle.workbench.common.conversions import to_dict, to_pandas, to_xarray
 from slipcircle.workbench.common.quantities import factors_of as factors_of_safety
 from slipcircle.workbench.outputs.page import live
@@ -49,24 +49,26 @@ def plot(result: Any, what: PathName, ax: Any) -> Any:
     if ax is not None:
         raise ValueError("plot: the overview has several panels: leave out ax, or name one of its pictures")
     if is_path:
-        return files.write(name, pictures.picture(overview, drawn(result), name))
+        return files.write_file(name, pictures.picture(overview, drawn(result), name))
     drawing = pictures.drawing(overview, drawn(result))
     return drawing.draw(new_figure(drawing.size)).axes[0]
 
 
 def html(motion: Motion) -> str:
     """Return key results as an HTML table, for a single motion below its live page."""
-    return table_of(motion) if motion.shape else live.framed(motion) + table_of(motion)
+    if motion.shape:
+        return table_of(motion)
+    return live.framed(motion) + table_of(motion)
 
 
 def animate(motion: Motion, path: str, seconds: float) -> Any:
     """Return the animation of a slide of some duration in s, or write it into a .gif file if there is a path."""
     _one_lane(motion)
     if not path:
-        return film.animate(motion, seconds=seconds)
+        return film.slide_animation(motion, seconds=seconds)
     if not path.lower().endswith(".gif"):
         raise ValueError(f"animate: {path}: must end in .gif")
-    return files.write(path, pictures.slide(motion, seconds))
+    return files.write_file(path, pictures.slide_gif(motion, seconds))
 
 
 def _one_lane(result: Any) -> None:

@@ -103,7 +103,9 @@ def _tables(path: str, table: Table) -> Iterator[str]:
 
 
 def _with_source(declared: Law | Effect) -> str:
-    return f"{declared.help} ({declared.source})" if declared.source else declared.help
+    if declared.source:
+        return f"{declared.help} ({declared.source})"
+    return declared.help
 
 
 def _of_uncertain_numbers() -> str:

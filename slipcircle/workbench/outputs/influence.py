@@ -9,8 +9,9 @@ from slipcircle.base.text import printed, shown
 from slipcircle.derivatives import Sensitivity
 from slipcircle.workbench.common.quantities import words
 from slipcircle.workbench.files.keys import Key
-from slipcircle.workbench.files.numbers import by_name, lengths
-from slipcircle.workbench.outputs.tables import Part
+from slipcircle.workbench.files.numbers import by_name
+from slipcircle.workbench.outputs.pictures.tornado import size_of
+from slipcircle.workbench.outputs.tables import ResultTable
 
 _MOST = 10  # rows
 _TERMS = {
@@ -28,17 +29,8 @@ def important(table: Sensitivity) -> dict[str, float]:
     depth of the mass, of an end of the arc half the opening angle, and otherwise the value itself. Among all
     coordinates of the geometry, only the most important is listed.
     """
-    arc: Any = table.scene.arc
-    effects = dict[str, float]()
-    sizes = dict[str, float]()
-    for name in table.parameters:
-        sizes[name] = abs(table.at[name]) or 1.0
-        if name in lengths(arc):
-            sizes[name] = float(arc.depth)
-        elif name.startswith("theta_"):
-            sizes[name] = float(arc.half_angle)
-        slope = np.nan_to_num(table.derivative("run_out", name))
-        effects[name] = abs(slope) * sizes[name]
+    sizes = {name: size_of(table, name) for name in table.parameters}
+    effects = {name: abs(np.nan_to_num(table.derivative("run_out", name))) * size for name, size in sizes.items()}
     ranked = sorted(effects, key=lambda name: -effects[name])
     points = [name for name in ranked if _is_point(name)]
     rows = [name for name in ranked if name not in points[1:]]
@@ -50,7 +42,9 @@ def _is_point(name: str) -> bool:
     return name.startswith(("ground.", "level.", "centre."))
 
 
-def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str) -> Part:
+def sensitivity_part(
+    table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str
+) -> ResultTable:
     """Return a table of derivatives of the outputs per unit of the key of each number.
 
     Parameters
@@ -77,7 +71,7 @@ def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapp
         rows.append([_label(table, key), shown(value, 6), *limit, *cells])
     head = ["by", "value", "F = 1 at", "distance"]
     head += [words(output, printed(unit)[1]) for output, unit in table.outputs.items()]
-    return Part(head, rows, name, _note(table, names))
+    return ResultTable(head, rows, name, _note(table, names))
 
 
 def _label(table: Sensitivity, key: Key) -> str:
@@ -94,12 +88,17 @@ def _cell(table: Sensitivity, output: str, parameter: str, key: Key) -> str:
     value = float(key.from_si(table.at[parameter]))
     per_si = table.derivative(output, parameter)
     is_noise = abs(per_si) <= table.error(output, parameter)
-    per_unit = 0.0 if is_noise else float(per_si * key.slope(value))
+    if is_noise:
+        per_unit = 0.0
+    else:
+        per_unit = float(per_si * key.slope(value))
     text = shown(printed(table.outputs[output])[0] * per_unit)
     if at and per_unit * value and per_unit == per_unit:
         text += f" ({per_unit * value / at:+.2g})"
     kind = table.kind(output, parameter)
-    return text if kind == "smooth" else f"{text} {kind}"
+    if kind == "smooth":
+        return text
+    return f"{text} {kind}"
 
 
 def _note(table: Sensitivity, names: Mapping[str, float]) -> str:

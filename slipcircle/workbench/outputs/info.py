@@ -41,7 +41,9 @@ def processor() -> str:
         named = re.search(r"^model name\s*: (.+)$", Path("/proc/cpuinfo").read_text("utf-8"), re.MULTILINE)
     except OSError:
         named = None
-    return named[1] if named else platform.processor() or platform.machine()
+    if named:
+        return named[1]
+    return platform.processor() or platform.machine()
 
 
 def machine() -> str:

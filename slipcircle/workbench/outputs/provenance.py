@@ -14,7 +14,7 @@ from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.outputs.tables import Part
+from slipcircle.workbench.outputs.tables import ResultTable
 from slipcircle.workbench.studies.design import Design
 
 # A table's head or a key with its value, and a comment.
@@ -31,7 +31,7 @@ class Input(NamedTuple):
     source: str = ""
 
 
-def inputs(scene: Scene, file: str) -> list[Input]:
+def scene_inputs(scene: Scene, file: str) -> list[Input]:
     """Return the inputs of a scene as in the text of its file, with its comments; uncertain inputs are marked."""
     given = list(_of_file(file))
     uncertain = {unknown.key: unknown.record for unknown in uncertain_numbers(scene).values()}
@@ -44,7 +44,7 @@ def inputs(scene: Scene, file: str) -> list[Input]:
 def _of_file(file: str) -> Iterator[Input]:
     """Yield the inputs in the text of a file, table by table, and the defaults of missing keys."""
     layout = layout_of(tomllib.loads(file))
-    yield from _of_table(layout.tables, comments(file), "", layout.content)
+    yield from _of_table(layout.tables, toml_comments(file), "", layout.content)
 
 
 def _of_table(tables: Values, sources: Mapping[str, str], path: str, given: Values) -> Iterator[Input]:
@@ -76,15 +76,18 @@ def _of_table(tables: Values, sources: Mapping[str, str], path: str, given: Valu
 def _unit(key: Key) -> str:
     """Return the unit in the description of a key, or an empty text."""
     found = re.search(r"\(([^()]*)\)$", key.allowed)
-    return found[1] if found else ""
+    if found:
+        return found[1]
+    return ""
 
 
-def comments(file: str) -> TextDict:
+def toml_comments(file: str) -> TextDict:
     """Return the comments at the ends of lines of a TOML text, by the path of the key or table in the line.
 
     Tables of a list are numbered from 1; quotes of names are dropped.
     """
-    found, table = {}, ""
+    found = {}
+    table = ""
     counts: Counter[str] = Counter()
     for line in file.splitlines():
         what = re.match(_LINE, line)
@@ -106,7 +109,9 @@ def _shown(value: Any) -> str:
         parameters = dict(value)
         name = parameters.pop("distribution")
         words = ", ".join(f"{key} {number}" for key, number in parameters.items() if key != "key")
-        return f"{name}: {words}" if words else str(name)
+        if words:
+            return f"{name}: {words}"
+        return str(name)
     if isinstance(value, str):
         return value
     if isinstance(value, bool):
@@ -118,9 +123,9 @@ def _shown(value: Any) -> str:
     return ", ".join(texts)
 
 
-def uncertain_part(design: Design) -> Iterator[Part]:
+def uncertain_part(design: Design) -> Iterator[ResultTable]:
     """Yield a table of the distributions of uncertain inputs with their correlations; nothing if none are."""
     rows = [[unknown.key, _shown(unknown.record)] for unknown in design.drawn.values()]
     note = f"{design.correlations_text}; all others are independent" if design.correlations else "all are independent"
     if rows:
-        yield Part(["input", "distribution"], rows, "What is uncertain", note)
+        yield ResultTable(["input", "distribution"], rows, "What is uncertain", note)

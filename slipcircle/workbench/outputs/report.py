@@ -14,12 +14,12 @@ from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import track
-from slipcircle.base.text import shown
+from slipcircle.base.text import printed, shown
 from slipcircle.core import Motion, Plan, Scene, Status, law_names, plan
 from slipcircle.layers import LayeredSection
-from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
+from slipcircle.workbench.common.markup import Raw, document, escaped, html_table, html_terms, tag
 from slipcircle.workbench.common.quantities import json_text, prefixed
-from slipcircle.workbench.common.summary import summary
+from slipcircle.workbench.common.summary import key_results
 from slipcircle.workbench.common.trace import toe_words
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
@@ -28,17 +28,18 @@ from slipcircle.workbench.outputs.json_records import record
 from slipcircle.workbench.outputs.page import live
 from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.pictures.plotstyle import width, work
-from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.studytables import parts
+from slipcircle.workbench.outputs.provenance import scene_inputs, uncertain_part
+from slipcircle.workbench.outputs.studytables import study_tables
 from slipcircle.workbench.outputs.tables import (
-    Part,
+    ResultTable,
     beside,
     cell_text,
+    in_unit,
     motion_groups,
     stability_columns,
     stretches_part,
 )
-from slipcircle.workbench.studies import export
+from slipcircle.workbench.studies.statistics import distribution, value_text
 from slipcircle.workbench.studies.study import Study
 
 ASSUMED = (
@@ -52,43 +53,39 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 # --- pages -----------------------------------------------------------------------------------------------------------
 
 
-def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = "") -> str:
+def report_page(
+    title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = ""
+) -> str:
     """Return a page of parts under its heading, with instructions to reproduce it.
 
     The instructions are the command, digests of the scene files, and installed versions. ``files`` are the scene files
     as pairs of name and content.
     """
     files = [*files]
-    heading = _heading(title, [content for _, content in files])
-    sources = {}
-    for name, content in files:
-        sources[f"scene file of {name}"] = f"sha256 {hashlib.sha256(content).hexdigest()}"
-    sources |= facts()
-    versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in sources.items()]
-    title = heading.pop("title")
-    facts_of_report = Raw(f'<dl class="facts">{terms(heading.items())}</dl>')
+    title, facts_of_report = _heading(title, [content for _, content in files])
+    sources = {f"scene file of {name}": f"sha256 {hashlib.sha256(content).hexdigest()}" for name, content in files}
+    versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in (sources | facts()).items()]
     body = [tag("h1", title), facts_of_report, *parts, tag("h2", "To repeat it")]
     body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
-    body.append(tag("pre", command))
-    body.append(_scrolling(versions))
-    if script:
-        body.append(live.engine())
-    return document(title, body, live.style() + live.text("report.css"), script, compiles=bool(script))
+    body += [tag("pre", command), _scrolling(versions)]
+    body += [live.engine_element()] * bool(script)
+    return document(title, body, live.style() + live.page_file("report.css"), script, compiles=bool(script))
 
 
-def _heading(title: str, files: Iterable[bytes]) -> dict[str, str]:
-    """Return the title, the date and the contents of the first [report] table in the scene files, as texts by name."""
+def _heading(title: str, files: Iterable[bytes]) -> tuple[str, Raw]:
+    """Return the title, and the date with the contents of the first [report] table in the scene files."""
     reports = (tomllib.loads(content.decode("utf-8-sig")).get("report") for content in files)
     try:
         now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())
         date = time.strftime("%Y-%m-%d", time.gmtime(now))
     except (ValueError, OverflowError, OSError) as error:
         raise ValueError("SOURCE_DATE_EPOCH: must be a time in seconds since 1970") from error
-    return {"title": title, "date": date} | (next(filter(None, reports), None) or {})
+    heading = {"title": title, "date": date} | (next(filter(None, reports), None) or {})
+    return heading.pop("title"), Raw(f'<dl class="facts">{html_terms(heading.items())}</dl>')
 
 
 def chapter(
-    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes
+    plan: Plan, warnings: Iterable[str], parts: Iterable[ResultTable | Raw], record: Any, unit: str, file: bytes
 ) -> Iterable[Raw]:
     """Yield note and warnings of a scene, its parts, its result as JSON, and its file.
 
@@ -101,27 +98,21 @@ def chapter(
     for part in parts:
         if isinstance(part, Raw):
             yield part
-        else:
-            yield from _table(part)
-    numbers = json_text(record)
-    texts = {f"All numbers, as JSON{unit}": numbers, "The scene's file": file.decode("utf-8-sig")}
+            continue
+        if part.title:
+            yield tag("h3", part.title)
+        rows = [[cell if isinstance(cell, Raw) else cell_text(cell) for cell in row] for row in part.rows]
+        yield _scrolling(rows, part.head)
+        if part.note:
+            yield tag("p", part.note)
+    texts = {f"All numbers, as JSON{unit}": json_text(record), "The scene's file": file.decode("utf-8-sig")}
     for heading, text in texts.items():  # collapsed sections
         yield Raw(f"<details><summary>{escaped(heading)}</summary>{tag('pre', text)}</details>")
 
 
-def _table(part: Part) -> Iterator[Raw]:
-    """Yield a table with its title and its note."""
-    if part.title:
-        yield tag("h3", part.title)
-    rows = [[cell if isinstance(cell, Raw) else cell_text(cell) for cell in row] for row in part.rows]
-    yield _scrolling(rows, part.head)
-    if part.note:
-        yield tag("p", part.note)
-
-
 def _scrolling(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
     """Return a table that scrolls on a narrow screen, also by keyboard."""
-    return Raw(f'<div class="scroll" tabindex="0">{table(rows, head)}</div>')
+    return Raw(f'<div class="scroll" tabindex="0">{html_table(rows, head)}</div>')
 
 
 def figure(name: str, caption: str, drawing: bytes) -> Raw:
@@ -133,56 +124,44 @@ def figure(name: str, caption: str, drawing: bytes) -> Raw:
     )
 
 
-def _path(key: str) -> Raw:
-    """Return the path of a number in a scene as HTML."""
-    return Raw(f'<code class="path">{escaped(key)}</code>')
-
-
 def _number(value: float) -> str:
     """Return a number with six digits as text."""
     return shown(float(value), 6)
 
 
-def slope_figure(scene: Scene) -> Iterator[Raw]:
-    """Yield the picture of a section with its circle, and with centre and factors of safety if they are known."""
+def slope_parts(scene: Scene, with_tables: bool = True) -> Iterator[ResultTable | Raw]:
+    """Yield the section with its circle, and tables of factors of safety and of the circle if they are known."""
     name, critical = scene.name, stability_of(scene)
-    what, result = ("search", (name, critical)) if critical else ("slope", scene.arc)
-    caption = "The section with its slip circle" + (", the centre and the factors of safety." if critical else ".")
-    yield figure(f"Slope of {name}", caption, picture(what, result, "svg"))
+    if critical is None:
+        yield figure(f"Slope of {name}", "The section with its slip circle.", picture("slope", scene.arc, "svg"))
+        return
+    caption = "The section with its slip circle, the centre and the factors of safety."
+    yield figure(f"Slope of {name}", caption, picture("search", (name, critical), "svg"))
+    titles = ("Factors of safety", "Slip circle") if with_tables else ()
+    for title, column in zip(titles, stability_columns(critical), strict=False):
+        yield ResultTable([], [*column.items()], title)
 
 
-def slope_parts(scene: Scene) -> Iterator[Part | Raw]:
-    """Yield the section with its circle, and tables of factors of safety and of the circle."""
-    yield from slope_figure(scene)
-    if critical := stability_of(scene):
-        factors, circle = stability_columns(critical)
-        yield Part([], [*factors.items()], "Factors of safety")
-        yield Part([], [*circle.items()], "Slip circle")
-
-
-def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
+def input_parts(plan: Plan, file: bytes) -> Iterable[ResultTable | Raw]:
     """Yield inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
-    given = [[_path(row.path), *row[1:]] for row in inputs(plan.scene, file.decode("utf-8-sig"))]
-    yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
+    given = []
+    for path, *cells in scene_inputs(plan.scene, file.decode("utf-8-sig")):
+        given.append([Raw(f'<code class="path">{escaped(path)}</code>'), *cells])
+    yield ResultTable(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
         use = "used" if name in plan.effects else "not included" if name in plan.left_out else "by the soils"
         effects.append([name, use, effect.help, effect.source])
-    yield Part(["effect", "", "what it does", "source"], effects)
-    laws = []
-    for name in law_names(plan.scene.friction):
-        laws.append(f"{name}: {LAWS[name].help}" if name in LAWS else name)
-    yield Part([], [["friction law", " times ".join(laws)]])
+    yield ResultTable(["effect", "", "what it does", "source"], effects)
+    laws = [f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction)]
+    yield ResultTable([], [["friction law", " times ".join(laws)]])
     yield tag("h3", "Equation of motion")
     yield tag("pre", str(plan.equation))
     yield tag("h3", "Assumptions")
-    sentences = [*ASSUMED]
-    if "rotation" not in plan.effects:
-        sentences.append("The geometry is frozen: the weight does not turn with the mass.")
-    not_included = ", ".join(plan.left_out) or "nothing"
-    sentences += [f"Not included: {not_included}.", PAPER]
-    items = "".join(tag("li", sentence) for sentence in sentences)
-    yield Raw(f"<ul>{items}</ul>")
+    is_frozen = "rotation" not in plan.effects
+    sentences = [*ASSUMED, *["The geometry is frozen: the weight does not turn with the mass."] * is_frozen]
+    sentences += [f"Not included: {', '.join(plan.left_out) or 'nothing'}.", PAPER]
+    yield Raw(f"<ul>{''.join(tag('li', sentence) for sentence in sentences)}</ul>")
 
 
 # --- motions ---------------------------------------------------------------------------------------------------------
@@ -191,28 +170,20 @@ def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
 def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> str:
     """Return a report on motions as HTML, with the contents of their scene files and the command that writes it."""
     names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
-    several = len(motions) > 1
-    parts = [_overview(motions, names)] if several else []
-    scenes = zip(motions, names, files, strict=True)
-    for number, (motion, name, file) in enumerate(scenes, 1):
-        slide = live.fragment(motion, f"slide-{number}")
-        about = [slide, *_of_motion(motion, file)]
-        parts.append(Raw(f'<section id="scene-{number}">'))
-        if several:
-            parts.append(tag("h2", name))
-        parts += chapter(motion.plan, (), about, record(motion), " in SI units and radians", file)
-        parts.append(Raw("</section>"))
-    named_files = zip(names, files, strict=True)
-    return page(", ".join(names), parts, named_files, command, live.script())
+    body: list[Raw] = []
+    if several := len(motions) > 1:
+        links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
+        body.append(_scrolling(beside([*map(key_results, motions)]), ["", *links]))
+    for number, (motion, name, file) in enumerate(zip(motions, names, files, strict=True), 1):
+        about = [live.fragment(motion, f"slide-{number}"), *_of_motion(motion, file)]
+        body.append(Raw(f'<section id="scene-{number}">'))
+        body += [tag("h2", name)] * several
+        body += chapter(motion.plan, (), about, record(motion), " in SI units and radians", file)
+        body.append(Raw("</section>"))
+    return report_page(", ".join(names), body, zip(names, files, strict=True), command, live.page_script())
 
 
-def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
-    """Return a table of the results of several motions side by side, with links to their chapters."""
-    links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
-    return _scrolling(beside([*map(summary, motions)]), ["", *links])
-
-
-def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
+def _of_motion(motion: Motion, file: bytes) -> Iterable[ResultTable | Raw]:
     """Yield the chapter of a motion below its slide: pictures, all results, inputs, accuracy and energy."""
     plan = motion.plan
     if plan.scene.uncertain:
@@ -222,9 +193,9 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     for what, caption in track(_captions(motion).items(), "pictures drawn"):
         yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, picture(what, motion, "svg"))
     if stability_of(plan.scene):
-        yield from slope_figure(plan.scene)
+        yield from slope_parts(plan.scene, with_tables=False)
     for title, rows in motion_groups(motion).items():
-        yield Part([], [*rows.items()], title or "Results")
+        yield ResultTable([], [*rows.items()], title or "Results")
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
@@ -234,7 +205,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
         ["relative error estimated, of peak, run-out and duration", _number(error)],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],
     ]
-    yield Part([], method, "Method and accuracy")
+    yield ResultTable([], method, "Method and accuracy")
     yield _energy(motion)
 
 
@@ -262,7 +233,7 @@ def _captions(motion: Motion) -> dict[str, str]:
     return captions
 
 
-def _energy(motion: Motion) -> Part:
+def _energy(motion: Motion) -> ResultTable:
     """Return the energy balance with its residual as a table."""
     labels = {
         "kinetic_start": "kinetic energy at the start",
@@ -271,45 +242,56 @@ def _energy(motion: Motion) -> Part:
         "kinetic_end": "kinetic energy at the end",
         "residual": "residual: start + work - dissipation - end",
     }
-    energies = {name: float(getattr(motion.energy, name)) for name in labels}
     of_width, per, of_one = width(motion)
     rows = []
-    for name, energy in energies.items():
-        factor, unit = prefixed(energy, "J")
-        rows.append([labels[name], f"{_number(of_one * factor * energy)} {unit}{per}"])
-    residual = abs(energies.pop("residual"))
-    share = residual / (max(map(abs, energies.values())) or 1.0)
-    note = f"The residual is {_number(share)} of the largest of them."
-    return Part([], rows, f"Energy check, {of_width}", note)
+    energies = []
+    for name, words in labels.items():
+        energies.append(float(getattr(motion.energy, name)))
+        factor, unit = prefixed(energies[-1], "J")
+        rows.append([words, f"{_number(of_one * factor * energies[-1])} {unit}{per}"])
+    *others, residual = map(abs, energies)
+    note = f"The residual is {_number(residual / (max(others) or 1.0))} of the largest of them."
+    return ResultTable([], rows, f"Energy check, {of_width}", note)
 
 
 # --- studies ---------------------------------------------------------------------------------------------------------
 
+_CAPTION_OF_SUITE = (
+    "Displacement of each record in its polarities; at several scales displacement by scale with the band from 16 to "
+    "84 % of the records, and the probability that it exceeds a threshold: points are shares of the motions, curves "
+    "lognormal fragilities, both with intervals of 95 %; last, velocity and displacement over time under the record "
+    "whose displacement is the median."
+)
 
-def study_report(study: Study, file: bytes, command: str) -> str:
-    """Return a report on an ensemble of samples as HTML; ``file`` is the content of the scene file."""
-    return study_page("Uncertain slide", study, _of_study(study, file), export.record(study), file, command)
 
+def study_report(
+    study: Study, file: bytes, command: str, tables: Iterable[ResultTable | str] | None = None, record: Any = None
+) -> str:
+    """Return a report on samples or on a suite of records as HTML. The seed is added to the command if it is missing.
 
-def study_page(title: str, study: Study, parts: Iterable[Part | Raw], record: Any, file: bytes, command: str) -> str:
-    """Return a page on a study as HTML. The seed is added to the command if it is missing."""
+    Parameters
+    ----------
+    study : Study
+    file : bytes
+        Content of the scene file.
+    command : str
+        Command that writes the report.
+    tables, record : iterable of ResultTable and object, optional
+        Tables, and the result for JSON; by default those of samples.
+    """
     name = study.scene.name or "scene"
     if "--seed" not in command:
         command += f" --seed {study.design.seed}"
-    of_study = chapter(plan(study.scene, study.design.accuracy), study.warnings, parts, record, "", file)
-    return page(f"{title}: {name}", of_study, [(name, file)], command)
+    contents = _of_study(study, study_tables(study) if tables is None else tables, file)
+    chosen = plan(study.scene, study.design.accuracy)
+    of_study = chapter(chosen, study.warnings, contents, record or study.to_dict(), "", file)
+    title = "Uncertain slide" if study.design.records is None else "Shaken slope"
+    return report_page(f"{title}: {name}", of_study, [(name, file)], command)
 
 
-def _of_study(study: Study, file: bytes) -> Iterable[Part | Raw]:
+def _of_study(study: Study, tables: Iterable[ResultTable | str], file: bytes) -> Iterable[ResultTable | Raw]:
     """Yield the chapter of a study: picture, tables, inputs with their distributions, method and accuracy."""
     design = study.design
-    caption = "Exceedance probability of run-out and peak velocity"
-    caption += "; below, sensitivity indices." if study.sensitivity else "."
-    yield figure(f"Exceedance of {study.scene.name}", caption, picture("study", study, "svg"))
-    yield from slope_parts(study.scene)
-    yield from parts(study)
-    yield from input_parts(plan(study.scene, design.accuracy), file)
-    yield from uncertain_part(design)
     ends = [f"{count} {Status(status).words}" for status, count in enumerate(study.counts) if count]
     method = [
         ["samples", f"{design.n}, {design.method}"],
@@ -318,4 +300,26 @@ def _of_study(study: Study, file: bytes) -> Iterable[Part | Raw]:
         ["samples by how they ended", ", ".join(ends)],
         ["requested relative error of each solution", _number(design.accuracy)],
     ]
-    yield Part([], method, "Method and accuracy")
+    if design.records is None:
+        caption = "Exceedance probability of run-out and peak velocity"
+        caption += "; below, sensitivity indices." if study.sensitivity else "."
+        yield figure(f"Exceedance of {study.scene.name}", caption, picture("study", study, "svg"))
+    else:
+        yield figure(f"Suite of {study.scene.name}", _CAPTION_OF_SUITE, picture("suite", study, "svg"))
+        yield Raw(f'<dl class="facts">{html_terms(_key_numbers(study))}</dl>')
+        method = [["records", str(len(study.suite))], ["motions", str(study.displacement.size)], *method]
+    yield from slope_parts(study.scene)
+    yield from (part for part in tables if isinstance(part, ResultTable))
+    yield from input_parts(plan(study.scene, design.accuracy), file)
+    yield from uncertain_part(design)
+    yield ResultTable([], method, "Method and accuracy")
+
+
+def _key_numbers(study: Study) -> Iterator[tuple[str, str]]:
+    """Yield label and value of yield coefficient, displacements at own scale, moving share and block factor."""
+    found = distribution(study.displacement, study.own_scale)
+    yield "yield coefficient", shown(study.yield_coefficient)
+    for words, value in (("16 % of", found.p16), ("median", found.median), ("84 % of", found.p84)):
+        yield f"{words} displacements", f"{value_text(in_unit(value, 'm'))} {printed('m')[1]}"
+    yield "that move", f"{100 * found.moving:.3g} %"
+    yield "displacement of the arc over that of a block", shown(study.block_factor)

@@ -7,7 +7,7 @@ from typing import Any
 from slipcircle.base.text import printed
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.common.starting import method_of
-from slipcircle.workbench.outputs.tables import Part, in_unit
+from slipcircle.workbench.outputs.tables import ResultTable, in_unit
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.searched import SEARCHED
@@ -20,7 +20,7 @@ NO_INTERVAL = (
 )
 
 
-def parts(study: Study, verbose: bool = True) -> Iterator[Part]:
+def study_tables(study: Study, verbose: bool = True) -> Iterator[ResultTable]:
     """Yield tables of a study of samples; if verbose, also for every method and estimate."""
     start = method_of(study.scene)
     methods = [name for name in study.failure if verbose or name.removeprefix(SEARCHED) == start]
@@ -32,14 +32,16 @@ def parts(study: Study, verbose: bool = True) -> Iterator[Part]:
         factors = [study.factor_quantile(method, p) for method in methods]
         quantiles.append([f"{1 - p:.2g}", *factors, *_of_outcomes(partial(study.quantile, p=p))])
     note = "; ".join(_quantile_notes(study))
-    yield Part(["exceedance probability", *of_methods, *heads], quantiles, "How safe, how far and how fast", note)
+    yield ResultTable(
+        ["exceedance probability", *of_methods, *heads], quantiles, "How safe, how far and how fast", note
+    )
     yield _moments(study, heads, verbose)
     if study.sensitivity:
         yield _indices(study)
     if verbose:
         names = (words(name, printed("m")[1]) for name in ("median run-out", "95 % quantile"))
         rows = [[c.n, c.moving, in_unit(c.median, "m"), in_unit(c.upper, "m")] for c in study.convergence]
-        yield Part(["samples", "probability of moving", *names], rows, "Convergence")
+        yield ResultTable(["samples", "probability of moving", *names], rows, "Convergence")
 
 
 def _of_outcomes(estimate: Callable[[str], Any]) -> Iterator[Any]:
@@ -47,23 +49,25 @@ def _of_outcomes(estimate: Callable[[str], Any]) -> Iterator[Any]:
     return (in_unit(estimate(name), quantity.unit) for name, quantity in OUTCOMES.items())
 
 
-def _probabilities(study: Study, methods: Sequence[str]) -> Part:
+def _probabilities(study: Study, methods: Sequence[str]) -> ResultTable:
     """Return a table of the probabilities of moving and of a factor of safety below 1."""
     rows = [["probability of moving", study.moving]]
     rows += [[f"probability of F < 1, {_method_words(method)}", study.failure[method]] for method in methods]
     invalid = study.design.n - study.n
     of_all = f" of {study.design.n}, as {invalid} are not valid scenes" if invalid else ""
     confidence = f"in brackets: {100 * study.confidence:g} % confidence intervals for this number of samples"
-    return Part([], rows, "Whether it moves", f"{study.n} samples{of_all}; {confidence}")
+    return ResultTable([], rows, "Whether it moves", f"{study.n} samples{of_all}; {confidence}")
 
 
 def _method_words(method: str) -> str:
     """Return the name of a method of stability, and whether the circle was searched for every sample."""
     name = METHODS[method.removeprefix(SEARCHED)][0]
-    return f"{name}, circle of each sample" if method.startswith(SEARCHED) else name
+    if method.startswith(SEARCHED):
+        return f"{name}, circle of each sample"
+    return name
 
 
-def _moments(study: Study, heads: Sequence[str], verbose: bool) -> Part:
+def _moments(study: Study, heads: Sequence[str], verbose: bool) -> ResultTable:
     """Return a table of the mean and standard deviation of each outcome, if verbose also by linear propagation."""
     rows: list[list[Any]] = []
     notes = ["intervals of standard deviations are omitted, as they depend on few samples in the tails"]
@@ -75,16 +79,16 @@ def _moments(study: Study, heads: Sequence[str], verbose: bool) -> Part:
     if verbose:
         reason = f"no linear propagation: {study.no_linear}"
         notes.insert(0, reason if study.no_linear else "linear: derivatives at the means")
-    return Part(["", *heads], rows, "Mean and standard deviation", "; ".join(notes))
+    return ResultTable(["", *heads], rows, "Mean and standard deviation", "; ".join(notes))
 
 
-def _indices(study: Study) -> Part:
+def _indices(study: Study) -> ResultTable:
     """Return a table of the sensitivity indices of each outcome."""
     rows = []
     for output, (first, total) in study.sensitivity.items():
         for unknown, alone, together in zip(study.design.inputs.values(), first, total, strict=True):
             rows.append([words(output), unknown.key, alone, together])
-    return Part(
+    return ResultTable(
         ["output", "input", "first-order index", "total index"],
         rows,
         "Sensitivity indices",

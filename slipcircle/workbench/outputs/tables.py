@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain, zip_longest
 from textwrap import wrap
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import TextDict
 from slipcircle.base.progress import is_terminal
@@ -27,7 +27,7 @@ from slipcircle.workbench.common.quantities import (
     words,
 )
 from slipcircle.workbench.common.starting import starts
-from slipcircle.workbench.common.summary import end_words, summary
+from slipcircle.workbench.common.summary import end_words, key_results
 from slipcircle.workbench.common.trace import toe_words
 from slipcircle.workbench.cost.ladder import Rung
 from slipcircle.workbench.files.loaded import stability_of
@@ -35,9 +35,6 @@ from slipcircle.workbench.outputs.json_records import foreland_words, stretch_re
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import Slope, least_of
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
-
-if TYPE_CHECKING:
-    pass
 
 WIDTH = 100  # columns of a table in files and pipes
 WIDEST = 120  # greatest number of columns of a table in a terminal
@@ -48,7 +45,7 @@ PLAIN = "\x1b[0m"
 Rows = Sequence[Sequence[Any]]  # not an iterator: a table may be shown more than once
 
 
-class Part(NamedTuple):
+class ResultTable(NamedTuple):
     """Table with its title and its note."""
 
     head: Sequence[str]
@@ -64,7 +61,7 @@ class Answer(NamedTuple):
     """Result of a command: as JSON on request, otherwise as tables and texts, with warnings and files by options."""
 
     record: Callable[[], Any]
-    parts: Iterable[Part | str]
+    parts: Iterable[ResultTable | str]
     warnings: Iterable[str] = ()
     files: Files = MappingProxyType({})
 
@@ -94,7 +91,7 @@ _TITLES = {name: title for title, names in _GROUPS.items() for name in names.spl
 
 def motion_groups(motion: Motion) -> dict[str, TextDict]:
     """Return all results of a motion as texts by label, in titled groups of at most ten, key results first."""
-    plan, first = motion.plan, summary(motion)
+    plan, first = motion.plan, key_results(motion)
     groups: dict[str, TextDict] = {title: {} for title in _GROUPS}
     groups["Factors of safety"] = _factors_at_start(motion)
     for quantity in results(motion):
@@ -144,20 +141,20 @@ def _factors_at_start(motion: Motion) -> TextDict:
     return column
 
 
-def motion_parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
+def motion_parts(motions: Sequence[Motion], verbose: bool) -> Iterator[ResultTable]:
     """Yield tables of motions side by side: key results; if verbose, all results and the soils of each arc."""
     scenes = [motion.plan.scene for motion in motions]
-    tabulated = [motion_groups(motion) if verbose else {"": summary(motion)} for motion in motions]
+    tabulated = [motion_groups(motion) if verbose else {"": key_results(motion)} for motion in motions]
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if verbose and scene.note]
     for title in dict.fromkeys(chain.from_iterable(tabulated)):
         rows = beside([groups.get(title, {}) for groups in tabulated])
         ordered = sorted(rows, key=lambda row: not row[0].startswith("factor of safety by"))
-        yield Part([title, *(scene.name for scene in scenes)], ordered, note="" if title else "; ".join(notes))
+        yield ResultTable([title, *(scene.name for scene in scenes)], ordered, note="" if title else "; ".join(notes))
     if verbose:
         yield from filter(None, map(stretches_part, motions))
 
 
-def stretches_part(motion: Motion) -> Part | None:
+def stretches_part(motion: Motion) -> ResultTable | None:
     """Return a table of the soils along a layered arc from its upper end, or None for other arcs.
 
     The columns are length, share of the weight above, mean stresses and strength at the start.
@@ -173,7 +170,8 @@ def stretches_part(motion: Motion) -> Part | None:
     rows = []
     (of_length, length_unit), (of_stress, unit) = printed("m"), printed("Pa")
     if unit == "Pa":
-        of_stress, unit = 1e-3, "kPa"
+        of_stress = 1e-3
+        unit = "kPa"
     for record in (*records, whole):
         in_unit = [of_stress * record[name] for name in stresses]
         rows.append([record["soil"], of_length * record["length"], f"{100 * record['weight_share']:.1f}", *in_unit])
@@ -181,7 +179,7 @@ def stretches_part(motion: Motion) -> Part | None:
     note = "From the upper end down: the share of the weight above each stretch, and means along it at the start."
     if beyond := foreland_words(motion.plan.scene.arc):
         note += f" Beyond the exit: {beyond}."
-    return Part(head, rows, f"{motion.plan.scene.name}: soils along the slip surface", note)
+    return ResultTable(head, rows, f"{motion.plan.scene.name}: soils along the slip surface", note)
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
@@ -210,7 +208,9 @@ def pond_row(soil: Any) -> TextDict:
     factor, unit = printed("m")
     numbers = [[f"{factor * x:.8g}" for x in pond] for pond in ponds]
     texts = [f"x = {first} to {last} {unit}, level {level} {unit}" for first, last, level in numbers]
-    return {"free water": "; ".join(texts)} if texts else {}
+    if texts:
+        return {"free water": "; ".join(texts)}
+    return {}
 
 
 def _circle(critical: Critical) -> TextDict:
@@ -244,7 +244,7 @@ def _point(xy: Sequence[float], radius: float) -> str:
 # --- plans and ladders -----------------------------------------------------------------------------------------------
 
 
-def plan_part(plan: Plan) -> Part:
+def plan_part(plan: Plan) -> ResultTable:
     """Return a plan as a table."""
     rows = {
         "effects": ", ".join(plan.effects) or "none",
@@ -255,10 +255,10 @@ def plan_part(plan: Plan) -> Part:
         "foreland": foreland_words(plan.scene.arc),
         "requested accuracy": f"{plan.accuracy:.1e}" + ("" if plan.scene.shape else "; a single scene: to rounding"),
     }
-    return Part(["", plan.scene.name], [row for row in rows.items() if row[1]])
+    return ResultTable(["", plan.scene.name], [row for row in rows.items() if row[1]])
 
 
-def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
+def ladder_part(rungs: Sequence[Rung], name: str) -> ResultTable:
     """Return a ladder as a table, with the difference of each rung from the last in per cent."""
     outcomes = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
     rows = []
@@ -275,7 +275,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
             ]
         )
     head = ["effect added", "time", *(words(q.name) for q in outcomes), "rests", "differs"]
-    return Part(head, rows, name)
+    return ResultTable(head, rows, name)
 
 
 # --- the screen ------------------------------------------------------------------------------------------------------
@@ -320,8 +320,10 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
 def cell_text(cell: Any) -> str:
     """Return a cell as printable text: an estimate with its interval, a number in some digits."""
     if isinstance(cell, Estimate):
-        return interval(cell)
-    return value_text(cell) if isinstance(cell, float) else clean(str(cell))
+        return interval_text(cell)
+    if isinstance(cell, float):
+        return value_text(cell)
+    return clean(str(cell))
 
 
 def _total(columns: Sequence[Sequence[str]], most: int) -> int:
@@ -337,10 +339,12 @@ def headed(name: str, unit: str) -> str:
 def in_unit(cell: Any, unit: str) -> Any:
     """Return an outcome in an SI unit, or an estimate of one, in the unit of output."""
     factor, _ = printed(unit)
-    return Estimate(*(factor * x for x in cell)) if isinstance(cell, Estimate) else factor * cell
+    if isinstance(cell, Estimate):
+        return Estimate(*(factor * x for x in cell))
+    return factor * cell
 
 
-def interval(e: Estimate) -> str:
+def interval_text(e: Estimate) -> str:
     """Return a value and its interval as text, to two digits of the width; unknown parts are omitted."""
     if math.isnan(e.low) and math.isnan(e.high):
         return value_text(e.value)
@@ -352,10 +356,14 @@ def interval(e: Estimate) -> str:
     def text(x: float) -> str:
         if math.isnan(x):
             return "?"
-        return BEYOND if x == math.inf else to_error(x, error)
+        if x == math.inf:
+            return BEYOND
+        return to_error(x, error)
 
     value, low, high = map(text, e)
-    return f"{low} to {high}" if math.isnan(e.value) else f"{value} [{low}, {high}]"
+    if math.isnan(e.value):
+        return f"{low} to {high}"
+    return f"{value} [{low}, {high}]"
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:

@@ -3,7 +3,7 @@
 import re
 from typing import NamedTuple
 
-from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, unit_of
+from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, unit_of
 
 _SEED = "[bcehs][nlgh]"  # band and instrument of a channel code, followed by its orientation
 _VERTICAL = rf"[zvu]|(?:ud|up|du|dn|dwn|down|vert?|vrt)\d?|verti[ck]al\w*|updown|a(?:cc|ccel)?[zv]|{_SEED}z(?:\d\d)?"
@@ -54,7 +54,7 @@ def _is_time(name: str) -> bool:
     return re.fullmatch(_TIME, first) is not None
 
 
-def _with_unit(field: str, quantity: Quantity) -> tuple[str, str]:
+def _with_unit(field: str, quantity: RecordedQuantity) -> tuple[str, str]:
     """Return name and unit of a field such as ``acc (g)``, ``a [m/s2]``, ``time_s`` or ``acc cm/s^2``."""
     bracketed = re.fullmatch(r"(.*?)\s*[(\[{]([^()\[\]{}]+)[)\]}]?\s*", field)
     is_unit = bracketed and (unit_of(bracketed[2], TIME) or _is_time(bracketed[1]) or not is_direction(bracketed[2]))
@@ -71,7 +71,7 @@ def _with_unit(field: str, quantity: Quantity) -> tuple[str, str]:
     return field, ""
 
 
-def column_of(field: str, quantity: Quantity) -> Column:
+def column_of(field: str, quantity: RecordedQuantity) -> Column:
     """Return the column for a header field, with the role that its unit or name states."""
     name, unit = _with_unit(field, quantity)
     vertical = quantity is ACCELERATION and is_vertical(name)

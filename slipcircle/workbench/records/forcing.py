@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 from slipcircle.base.checks import InputError, Message
 from slipcircle.base.kinds import Texts, ValueDict, Values
-from slipcircle.workbench.common.units import ACCELERATION, PORE_PRESSURE, Quantity
-from slipcircle.workbench.records.recordfiles import Options, Samples
-from slipcircle.workbench.records.records import pressure_of, read_samples, shaking_of
+from slipcircle.workbench.common.units import ACCELERATION, PORE_PRESSURE, RecordedQuantity
+from slipcircle.workbench.records.recordfiles import Options, RecordSamples
+from slipcircle.workbench.records.records import pressure_of, read_record_samples, shaking_of
 from slipcircle.workbench.suites.intensities import drift_warning
 
 _BESIDE_RECORDS = ("two_way", "scale", "peak")
@@ -46,10 +46,10 @@ def with_records(effects: Mapping[str, Values], gravity: float, uncertain: Value
     return read, remarks
 
 
-def _samples(quantity: Quantity, file: str, settings: Values, remarks: Texts) -> Samples:
+def _samples(quantity: RecordedQuantity, file: str, settings: Values, remarks: Texts) -> RecordSamples:
     """Return the samples of a record with the settings of an effect, and add remarks about unused columns."""
     options = Options(**{key: settings[key] for key in Options._fields if key in settings})
-    samples, unused = read_samples(quantity, file, options)
+    samples, unused = read_record_samples(quantity, file, options)
     remarks += unused
     return samples
 

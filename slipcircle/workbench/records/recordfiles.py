@@ -12,17 +12,17 @@ from slipcircle.base.kinds import Floats, Names, Texts
 from slipcircle.workbench.common.textfiles import (
     CLOCK,
     Lines,
-    cells_of,
     check_count,
+    fields_below,
     is_even,
-    numbers_of,
+    parsed_numbers,
     plain_numbers,
     text_of,
 )
-from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, unit_of
+from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, unit_of
 from slipcircle.workbench.records.columns import Column
 from slipcircle.workbench.records.headers import Header, channels, header_of
-from slipcircle.workbench.records.tables import Table, table_of
+from slipcircle.workbench.records.tables import NumberTable, number_table
 
 MOST_BYTES = 2**28
 MOST_NUMBERS = 2**24
@@ -33,7 +33,7 @@ _CLOCK = "has times of day or dates"
 _COUNTER = "counts the samples"
 
 
-class Samples(NamedTuple):
+class RecordSamples(NamedTuple):
     """Content of a record file, and the line number of each sample, from 1."""
 
     time: Floats
@@ -53,7 +53,7 @@ class Options(NamedTuple):
     gaps: str = "refuse"
     of_all: bool = True  # whether the roles apply to every table, or only to tables with as many columns
 
-    def roles(self, quantity: Quantity) -> Names:
+    def roles(self, quantity: RecordedQuantity) -> Names:
         """Return the roles of the columns from a sequence or a text with commas."""
         parts = self.columns.split(",") if isinstance(self.columns, str) else self.columns
         roles = tuple(str(part).strip().lower() for part in parts)
@@ -71,14 +71,14 @@ class Channel(NamedTuple):
     name: str
     role: str = ""
     reason: str = ""
-    samples: Samples | None = None
+    samples: RecordSamples | None = None
 
     def __str__(self) -> str:
         """Return the column with the reason why it is not used."""
         return f"column {self.place}{f' ({self.name})' * bool(self.name)}: {self.reason}"
 
 
-def contents(quantity: Quantity, name: str, path: Path, options: Options) -> list[Channel]:
+def contents(quantity: RecordedQuantity, name: str, path: Path, options: Options) -> list[Channel]:
     """Return the channels of a file, or the columns other than times and skipped columns.
 
     Raises
@@ -117,16 +117,16 @@ def choice(names: Iterable[tuple[int, str]]) -> str:
     return ", ".join(shown)
 
 
-def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Lines, units: str) -> Samples:
+def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Lines, units: str) -> RecordSamples:
     """Return the samples of a record, at least two, at given times or with a constant step."""
     count = len(fields)
     if count < 2:
         raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
     times = time if isinstance(time, np.ndarray) else time * np.arange(float(count))
-    return Samples(times, numbers_of(name, fields, lines), units, lines)
+    return RecordSamples(times, parsed_numbers(name, fields, lines), units, lines)
 
 
-def _of_format(name: str, text: str, header: Header) -> Samples:
+def _of_format(name: str, text: str, header: Header) -> RecordSamples:
     """Return samples without times, with any number of values per line."""
     below = text.split("\n")[header.lines :]
     if header.fields.get("pair"):
@@ -137,7 +137,7 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
         ends = (k for k, row in enumerate(below) if re.match(r"[\s/&-]*(?:end|\d+ points of )", row, re.IGNORECASE))
         end = -(-header.samples // 10) if is_block else next(ends, len(below))
         below = [" ".join(row[k : k + width] for k in range(0, len(row), width)) for row in below[:end]]
-    fields, lines = cells_of(name, below, header.lines, None)
+    fields, lines = fields_below(name, below, header.lines, None)
     check_count(name, len(fields), header.samples)
     samples = _samples(name, header.step, fields, lines, _unit(ACCELERATION, name, header.units))
     if header.scale:
@@ -149,12 +149,12 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
 # --- tables --------------------------------------------------------------------------------------------------------
 
 
-def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> list[Channel]:
+def _of_table(quantity: RecordedQuantity, name: str, text: str, options: Options) -> list[Channel]:
     """Return the columns of a table other than its times."""
-    table = table_of(quantity, name, text)
+    table = number_table(quantity, name, text)
     roles = _roles(quantity, name, table, options)
     width = 1 if roles == (WRAPPED,) else table.width
-    fields, lines = cells_of(name, text.split("\n")[table.lines :], table.lines, table.separator, width)
+    fields, lines = fields_below(name, text.split("\n")[table.lines :], table.lines, table.separator, width)
     cells = [fields[k::width] for k in range(width)]
     lines = lines[::width]
     if table.stated:
@@ -174,7 +174,7 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     return found
 
 
-def _roles(quantity: Quantity, name: str, table: Table, options: Options) -> Names:
+def _roles(quantity: RecordedQuantity, name: str, table: NumberTable, options: Options) -> Names:
     """Return the roles of the columns from the options, empty if the option applies to other tables."""
     roles = options.roles(quantity)
     has_names = any(column.name for column in table.columns)
@@ -187,7 +187,7 @@ def _roles(quantity: Quantity, name: str, table: Table, options: Options) -> Nam
     return ()
 
 
-def _only(quantity: Quantity, name: str, columns: list[Column], column: int | str | None) -> list[Column]:
+def _only(quantity: RecordedQuantity, name: str, columns: list[Column], column: int | str | None) -> list[Column]:
     """Return the columns, where all but one are skipped if the user selects one."""
     if column is None:
         return columns
@@ -197,7 +197,7 @@ def _only(quantity: Quantity, name: str, columns: list[Column], column: int | st
     return [other._replace(role=roles.get(place, "time")) for place, other in enumerate(columns, 1)]
 
 
-def _unit(quantity: Quantity, name: str, stated: str) -> str:
+def _unit(quantity: RecordedQuantity, name: str, stated: str) -> str:
     """Return the unit stated by a column or header, empty if none is stated."""
     unit = unit_of(stated, quantity) if stated else ""
     if unit is None:
@@ -205,7 +205,7 @@ def _unit(quantity: Quantity, name: str, stated: str) -> str:
     return unit
 
 
-def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, above: str) -> str:
+def _unit_of_column(quantity: RecordedQuantity, name: str, place: int, column: Column, above: str) -> str:
     """Return the unit of a column, stated by the column or by the header above it."""
     unit = _unit(quantity, name, column.unit or above)
     other = unit_of(above, quantity)
@@ -216,7 +216,9 @@ def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, a
     return unit
 
 
-def _with_roles(quantity: Quantity, named: list[Column], cells: Sequence[Texts], roles: Sequence[str]) -> list[Column]:
+def _with_roles(
+    quantity: RecordedQuantity, named: list[Column], cells: Sequence[Texts], roles: Sequence[str]
+) -> list[Column]:
     """Return the columns of a table with roles from the options, the header or conventions."""
     width = len(cells)
     columns = list(named) or [Column("")] * width
@@ -244,7 +246,12 @@ def _with_roles(quantity: Quantity, named: list[Column], cells: Sequence[Texts],
 
 
 def _times(
-    quantity: Quantity, name: str, columns: Sequence[Column], cells: Sequence[Texts], lines: Lines, step: float | None
+    quantity: RecordedQuantity,
+    name: str,
+    columns: Sequence[Column],
+    cells: Sequence[Texts],
+    lines: Lines,
+    step: float | None,
 ) -> Floats | float:
     """Return the times of the samples, or their step, in s.
 
@@ -260,7 +267,7 @@ def _times(
         unit = unit_of(columns[clock].unit or "s", TIME)
         if unit is None:
             raise ValueError(f"{name}: the times are in {columns[clock].unit!r}: must be {TIME.choice}; convert them")
-        return numbers_of(name, cells[clock], lines) * TIME.units[unit]
+        return parsed_numbers(name, cells[clock], lines) * TIME.units[unit]
     is_spectrum = "spectrum" in roles and "time" not in roles
     if step and is_record and not is_spectrum:
         return step
@@ -274,7 +281,7 @@ def _times(
     raise InputError("", [f"{name}: {lacks}; give {{step}}, the time between samples in s{other}"])
 
 
-def _roles_to_give(quantity: Quantity, columns: Sequence[Column]) -> str:
+def _roles_to_give(quantity: RecordedQuantity, columns: Sequence[Column]) -> str:
     """Return the option that states the roles of columns, with an example."""
     leader = SKIP if columns[0].reason in (_CLOCK, _COUNTER) else "time"
     others = [column.role if column.role == "vertical" else quantity.role for column in columns[1:]]

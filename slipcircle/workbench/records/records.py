@@ -20,12 +20,12 @@ from slipcircle.tables import Series, bad_sample
 from slipcircle.workbench.common.units import (
     ACCELERATION,
     PORE_PRESSURE,
-    Quantity,
+    RecordedQuantity,
     check_strength,
     over_gravity,
     unit_of,
 )
-from slipcircle.workbench.records.recordfiles import Options, Samples, choice, contents
+from slipcircle.workbench.records.recordfiles import Options, RecordSamples, choice, contents
 
 _GAP = 1.5  # least gap over the step of an evenly sampled record
 
@@ -87,11 +87,11 @@ def read_record(
         If the file cannot be read. The message gives the file, the line, the value, the allowed values, and the remedy.
     """
     raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
-    samples, _ = read_samples(ACCELERATION, path, Options(columns, column, step, units, start, gaps))
+    samples, _ = read_record_samples(ACCELERATION, path, Options(columns, column, step, units, start, gaps))
     return shaking_of(samples, str(path), holds, gravity, scaled)
 
 
-def shaking_of(samples: Samples, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
+def shaking_of(samples: RecordSamples, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
     """Return the accelerations of a file as shaking. The arguments are those of `read_record`."""
     if holds not in ("ground", "driving"):
         choice = '"ground" (acceleration of the ground) or "driving" (its opposite)'
@@ -182,11 +182,11 @@ def read_pore_pressure(
     ValueError
         If the file cannot be read. The message gives the file, the line, the value, the allowed values, and the remedy.
     """
-    samples, _ = read_samples(PORE_PRESSURE, path, Options(columns, column, step, units, start, gaps))
+    samples, _ = read_record_samples(PORE_PRESSURE, path, Options(columns, column, step, units, start, gaps))
     return pressure_of(samples, str(path))
 
 
-def pressure_of(samples: Samples, name: str) -> dict[str, Series]:
+def pressure_of(samples: RecordSamples, name: str) -> dict[str, Series]:
     """Return the pore pressures of a file as parameters of the effect."""
     is_ratio = samples.units == "ratio"
     bad = np.flatnonzero((samples.values < 0.0) | (is_ratio & (samples.values >= 1.0)))
@@ -207,7 +207,7 @@ _TIMES: dict[str, Bounds] = {
 }
 
 
-def read_samples(quantity: Quantity, path: PathName, options: Options) -> tuple[Samples, Texts]:
+def read_record_samples(quantity: RecordedQuantity, path: PathName, options: Options) -> tuple[RecordSamples, Texts]:
     """Return checked samples of the single record in a file, and a line for each unused column."""
     name = str(path)
     times = {n: v for n, v in (("step", options.step), ("start", options.start)) if v is not None}
@@ -225,7 +225,9 @@ def read_samples(quantity: Quantity, path: PathName, options: Options) -> tuple[
     return samples, [f"{name}: {channel}; not used" for channel in channels if channel.reason]
 
 
-def checked_samples(quantity: Quantity, name: str, samples: Samples | None, options: Options) -> Samples:
+def checked_samples(
+    quantity: RecordedQuantity, name: str, samples: RecordSamples | None, options: Options
+) -> RecordSamples:
     """Return samples of a file with checked times, and with their unit."""
     requested = "" if options.units is None else unit_of(options.units, quantity)
     if requested is None or samples is None:
@@ -239,7 +241,7 @@ def checked_samples(quantity: Quantity, name: str, samples: Samples | None, opti
     return samples._replace(time=_checked_times(name, samples, options.start, options.gaps), units=unit)
 
 
-def _checked_times(name: str, samples: Samples, start: float | None, gaps: str) -> Floats:
+def _checked_times(name: str, samples: RecordSamples, start: float | None, gaps: str) -> Floats:
     """Return the times of samples after checks: finite, increasing, not before 0, and without rejected gaps."""
     if gaps not in ("refuse", "linear"):
         raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from slipcircle.base.kinds import Texts
 from slipcircle.workbench.common.textfiles import NUMBER, NUMBER_AND_STEP, SEPARATORS, first_row, split, without_comment
-from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, period_of, seconds_of, unit_of
+from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, period_of, seconds_of, unit_of
 from slipcircle.workbench.records.columns import Column, column_of
 
 _STATEMENT = re.compile(  # in a header: "SAMPLING INTERVAL (sec) : 0.02", "#SampleRate(Hz): 200", "UNITS: cm/s^2"
@@ -18,7 +18,7 @@ _STATEMENT = re.compile(  # in a header: "SAMPLING INTERVAL (sec) : 0.02", "#Sam
 )
 
 
-class Table(NamedTuple):
+class NumberTable(NamedTuple):
     """Layout of a table, and statements of its header."""
 
     lines: int  # number of lines above the first row
@@ -31,7 +31,7 @@ class Table(NamedTuple):
     component: str
 
 
-def table_of(quantity: Quantity, name: str, text: str) -> Table:
+def number_table(quantity: RecordedQuantity, name: str, text: str) -> NumberTable:
     """Return the layout of a table of numbers.
 
     Raises
@@ -48,7 +48,9 @@ def table_of(quantity: Quantity, name: str, text: str) -> Table:
     columns = _columns(quantity, above, separator, width)
     _, stated = said["count"]
     count = "".join(re.findall(r"^\d{1,15}", stated))
-    return Table(lines, separator, width, columns, _step(said), _unit(quantity, said), count, said["component"][1])
+    return NumberTable(
+        lines, separator, width, columns, _step(said), _unit(quantity, said), count, said["component"][1]
+    )
 
 
 def _step(said: dict[str, tuple[str, str]]) -> float:
@@ -56,7 +58,7 @@ def _step(said: dict[str, tuple[str, str]]) -> float:
     return seconds_of(*said["step"]) or period_of(*said["rate"])
 
 
-def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
+def _unit(quantity: RecordedQuantity, said: dict[str, tuple[str, str]]) -> str:
     """Return the unit stated in a header, as written, empty if none is stated."""
     for key in ("unit", "peak"):
         bracket, value = said[key]
@@ -66,7 +68,7 @@ def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
     return ""
 
 
-def _columns(quantity: Quantity, above: Texts, separator: str | None, width: int) -> list[Column]:
+def _columns(quantity: RecordedQuantity, above: Texts, separator: str | None, width: int) -> list[Column]:
     """Return the columns from the last header line that names them, with units from the line below.
 
     The list is empty without names.

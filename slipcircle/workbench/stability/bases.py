@@ -35,7 +35,7 @@ def angle_from_below(centre: Floats, point: Floats) -> Floats:
     return np.arctan2(to_right, -upwards)
 
 
-class Stresses(NamedTuple):
+class BaseStresses(NamedTuple):
     """Stresses on the arcs over gamma R, with gamma of the first layer: (3, intervals), for 1, sine and cosine."""
 
     soil: Floats  # weight of the soil above
@@ -48,11 +48,11 @@ class Stresses(NamedTuple):
     relieved: Any  # pressure of this water at the height of the arc
     excess: Any  # pressure of free water minus the pressure of this water, on the ground
 
-    def turned(self, way: Floats) -> Stresses:
+    def turned(self, way: Floats) -> BaseStresses:
         """Return the stresses for angles of the opposite sense where ``way`` is -1."""
         same = np.ones(len(way))
         sense = np.stack([same, way, same])
-        return Stresses(*(values * (sense if values.ndim == 2 else sense[:, None]) for values in self))
+        return BaseStresses(*(values * (sense if values.ndim == 2 else sense[:, None]) for values in self))
 
 
 class Bases:
@@ -137,7 +137,7 @@ class Bases:
         constant, gradient = self.surface(k)
         return self._linear(constant * factor, gradient * factor, 1.0 * factor)
 
-    def stresses(self) -> Stresses:
+    def stresses(self) -> BaseStresses:
         """Return the stresses by interval."""
         none = self._linear(0.0, 0.0, 0.0)
         pond, displaced = (none, none) if self.slope.ponds is None else self._free_water(self.slope.ponds)
@@ -146,7 +146,7 @@ class Bases:
         pressure = self._pore_pressure(soil, scale)
         load = self._load() / scale
         cohesion = self._cohesion() / scale
-        return Stresses(soil, load, pond, displaced, pressure, cohesion, none, none, pond)
+        return BaseStresses(soil, load, pond, displaced, pressure, cohesion, none, none, pond)
 
     def _free_water(self, ponds: Ponds) -> ArrayPair:
         """Return the pressure of free water on the ground, and minus the weight of water displaced by soil below it."""

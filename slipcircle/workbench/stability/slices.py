@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from generated import slopes
 from slipcircle.base.kinds import ArrayPair, Flags, Floats
 from slipcircle.layers import meets_circle
-from slipcircle.workbench.stability.bases import Arcs, Bases, Stresses
+from slipcircle.workbench.stability.bases import Arcs, Bases, BaseStresses
 from slipcircle.workbench.stability.columns import SlopeArrays
 
 _GROUND = np.zeros(1, dtype=np.int64)  # number of the ground among the surfaces
@@ -62,7 +62,7 @@ class Slices(NamedTuple):
     sine: Floats
     cosine: Floats
     way: Any  # -1 where angles are counted to the left, by interval
-    stresses: Stresses
+    stresses: BaseStresses
     friction: Floats  # of each interval
     k_h: Floats
     shaken_load: Any  # share of the surcharge on which k_h acts

@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Columns, PathName, Shape, ValueDict, Values
 from slipcircle.base.optional import optional
-from slipcircle.workbench.common.files import write
+from slipcircle.workbench.common.files import write_file
 from slipcircle.workbench.studies.design import Design
 
 ENGINES = ("threads", "processes")
@@ -106,7 +106,7 @@ class Store:
             except OSError as error:
                 raise ValueError(f"{path}: cannot be used as a folder for blocks: {error.strerror}") from error
             if held is None:
-                write(path / "study.json", text)
+                write_file(path / "study.json", text)
             elif other := [k for k in description | held if description.get(k) != held.get(k)]:
                 raise ValueError(
                     f"{path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder"

@@ -16,7 +16,7 @@ from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.distributions import special
-from slipcircle.workbench.common.identity import digest
+from slipcircle.workbench.common.identity import content_digest
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import Uncertain, by_name, listed, number_in, uncertain_numbers
@@ -38,7 +38,7 @@ def _known(given: Any) -> Any:
     if isinstance(given, np.ndarray | np.generic):
         return given.tolist()
     try:
-        return {"object": getattr(given, "__qualname__", type(given).__qualname__), "content": digest(given)}
+        return {"object": getattr(given, "__qualname__", type(given).__qualname__), "content": content_digest(given)}
     except ValueError as error:
         raise ValueError(f"folder: {error}") from error
 

@@ -22,7 +22,7 @@ QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)
 HEAD = ("table", "output", "input", "at", "value", "low", "high")
 
 
-class Row(NamedTuple):
+class ExportRow(NamedTuple):
     """One estimate: statistic, output, input (or method), value of the output or probability, and estimate."""
 
     table: str
@@ -32,38 +32,38 @@ class Row(NamedTuple):
     estimate: Estimate
 
 
-def estimates(study: Any) -> Iterator[Row]:
+def estimates(study: Any) -> Iterator[ExportRow]:
     """Yield all estimates of a study, one row each."""
-    yield Row("probability of moving", "moves", "", math.nan, study.moving)
+    yield ExportRow("probability of moving", "moves", "", math.nan, study.moving)
     for method, failure in study.failure.items():
-        yield Row("probability of failure", "factor_of_safety", method, math.nan, failure)
+        yield ExportRow("probability of failure", "factor_of_safety", method, math.nan, failure)
         for p in QUANTILES:
-            yield Row("quantile of the factor", "factor_of_safety", method, p, study.factor_quantile(method, p))
+            yield ExportRow("quantile of the factor", "factor_of_safety", method, p, study.factor_quantile(method, p))
     for name in OUTCOMES:
         yield from _of_output(study, name)
     keys = [u.key for u in study.design.inputs.values()]
     for output, indices in study.sensitivity.items():
         for key, first, total in zip(keys, *indices, strict=True):
-            yield Row("first-order index", output, key, math.nan, first)
-            yield Row("total index", output, key, math.nan, total)
+            yield ExportRow("first-order index", output, key, math.nan, first)
+            yield ExportRow("total index", output, key, math.nan, total)
     for c in study.convergence:
-        yield Row("moving after n", "moves", "", c.n, c.moving)
-        yield Row("median after n", "run_out", "", c.n, c.median)
-        yield Row("quantile 0.95 after n", "run_out", "", c.n, c.upper)
+        yield ExportRow("moving after n", "moves", "", c.n, c.moving)
+        yield ExportRow("median after n", "run_out", "", c.n, c.median)
+        yield ExportRow("quantile 0.95 after n", "run_out", "", c.n, c.upper)
 
 
-def _of_output(study: Any, name: str) -> Iterator[Row]:
+def _of_output(study: Any, name: str) -> Iterator[ExportRow]:
     """Yield the mean, standard deviation, quantiles and exceedance curve of an output."""
-    yield Row("mean", name, "", math.nan, study.mean(name))
-    yield Row("std", name, "", math.nan, study.std(name))
+    yield ExportRow("mean", name, "", math.nan, study.mean(name))
+    yield ExportRow("std", name, "", math.nan, study.std(name))
     if name in study.linear:
         mean, std = (Estimate(moment, math.nan, math.nan) for moment in study.linear[name])
-        yield Row("linear mean", name, "", math.nan, mean)
-        yield Row("linear std", name, "", math.nan, std)
+        yield ExportRow("linear mean", name, "", math.nan, mean)
+        yield ExportRow("linear std", name, "", math.nan, std)
     for p in QUANTILES:
-        yield Row("quantile", name, "", p, study.quantile(name, p))
+        yield ExportRow("quantile", name, "", p, study.quantile(name, p))
     for at, probability in _curve(study, name):
-        yield Row("exceedance", name, "", at, probability)
+        yield ExportRow("exceedance", name, "", at, probability)
 
 
 def _curve(study: Any, name: str) -> Iterator[tuple[float, Estimate]]:
@@ -78,7 +78,7 @@ def rows(study: Any) -> list[list[Any]]:
     return [[table, output, key, _cell(at), *map(_cell, e)] for table, output, key, at, e in estimates(study)]
 
 
-def record(study: Any) -> ValueDict:
+def study_record(study: Any) -> ValueDict:
     """Return a study as a mapping for JSON, in SI units except for inputs."""
     design = study.design
     common = {
@@ -158,7 +158,7 @@ def _under_records(study: Any) -> ValueDict:
 # --- results ---------------------------------------------------------------------------------------------------------
 
 
-def axes(study: Any) -> Columns:
+def study_axes(study: Any) -> Columns:
     """Return the axes of the results by name: keys of a grid, or samples, preceded by the axes of records if any."""
     design = study.design
     if design.method == "grid":
@@ -182,15 +182,15 @@ def _along(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
 
 def arrays(study: Any) -> Columns:
     """Return axes, inputs (as ``sample_`` followed by the key) and results as arrays by name."""
-    levels = axes(study)
+    levels = study_axes(study)
     shape = [len(values) for values in levels.values()]
     named = {f"sample_{n}" if dims == ("sample",) else n: values for n, (dims, values) in _along(study).items()}
     return levels | named | {name: values.reshape(shape) for name, values in study.values.items()}
 
 
-def columns(study: Any) -> Columns:
+def study_columns(study: Any) -> Columns:
     """Return all scenes as columns by name, one element for each scene; without records, outcomes are magnitudes."""
-    levels = axes(study)
+    levels = study_axes(study)
     shape = [len(values) for values in levels.values()]
     places = dict(zip(levels, np.indices(shape).reshape(len(shape), -1), strict=True))
     found = {name: values[places[name]] for name, values in levels.items()}
@@ -202,17 +202,17 @@ def columns(study: Any) -> Columns:
 
 
 def frame(study: Any) -> Any:
-    """Return the `columns` as a pandas.DataFrame, with units in ``attrs``."""
-    found = optional("pandas", "to_pandas").DataFrame(columns(study))
+    """Return the `study_columns` as a pandas.DataFrame, with units in ``attrs``."""
+    found = optional("pandas", "to_pandas").DataFrame(study_columns(study))
     if study.design.method != "grid":
-        found = found.set_index([*axes(study)])
+        found = found.set_index([*study_axes(study)])
     found.attrs["units"] = {**RESULTS, **{number.key: number.written for number in study.design.inputs.values()}}
     return found
 
 
 def dataset(study: Any) -> Any:
     """Return the results as an xarray.Dataset with units; ``status`` has the integers of `Status`."""
-    levels = axes(study)
+    levels = study_axes(study)
     shape = [len(values) for values in levels.values()]
     results = {
         name: ([*levels], values.reshape(shape), {"units": RESULTS.get(name, "")})

@@ -16,7 +16,7 @@ from slipcircle.workbench.studies.design import NO_RESULT, RESULTS, Design
 from slipcircle.workbench.studies.fragility import FragilityCurve, fragility_curve
 from slipcircle.workbench.studies.groundmotions import GroundMotions
 from slipcircle.workbench.studies.motions import motions
-from slipcircle.workbench.studies.statistics import exceedance, exceedance_shares
+from slipcircle.workbench.studies.statistics import exceedance_probabilities, exceedance_shares
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 from slipcircle.workbench.suites.regressions import RIGID, Comparison, Shaking, comparisons
 
@@ -146,7 +146,7 @@ class Shaken:
         ]
         levels = np.median(self.pga, axis=0)
         curves = self.fragility()
-        shares = np.array(exceedance(self.displacement, self.records.thresholds))
+        shares = np.array(exceedance_probabilities(self.displacement, self.records.thresholds))
         blocks = []
         for k, curve in enumerate(curves):
             threshold = np.full(levels.size, curve.threshold)

@@ -74,7 +74,7 @@ def student(values: Floats, confidence: float) -> Any:
     """Return half the width of the interval of a mean of independent estimates; NaN for one estimate."""
     if len(values) < 2:
         return np.full(np.shape(values)[1:], np.nan)
-    return width(confidence, len(values)) * standard_error(values)
+    return interval_width(confidence, len(values)) * standard_error(values)
 
 
 def share_width(shares: Floats, size: float, confidence: float) -> Any:
@@ -107,7 +107,7 @@ def probability(hits: Any, valid: Any, confidence: float) -> ArrayTriple:
     return value, low, high
 
 
-def width(confidence: float, replicates: int = 1) -> float:
+def interval_width(confidence: float, replicates: int = 1) -> float:
     """Return half the width of an interval in standard errors, for many samples or for a few replicates."""
     tail = (1.0 + confidence) / 2
     return float(special().stdtrit(replicates - 1, tail) if replicates > 1 else special().ndtri(tail))
@@ -206,7 +206,7 @@ class Indices(NamedTuple):
     total: list[Estimate]
 
 
-def indices(sums: Floats, confidence: float) -> Indices:
+def sensitivity_indices(sums: Floats, confidence: float) -> Indices:
     """Return the sensitivity indices of one output from the `sums` of independent batches, (batches, 3 + 3 inputs).
 
     First-order indices follow Saltelli et al. (2010), centred, total indices Jansen (1999); intervals are computed by
@@ -234,7 +234,7 @@ def _indices(sums: Floats) -> Floats:
 
 
 def sums(y: Floats) -> Floats:
-    """Return the sums that `indices` needs, from the rows of y: yA, yB, and yAB of each input.
+    """Return the sums that `sensitivity_indices` needs, from the rows of y: yA, yB, and yAB of each input.
 
     They are the number of points, the sums of yA + yB and of yA**2 + yB**2, and for each input the sums of
     (yAB - yA)**2, yB (yAB - yA) and yAB - yA.
@@ -255,7 +255,7 @@ def sums(y: Floats) -> Floats:
 THRESHOLDS = np.array([0.01, 0.05, 0.15, 1.0])  # of displacements in tables and pictures, m
 
 
-class Distribution(NamedTuple):
+class Displacements(NamedTuple):
     """Distribution of displacements at one scale.
 
     Attributes
@@ -277,18 +277,18 @@ class Distribution(NamedTuple):
     std_ln: float
 
 
-def distribution(displacement: Floats, scale: int) -> Distribution:
+def distribution(displacement: Floats, scale: int) -> Displacements:
     """Return the distribution of displacements, (record, polarity, scale, sample), at the scale with this index."""
     values = _valid(displacement, scale)
     if not values.size:
-        return Distribution(*[math.nan] * len(Distribution._fields))
+        return Displacements(*[math.nan] * len(Displacements._fields))
     p16, median, p84 = np.quantile(values, (0.16, 0.5, 0.84), method="inverted_cdf").tolist()
     moving = values > 0.0
     logs = np.log(values[moving & (values < np.inf)])
     geometric_mean = math.exp(logs.mean()) if logs.size else math.nan
     std_ln = float(logs.std(ddof=1)) if logs.size > 1 else math.nan
     mean = float(values.mean())
-    return Distribution(float(moving.mean()), mean, median, p16, p84, geometric_mean, std_ln)
+    return Displacements(float(moving.mean()), mean, median, p16, p84, geometric_mean, std_ln)
 
 
 def _valid(displacement: Floats, scale: int) -> Floats:
@@ -304,7 +304,9 @@ def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
         return exceeds.sum(axis=(1, 3)) / (~np.isnan(displacement)).sum(axis=(1, 3))
 
 
-def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:
+def exceedance_probabilities(
+    displacement: Floats, thresholds: Floats, confidence: float = 0.95
+) -> list[list[Estimate]]:
     """Return the probabilities that displacements exceed thresholds, m, as lists by scale of lists by threshold.
 
     The intervals are conservative: they treat each record as one draw (Clopper and Pearson 1934), as if both polarities

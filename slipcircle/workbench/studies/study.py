@@ -17,7 +17,7 @@ from slipcircle.base.conversions import Pictured
 from slipcircle.base.kinds import ArrayDict, Columns, Flags, Floats, Integers, Texts, ValueDict
 from slipcircle.core import Motion, Status
 from slipcircle.messages import OUTSIDE
-from slipcircle.workbench.common.markup import Raw, table, tag
+from slipcircle.workbench.common.markup import Raw, html_table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.stability.stability import least_of
@@ -35,11 +35,11 @@ from slipcircle.workbench.studies.statistics import (
     Indices,
     Ordered,
     Spread,
-    indices,
+    interval_width,
     probability,
+    sensitivity_indices,
     sums,
     value_text,
-    width,
 )
 
 _VARYING = ("moves", *OUTCOMES)  # outputs with sensitivity indices
@@ -96,11 +96,12 @@ class Study(Shaken, Pictured):
     def sensitivity(self) -> Mapping[str, Indices]:
         """`Indices` of each output and of ``moves``; empty for a single input."""
         by_output = zip(*self._batches, strict=True)
-        return {n: indices(np.stack(batches), self.confidence) for n, batches in zip(_VARYING, by_output, strict=False)}
+        of_outputs = (sensitivity_indices(np.stack(batches), self.confidence) for batches in by_output)
+        return dict(zip(_VARYING, of_outputs, strict=False))
 
     @cached_property
     def _batches(self) -> list[list[Floats]]:
-        """Sums for `indices`, one list for each batch of base points, by output."""
+        """Sums for `sensitivity_indices`, one list for each batch of base points, by output."""
         return [self._sums(block) for block in range(self.design.sample_blocks, self.design.blocks)]
 
     def _sums(self, block: int) -> list[Floats]:
@@ -134,12 +135,12 @@ class Study(Shaken, Pictured):
 
     def __repr__(self) -> str:
         """Return the design and a summary of the results in one line."""
-        sizes = ", ".join(f"{name}: {len(values)}" for name, values in export.axes(self).items())
+        sizes = ", ".join(f"{name}: {len(values)}" for name, values in export.study_axes(self).items())
         parts = [" ".join(words) for words in self._summary()]
         return f"<Study {self.scene.name}: {'; '.join([sizes, *parts])}>"
 
     def _repr_html_(self) -> str:
-        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table(self._summary()))
+        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + html_table(self._summary()))
 
     def _summary(self) -> list[Texts]:
         rows = [[s.words, str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
@@ -167,11 +168,11 @@ class Study(Shaken, Pictured):
 
         An undefined value is None; a quantile among samples that move without a result is "beyond".
         """
-        return export.record(self)
+        return export.study_record(self)
 
     def columns(self) -> Columns:
         """Return all scenes as columns by name: axes, inputs, results in SI units, status and reason."""
-        return export.columns(self)
+        return export.study_columns(self)
 
     def arrays(self) -> Columns:
         """Return axes, inputs and results as arrays by name."""
@@ -299,7 +300,7 @@ class Study(Shaken, Pictured):
     def mean(self, output: str) -> Estimate:
         """Return the mean of an output with its interval; 0 for samples at rest, NaN if samples lack a result."""
         value, error, *_ = self._sampled(output)
-        half = error * width(self.confidence, self.design.replicates)
+        half = error * interval_width(self.confidence, self.design.replicates)
         return Estimate(value, value - half, value + half)
 
     def std(self, output: str) -> Estimate:

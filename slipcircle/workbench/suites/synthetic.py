@@ -100,4 +100,6 @@ def write_records(records: Mapping[str, Series], folder: PathName) -> None:
     digits = max(4, len(str(len(records))))  # three would read as an azimuth
     for number, record in enumerate(records.values(), 1):
         rows = zip(record.time.tolist(), (0.0 - record.values).tolist(), strict=True)
-        files.write(place / f"synthetic-{number:0{digits}d}.csv", files.table(["time (s)", "acceleration (g)"], rows))
+        files.write_file(
+            place / f"synthetic-{number:0{digits}d}.csv", files.csv_table(["time (s)", "acceleration (g)"], rows)
+        )

@@ -21,7 +21,7 @@ from slipcircle.derivatives import parameter_value, with_parameter_arrays, with_
 from slipcircle.history import OUTPUTS, energy_unit, stress_unit, with_outputs
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.keys import Key
-from slipcircle.workbench.outputs.page.start import NoFit, Start, start_of
+from slipcircle.workbench.outputs.page.start import NoFit, StartSeries, start_of
 from slipcircle.workbench.outputs.pictures.plotstyle import quantity_words
 
 DEGREE = 16  # greatest degree of an interpolant in one number
@@ -67,7 +67,7 @@ class PageInputs:
 
     def __init__(self, scene: Scene, sliders: Sequence[Slider], accuracy: float) -> None:
         self.scene, self.sliders = scene, sliders
-        self.start: Start | None = None
+        self.start: StartSeries | None = None
         if sliders:
             shares = np.random.default_rng(3).uniform(-1.0, 1.0, (len(sliders), TRIALS))
             self.start = start_of(scene, self.scene_at(shares))
@@ -144,7 +144,10 @@ class PageInputs:
         for table in problem.tables():
             for values in (table.breaks, table.coefficients):
                 shared = values.ndim < (2 if values is table.breaks else 3)
-                flat = values.reshape(-1, 1) if shared else values.reshape(-1, count)
+                if shared:
+                    flat = values.reshape(-1, 1)
+                else:
+                    flat = values.reshape(-1, count)
                 rows.append(np.broadcast_to(flat, (flat.shape[0], count)))
         rows += [np.broadcast_to(np.ravel(value), (1, count)) for value in _others(motion).values()]
         if self.start:
@@ -172,7 +175,7 @@ def _others(motion: Motion) -> ValueDict:
     return units | {"factor_of_safety": motion.factor_of_safety}
 
 
-class Fit(NamedTuple):
+class Interpolant(NamedTuple):
     """Interpolants of some rows in some of the sliders, as weights of a few functions of these.
 
     Weights have the shape (rows, functions), Chebyshev coefficients (functions, product of the degrees + 1).
@@ -197,7 +200,7 @@ def _lobatto(degree: int) -> Floats:
     return np.cos(np.pi * np.arange(degree + 1) / degree)
 
 
-def fits_of(inputs: PageInputs, most: float = math.inf) -> list[Fit]:
+def fits_of(inputs: PageInputs, most: float = math.inf) -> list[Interpolant]:
     """Return interpolants of all rows that vary, or raise `NoFit` above ``most`` numbers."""
     present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
     every = range(len(inputs.sliders))
@@ -231,7 +234,7 @@ def _degrees(inputs: PageInputs, present: Floats, k: int) -> dict[int, int]:
     return dict(zip(varied.tolist(), degrees[varied].tolist(), strict=True))
 
 
-def _fit(inputs: PageInputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int]) -> Fit:
+def _fit(inputs: PageInputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int]) -> Interpolant:
     """Return the interpolant of rows of the same degrees, by a singular value decomposition of its coefficients."""
     of, degrees = zip(*key, strict=True)
     axes = np.meshgrid(*(_lobatto(degree) for degree in degrees), indexing="ij")
@@ -246,7 +249,7 @@ def _fit(inputs: PageInputs, present: Floats, key: tuple[tuple[int, int], ...], 
     left, size, right = np.linalg.svd(coefficients.reshape(len(rows), -1), full_matrices=False)
     counted = size > ROUNDING * size[0]
     weights = sizes * left[:, counted] * size[counted]
-    return Fit(of, degrees, rows, np.vectorize(_rounded)(weights), right[counted])
+    return Interpolant(of, degrees, rows, np.vectorize(_rounded)(weights), right[counted])
 
 
 def _rounded(value: float) -> float:
@@ -262,7 +265,7 @@ def _share(slider: Slider, scene: Scene) -> float:
     return min(max(share, -1.0), 1.0)
 
 
-def greatest_error(inputs: PageInputs, fits: Sequence[Fit]) -> float:
+def greatest_error(inputs: PageInputs, fits: Sequence[Interpolant]) -> float:
     """Return the greatest error of all inputs at random places, relative to their greatest values."""
     if not fits:
         return 0.0

@@ -18,15 +18,20 @@ from slipcircle.base.text import drawn_unit, printed, shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.messages import standing
-from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
+from slipcircle.workbench.common.markup import Raw, document, escaped, html_terms, tag
 from slipcircle.workbench.common.quantities import OBSERVABLE
-from slipcircle.workbench.common.summary import end_words, summary
+from slipcircle.workbench.common.summary import end_words, key_results
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.outputs.page.inputs import Slider
-from slipcircle.workbench.outputs.page.model import MOST_COEFFICIENTS, default_sliders, interpolates, model, unsolvable
-from slipcircle.workbench.outputs.page.section import Section as Drawn
-from slipcircle.workbench.outputs.page.section import axes, frame_around, section
-from slipcircle.workbench.outputs.pictures.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, outcome, pace
+from slipcircle.workbench.outputs.page.model import (
+    MOST_COEFFICIENTS,
+    default_sliders,
+    interpolates,
+    page_model,
+    unsolvable,
+)
+from slipcircle.workbench.outputs.page.section import DrawnSection, drawn_section, frame_around, section_ticks
+from slipcircle.workbench.outputs.pictures.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, outcome_words, pace
 from slipcircle.workbench.outputs.pictures.sectionplot import magnified
 from slipcircle.workbench.studies.ensemble import varied_number
 
@@ -42,7 +47,7 @@ h1 { margin: 0; font: 600 .95rem/1.4 system-ui, sans-serif; color: var(--soft); 
 """
 
 
-def text(name: str) -> str:
+def page_file(name: str) -> str:
     """Return the text of a file in the folder `page`."""
     return (_PAGE / name).read_text("utf-8")
 
@@ -53,16 +58,16 @@ def style() -> str:
     colours |= {"soil": SCENERY["soil"]["color"], "mass": AREAS["moving"]["facecolor"]}
     colours |= {"way": LINES["main"]["color"], "speed": LINES["other"]["color"]}
     by_name = "".join(f"--{name}: {colour}; " for name, colour in colours.items())
-    return f":root {{ {by_name}}}\n{text('live.css')}"
+    return f":root {{ {by_name}}}\n{page_file('live.css')}"
 
 
-def script() -> str:
+def page_script() -> str:
     """Return the JavaScript of `fragment` without comments. A page needs it once, at its end."""
-    lines = [line.strip() for name in ("engine.js", "live.js") for line in text(name).splitlines()]
+    lines = [line.strip() for name in ("engine.js", "live.js") for line in page_file(name).splitlines()]
     return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
-def engine() -> Raw:
+def engine_element() -> Raw:
     """Return the compressed integrator for a browser as an HTML element. A page needs it once."""
     _, packed = (resources.files("generated") / "flow.wasm.txt").read_text("utf-8").split()
     return Raw(f'<script type="text/plain" id="slide-engine">{packed}</script>')
@@ -80,8 +85,8 @@ def page(motion: Motion, sliders: Sequence[Slider] | None = None) -> str:
     """
     scene = motion.plan.scene
     title = " \N{MIDDLE DOT} ".join(filter(None, [scene.name or "slide", scene.note]))
-    parts = [tag("h1", title), fragment(motion, "slide", sliders), engine()]
-    return document(scene.name or "slide", parts, _SHELL + style(), script(), compiles=True)
+    parts = [tag("h1", title), fragment(motion, "slide", sliders), engine_element()]
+    return document(scene.name or "slide", parts, _SHELL + style(), page_script(), compiles=True)
 
 
 def framed(motion: Motion) -> Raw:
@@ -92,11 +97,11 @@ def framed(motion: Motion) -> Raw:
 
 
 def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None) -> Raw:
-    """Return the slide as part of a page, which needs `style`, `engine` and `script`; ``name`` is its identifier."""
+    """Return the slide as part of a page with `style`, `engine_element` and `page_script`; ``name`` identifies it."""
     scene = motion.plan.scene
     magnification = magnified(motion)
     frame = frame_around(motion, magnification)
-    drawn = section(motion, frame, magnification, name)
+    drawn = drawn_section(motion, frame, magnification, name)
     why_not = unsolvable(motion)
     first = _first(motion)
     data = _data(motion, drawn, sliders, why_not) | {"first": first}
@@ -104,23 +109,23 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
         "name": name,
         "height": f"{frame.height:.1f}",
         "section": drawn.drawing,
-        "axes": axes(frame, names_left=float(scene.arc.facing) > 0.0),
+        "axes": section_ticks(frame, names_left=float(scene.arc.facing) > 0.0),
         "headline": escaped(first["headline"]),
         "label": escaped(f"section to scale: {first['headline']}"),
         "time": shown(_duration(motion)),
         "duration": repr(_duration(motion)),
         "state": escaped(first["end"]),
-        "facts": terms(first["facts"]),
+        "facts": html_terms(first["facts"]),
         "warnings": "".join(tag("li", warning) for warning in first["warnings"]),
         "length": printed("m")[1],
         "velocity": printed("m/s")[1],
         "caption": escaped(" ".join(_caption(motion, magnification, why_not))),
         "data": _as_script_data(data),
     }
-    return Raw(Template(text("live.html")).substitute(texts))
+    return Raw(Template(page_file("live.html")).substitute(texts))
 
 
-def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_not: str) -> ValueDict:
+def _data(motion: Motion, drawn: DrawnSection, sliders: Sequence[Slider] | None, why_not: str) -> ValueDict:
     """Return the data of the script: the solved motion, the observations, and the inputs of the engine."""
     scene = motion.plan.scene
     duration = _duration(motion)
@@ -138,7 +143,7 @@ def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_no
     }
     if not why_not:
         chosen = default_sliders(scene) if sliders is None else sliders
-        found = model(scene, chosen)
+        found = page_model(scene, chosen)
         data |= {"sliders": [one.described(scene) for one in chosen], "input_error": found.pop("input_error")}
         data["model"] = _packed(found)
     return data
@@ -164,7 +169,9 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
             f"to {INTERPOLATED:.0e}; narrow the range"
         )
     others = [other for other in default_sliders(scene) if other.number.name != number.name]
-    return [asked, *others] if interpolates(scene, [asked, *others], INTERPOLATED, MOST_COEFFICIENTS) else [asked]
+    if interpolates(scene, [asked, *others], INTERPOLATED, MOST_COEFFICIENTS):
+        return [asked, *others]
+    return [asked]
 
 
 def headline(motion: Motion) -> str:
@@ -173,7 +180,7 @@ def headline(motion: Motion) -> str:
         return f"no result: {motion.reason}"
     if not motion.moves:
         return standing(motion)
-    return outcome(motion, 4)
+    return outcome_words(motion, 4)
 
 
 def _is_motion(motion: Motion) -> bool:
@@ -182,7 +189,9 @@ def _is_motion(motion: Motion) -> bool:
 
 def _duration(motion: Motion) -> float:
     """Return the duration of the animation in s: settling time or duration, the shorter one; 0 without motion."""
-    return float(np.fmin(motion.duration, motion.settling_time)) if _is_motion(motion) else 0.0
+    if _is_motion(motion):
+        return float(np.fmin(motion.duration, motion.settling_time))
+    return 0.0
 
 
 def _stored(motion: Motion) -> ValueDict:
@@ -204,7 +213,7 @@ def _first(motion: Motion) -> ValueDict:
     return {
         "headline": headline(motion),
         "end": end,
-        "facts": [*summary(motion).items()] if answered else [],
+        "facts": [*key_results(motion).items()] if answered else [],
         "warnings": warnings_of(motion) if answered else [],
     }
 

@@ -19,7 +19,7 @@ from slipcircle.stiff import may_creep
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Key, by_name, in_output_unit
 from slipcircle.workbench.outputs.page.inputs import SMOOTH, PageInputs, Slider, fits_of, greatest_error
-from slipcircle.workbench.outputs.page.start import NoFit, Start
+from slipcircle.workbench.outputs.page.start import NoFit, StartSeries
 from slipcircle.workbench.outputs.pictures.plotstyle import FIRST
 
 SHARES = (0.5, 0.3, 0.2)  # default ranges of a slider to both sides of the value, relative to it
@@ -95,7 +95,7 @@ def unsolvable(motion: Motion) -> str:
     return ""
 
 
-def model(scene: Scene, sliders: Sequence[Slider]) -> ValueDict:
+def page_model(scene: Scene, sliders: Sequence[Slider]) -> ValueDict:
     """Return JSON data for the page to solve the scene with any values of its sliders."""
     inputs = PageInputs(scene, sliders, plan(scene).accuracy)
     fits = fits_of(inputs)
@@ -125,7 +125,7 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> ValueDict:
     }
 
 
-def _start(inputs: PageInputs, start: Start) -> ValueDict:
+def _start(inputs: PageInputs, start: StartSeries) -> ValueDict:
     """Return bounds and degree of the series of a start, and the rows that follow from them, as JSON data."""
     at = inputs.base.size - len(start.rows(inputs.scene))
     return {

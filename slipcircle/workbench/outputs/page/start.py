@@ -32,7 +32,7 @@ class NoFit(Exception):
     """Error for too many coefficients, or for pieces or intervals that change within the range of a slider."""
 
 
-class Start(NamedTuple):
+class StartSeries(NamedTuple):
     """Series of the resistance of each soil along an arc in the mobilised friction, between two bounds."""
 
     method: str
@@ -46,7 +46,7 @@ class Start(NamedTuple):
         """Number of coefficients, which are the last rows."""
         return len(self.low) * (self.degree + 1)
 
-    def shortened(self, scene: Scene) -> Start:
+    def shortened(self, scene: Scene) -> StartSeries:
         """Return the series without terms that are rounding error in every lane of a scene."""
         last = np.abs(self.rows(scene)[-self.terms :]).reshape(len(self.low), self.degree + 1, -1)
         greatest = last.max(axis=(0, 2))
@@ -67,7 +67,8 @@ class Start(NamedTuple):
     def _series(self, driven: Driven) -> Floats:
         """Return the coefficients of the resistance of every soil, (terms, lanes)."""
         places = chebyshev.chebpts1(self.degree + 1)
-        middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
+        middle = (self.low + self.high) / 2
+        half = (self.high - self.low) / 2
         shear = np.stack([self._shear(driven, (middle + half * x)[self.soils]) for x in places])
         of_soils = shear @ np.eye(len(self.low))[self.soils]
         coefficients = np.tensordot(np.linalg.inv(chebyshev.chebvander(places, self.degree)), of_soils, 1)
@@ -100,7 +101,7 @@ class Start(NamedTuple):
         return factor, factor * driving / closure
 
 
-def start_of(scene: Scene, probe: Scene) -> Start | None:
+def start_of(scene: Scene, probe: Scene) -> StartSeries | None:
     """Return the series for the start of a scene, or None if series cannot represent the start.
 
     ``probe`` is an ensemble of the scene over the ranges of the sliders. It determines the bounds of the series and
@@ -122,16 +123,21 @@ def start_of(scene: Scene, probe: Scene) -> Start | None:
     of_soils, soils = np.unique(friction, axis=1, return_inverse=True)
     mobilised = of_soils / factor[:, None]
     margin = 0.1 * mobilised.max(axis=0)
-    low, high = np.maximum(mobilised.min(axis=0) - margin, 0.0), mobilised.max(axis=0) + margin + 1e-3
-    start = Start(scene.start, soils.ravel(), low, high, 0 if scene.start == "ordinary" else _DEGREE)
+    low = np.maximum(mobilised.min(axis=0) - margin, 0.0)
+    high = mobilised.max(axis=0) + margin + 1e-3
+    start = StartSeries(scene.start, soils.ravel(), low, high, 0 if scene.start == "ordinary" else _DEGREE)
     start = start.shortened(probe)
     _, strength = start.factors(start.rows(probe))
-    return start if np.allclose(strength, probe.strength_factor, rtol=_ERROR, atol=0.0) else None
+    if np.allclose(strength, probe.strength_factor, rtol=_ERROR, atol=0.0):
+        return start
+    return None
 
 
 def _by_lane(slices: Slices, values: Any) -> Floats:
     """Return values of intervals as (lanes, intervals), where lanes share an arc or have equally many intervals."""
-    return np.atleast_2d(values) if slices.sine.ndim > 2 else values.reshape(len(slices.arcs.radius), -1)
+    if slices.sine.ndim > 2:
+        return np.atleast_2d(values)
+    return values.reshape(len(slices.arcs.radius), -1)
 
 
 def _driven(scene: Scene) -> Driven:

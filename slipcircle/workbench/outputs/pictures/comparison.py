@@ -11,25 +11,23 @@ import numpy as np
 
 from slipcircle.core import Motion
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.common.trace import columns_of_picture
 from slipcircle.workbench.cost.ladder import Rung
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     REST,
     SERIES,
-    amount,
+    add_label,
+    anchors_along,
     area,
-    axis,
     curve,
+    empty,
     ending,
-    label,
-    lines,
-    measure,
-    note,
-    number,
-    points_of,
-    title,
+    formatted_amount,
+    formatted_number,
+    name_rows,
+    panel,
 )
 from slipcircle.workbench.outputs.pictures.sectionplot import surroundings
 from slipcircle.workbench.outputs.pictures.shapes import mass_of
@@ -40,85 +38,66 @@ STILL = "does not move"
 _SECTION = 3.6  # heights in inches
 _CURVES = 2.8
 _BAR = 0.3
+_RUN_OUT = "run-out along the arc", "m"
 
 
-def overview(motions: Sequence[Motion]) -> Drawing:
+def comparison_overview(motions: Sequence[Motion]) -> Drawing:
     """Return a picture of several motions; the first eight that move have their own colours and labels."""
-    sections = [(_SECTION, [partial(_sections, motions)])] if _same_slope(motions) else []
-    velocity = partial(_curves, motions, "velocity", "velocity $v$")
-    displacement = partial(_curves, motions, "displacement", "displacement $s$")
-    bars = 0.8 + _BAR * min(len(motions), _MOST_BARS)
+    first, *others = (mass_of(motion.plan.scene.arc).outline() for motion in motions)
+    has_one_slope = all(other.shape == first.shape and np.allclose(other, first, rtol=1e-9) for other in others)
+    sections = [(_SECTION, [partial(_sections, motions)])] * has_one_slope
+    names = [motion.plan.scene.name for motion in motions]
+    over_time = [partial(curves, motions, names, column) for column in ("velocity", "displacement")]
+    height = 0.8 + _BAR * min(len(motions), _MOST_BARS)
     moving = sum(motion.moves for motion in motions)
-    rows = [*sections, (_CURVES, [velocity, displacement]), (bars, [partial(_bars, motions)])]
+    rows = [*sections, (_CURVES, over_time), (height, [partial(_run_outs, motions)])]
     return sheet(rows, f"{len(motions)} scenes, of which {moving} move", apart=True)
 
 
-def _same_slope(motions: Sequence[Motion]) -> bool:
-    """Return whether all masses have the same outline at the start."""
-    outlines = []
-    for motion in motions:
-        soil = motion.plan.scene.arc
-        outlines.append(mass_of(soil, soil).outline())
-    first, *others = outlines
-    return all(other.shape == first.shape and np.allclose(other, first, rtol=1e-9) for other in others)
-
-
-def _named(motions: Sequence[Motion]) -> dict[int, tuple[str, Any, str]]:
-    """Return colour, dashes and marker of the first motions that move, by index in ``motions``."""
+def _styles(motions: Sequence[Motion]) -> dict[int, tuple[str, Any, str]]:
+    """Return colour, dashes and marker of the motions that move, by index in ``motions``; `REST` after the first."""
     moving = [k for k, motion in enumerate(motions) if motion.moves]
-    return dict(zip(moving, SERIES, strict=False))
+    return dict.fromkeys(moving, REST) | dict(zip(moving, SERIES, strict=False))
 
 
 def _sections(motions: Sequence[Motion], ax: Any) -> Any:
     """Draw the mass at the start and at the run-out of each motion; return the axis."""
     soil = motions[0].plan.scene.arc
-    facing = float(soil.facing)
-    mass = mass_of(soil, soil)
-    styles = _named(motions)
+    mass = mass_of(soil)
     start = mass.outline()
-    ends = {}
-    for k, motion in enumerate(motions):
-        if motion.moves:
-            turn = facing * float(motion.farthest.rotation)
-            ends[k] = mass.outline(turn)
+    ends = {k: mass.outline(float(soil.facing * motions[k].farthest.rotation)) for k in _styles(motions)}
+    panel(ax, "farthest positions")
     view = surroundings(ax, mass, soil, [start, *ends.values()])
     area(ax, start, "start")
-    for k, outline in ends.items():
-        colour, dashes, _ = styles.get(k, REST)
+    for (colour, dashes, _), outline in zip(_styles(motions).values(), ends.values(), strict=True):
         area(ax, outline, "end", edgecolor=colour, ls=dashes, lw=1.6, hatch="", zorder=3)
-    label(ax, "start", start.mean(axis=0), "0.3", inside=True)
+    add_label(ax, "start", start.mean(axis=0), "0.3", inside=True)
     view.show(ax)
-    title(ax, "farthest positions")
     return ax
 
 
-def _curves(motions: Sequence[Motion], column: str, words: str, ax: Any) -> Any:
-    """Draw a column of `HISTORY` over time as a labelled curve for each motion; return the axis."""
-    styles = _named(motions)
-    for k, motion in enumerate(motions):
-        if motion.moves and k not in styles:
-            colour, dashes, _ = REST
-            columns = drawn(motion)
-            curve(ax, motion, columns["time"], columns[column], color=colour, ls=dashes, lw=0.8)
-    for k, (colour, dashes, _) in styles.items():
-        columns = drawn(motions[k])
-        times = columns["time"]
-        values = columns[column]
-        curve(ax, motions[k], times, values, color=colour, ls=dashes, lw=1.8)
-        later = slice(len(times) // 8, None)
-        name = motions[k].plan.scene.name
-        label(ax, name, points_of(times[later], values[later]), colour, parse_math=False)
+def curves(
+    motions: Sequence[Motion], names: Sequence[str], column: str, ax: Any = None, notes: Iterable[str] = ()
+) -> Any:
+    """Draw a column of `HISTORY` over time as a curve for each motion that moves, with its name; return the axis."""
+    ax = panel(ax, column, ("time $t$ (s)",), (HISTORY[column].label, HISTORY[column].unit), notes)
+    styles = _styles(motions)
     if not styles:
-        note(ax, ["none moves"])
-    ax.set(xlabel="time $t$ (s)")
-    measure(ax.yaxis, words, HISTORY[column].unit)
-    title(ax, column)
+        return empty(STILL, ax, "x", "y")
+    for k, style in sorted(styles.items(), key=lambda item: item[1] != REST):
+        colour, dashes, _ = style
+        times = columns_of_picture(motions[k])["time"]
+        values = columns_of_picture(motions[k])[column]
+        curve(ax, motions[k], times, values, color=colour, ls=dashes, lw=0.8 if style == REST else 1.5)
+        size = np.abs(values)
+        is_high = size >= 0.6 * size.max()
+        if style != REST and len(motions) > 1:
+            add_label(ax, names[k], anchors_along(times[is_high], values[is_high]), colour, parse_math=False)
     ax.margins(y=0.12)
-    ax.grid(alpha=0.3)
     return ax
 
 
-def _bars(motions: Sequence[Motion], ax: Any) -> Any:
+def _run_outs(motions: Sequence[Motion], ax: Any) -> Any:
     """Draw run-outs as bars with peak velocities and durations, the greatest if there are many; return the axis."""
     order = sorted(range(len(motions)), key=lambda k: -abs(motions[k].run_out))
     shown = [motions[k] for k in sorted(order[:_MOST_BARS])]
@@ -126,21 +105,17 @@ def _bars(motions: Sequence[Motion], ax: Any) -> Any:
     for m in shown:
         speed = abs(float(m.peak.velocity))
         words.append(_words(m.run_out, speed, f"{ending(m)} after", m.settling_time) if m.moves else STILL)
-    names = [motion.plan.scene.name for motion in shown]
-    _draw_bars(ax, names, [(motion.run_out, motion.arrested) for motion in shown], words)
     more = ""
-    hidden = order[_MOST_BARS:]
-    if hidden:
-        farthest = abs(motions[hidden[0]].run_out)
-        more = f"; {len(hidden)} more, each at most {amount(farthest, 'm')}"
-    measure(ax.xaxis, "run-out along the arc", "m", more)
-    title(ax, "run-out")
+    if hidden := order[_MOST_BARS:]:
+        more = f"; {len(hidden)} more, each at most {formatted_amount(abs(motions[hidden[0]].run_out), 'm')}"
+    panel(ax, "run-out", (*_RUN_OUT, more))
+    _draw_run_outs(ax, [m.plan.scene.name for m in shown], [(m.run_out, m.arrested) for m in shown], words)
     return ax
 
 
-def _draw_bars(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bool]], words: Sequence[str]) -> None:
+def _draw_run_outs(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bool]], words: Sequence[str]) -> None:
     """Draw a bar for each run-out in m, styled by whether the mass is at rest, between a name and its outcome."""
-    lines(ax, names)
+    name_rows(ax, names)
     for place, (run_out, arrested) in enumerate(outcomes):
         ax.barh(place, run_out, height=0.62, **AREAS["rests" if arrested else "moves on"])
     side = ax.secondary_yaxis("right")
@@ -149,24 +124,27 @@ def _draw_bars(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bo
 
 
 def _words(run_out: float, speed: float, end: str, duration: float) -> str:
-    return f"{amount(run_out, 'm')}, peak {amount(speed, 'm/s')}, {end} {number(duration)} s"
+    return (
+        f"{formatted_amount(run_out, 'm')}, peak {formatted_amount(speed, 'm/s')}, {end} {formatted_number(duration)} s"
+    )
 
 
-def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
+def ladder(rungs: Sequence[Rung], ax: Any = None) -> Any:
     """Draw the run-outs of a ladder, which adds the effects of a scene one by one, as bars; return the axis.
 
     A dotted line marks the run-out with all effects. Without an axis, a new figure is created.
     """
-    ax = axis(ax, (9.0, 3.5))
-    rungs = list(rungs)
+    most = rungs[-1].run_out
+    more = f"; dotted: with all effects, {formatted_amount(most, 'm')}"
+    ax = panel(ax, "run-out as effects are added", (*_RUN_OUT, more), size=(9.0, 3.5))
     names = [f"+ {r.added.replace('_', ' ')}" if r.added else "no effect" for r in rungs]
     words = []
     for r in rungs:
-        end = "at rest after" if r.arrested else "still moving at"
+        if r.arrested:
+            end = "at rest after"
+        else:
+            end = "still moving at"
         words.append(_words(r.run_out, r.peak_velocity, end, r.duration) if r.peak_velocity else STILL)
-    _draw_bars(ax, names, [(r.run_out, r.arrested) for r in rungs], words)
-    ax.axvline(rungs[-1].run_out, **LINES["help"])
-    title(ax, "run-out as effects are added")
-    most = amount(rungs[-1].run_out, "m")
-    measure(ax.xaxis, "run-out along the arc", "m", f"; dotted: with all effects, {most}")
+    _draw_run_outs(ax, names, [(r.run_out, r.arrested) for r in rungs], words)
+    ax.axvline(most, **LINES["help"])
     return ax

@@ -11,7 +11,7 @@ from slipcircle.base.kinds import Function, Pair
 from slipcircle.base.optional import optional
 from slipcircle.base.progress import track
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.pictures.plotstyle import described
+from slipcircle.workbench.outputs.pictures.plotstyle import figure_texts
 
 if TYPE_CHECKING:
     from slipcircle.workbench.outputs.pictures.film import Film
@@ -29,7 +29,8 @@ def check_picture(command: str, path: str = "", scenes: int = 1) -> None:
     Requires matplotlib. Only ``run`` can write a .gif, and only for one scene.
     """
     optional("matplotlib", "pictures")
-    kind, known = Path(path).suffix[1:].lower(), (*KINDS, *["gif"] * (command == "run"))
+    kind = Path(path).suffix[1:].lower()
+    known = (*KINDS, *["gif"] * (command == "run"))
     if path and kind not in known:
         raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(known)}")
     if kind == "gif" and scenes > 1:
@@ -51,7 +52,7 @@ def render(draw: Function, size: Pair, path: str) -> bytes:
         film = draw(figure)
         content = io.BytesIO()
         metadata = {
-            "png": {"Description": "\n".join(described(figure))},  # for tests and screen readers
+            "png": {"Description": "\n".join(figure_texts(figure))},  # for tests and screen readers
             "svg": {"Date": None},
             "pdf": {"CreationDate": None},
         }
@@ -74,7 +75,8 @@ def _played(film: "Film") -> bytes:
         artist.set_animated(True)  # excludes them from the background
     canvas.draw()
     figure.set_layout_engine("none")  # otherwise every frame would be laid out again
-    background, size = canvas.copy_from_bbox(figure.bbox), canvas.get_width_height()
+    background = canvas.copy_from_bbox(figure.bbox)
+    size = canvas.get_width_height()
     images = []
     for frame in track(range(len(film.times)), "frames drawn"):
         canvas.restore_region(background)
@@ -89,10 +91,11 @@ def _played(film: "Film") -> bytes:
     return content.getvalue()
 
 
-def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
-    """Return the functions that make a `Drawing` of a result, by kind of picture; modules are loaded on first use."""
+def drawing(what: str, result: Any) -> "Drawing":
+    """Return the drawing of a result by the kind of picture; modules are loaded on first use."""
     from slipcircle.workbench.outputs.pictures import (
         comparison,
+        costplot,
         layerplot,
         plots,
         searchplot,
@@ -101,41 +104,43 @@ def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
         suiteplots,
         tornado,
     )
-    from slipcircle.workbench.outputs.pictures.costplot import frontier
     from slipcircle.workbench.outputs.pictures.sheets import sheet
 
-    def alone(draw: Callable[..., Any], height: float) -> Callable[[Any], "Drawing"]:
-        return lambda result: sheet([(height, [partial(draw, result)])])
-
-    return {
-        "motions": lambda motions: plots.overview(*motions) if len(motions) == 1 else comparison.overview(motions),
-        "section": alone(plots.section, 5.0),
+    of_one_panel: Mapping[str, tuple[Function, float]] = {  # with the height in inches
+        "section": (plots.section, 5.0),
+        "phase plane": (plots.phase_plane, 4.0),
+        "shaking": (plots.shaking, 3.0),
+        "stress along the arc": (layerplot.stress_along, 3.0),
+        "slope": (sectionplot.slope, 5.0),
+        "cost": (costplot.frontier, 5.0),
+    }
+    if what in of_one_panel:
+        draw, height = of_one_panel[what]
+        return sheet([(height, [partial(draw, result)])])
+    if what == "ladder":
+        return sheet([(1.2 + 0.4 * len(result), [partial(plots.ladder, result)])])
+    if what == "motions" and len(result) == 1:
+        return plots.motion_overview(*result)
+    of_several: Mapping[str, Callable[[Any], Drawing]] = {
+        "motions": comparison.comparison_overview,
         "histories": plots.histories,
-        "phase plane": alone(plots.phase_plane, 4.0),
-        "shaking": alone(plots.shaking, 3.0),
-        "stress along the arc": alone(layerplot.stress_along, 3.0),
-        "suite": suiteplots.overview,
-        "study": studyplots.overview,
+        "suite": suiteplots.suite_overview,
+        "study": studyplots.study_overview,
         "sensitivity": tornado.panels,
         "backanalysis": studyplots.explained,
-        "slope": alone(sectionplot.slope, 5.0),
-        "search": lambda named: searchplot.overview(*named),
-        "ladder": lambda rungs: alone(plots.ladder, 1.2 + 0.4 * len(rungs))(rungs),
-        "cost": alone(frontier, 5.0),
+        "search": searchplot.search_overview,
     }
-
-
-def drawing(what: str, result: Any) -> "Drawing":
-    """Return the drawing of a result; ``what`` is a key of `_drawings`."""
-    return _drawings()[what](result)
+    return of_several[what](result)
 
 
 def picture(what: str, result: Any, path: str) -> bytes:
     """Return a picture of a result as bytes in the format of a file name; a GIF animates the first motion."""
-    return slide(result[0]) if path.lower().endswith("gif") else render(*drawing(what, result), path)
+    if path.lower().endswith("gif"):
+        return slide_gif(result[0])
+    return render(*drawing(what, result), path)
 
 
-def slide(motion: Motion, seconds: float = 5.0) -> bytes:
+def slide_gif(motion: Motion, seconds: float = 5.0) -> bytes:
     """Return a GIF that plays a motion in ``seconds``."""
     from slipcircle.workbench.outputs.pictures.film import film
 

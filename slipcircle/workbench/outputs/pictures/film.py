@@ -8,8 +8,8 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import printed
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.pictures.plotstyle import area, axis, number, pace
-from slipcircle.workbench.outputs.pictures.sectionplot import set_stage
+from slipcircle.workbench.outputs.pictures.plotstyle import area, formatted_number, pace, panel
+from slipcircle.workbench.outputs.pictures.sectionplot import magnified, set_stage
 
 _FRAMES = 60
 
@@ -26,42 +26,35 @@ class Film(NamedTuple):
 
 def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     """Return an animated section that plays a motion in ``seconds``, with one frame if the mass does not move."""
-    ax = axis(None if figure is None else figure.add_subplot())
-    stage = set_stage(motion, ax)
-    mass = stage.mass
-    turn_per_rotation = stage.magnification * float(motion.plan.scene.arc.facing)
+    ax = panel(None if figure is None else figure.add_subplot(), "")
+    mass = set_stage(motion, ax).mass
+    magnification = magnified(motion)
     area(ax, mass.outline(), "start")
     body = area(ax, mass.outline(), "moving", zorder=4)
     times = np.linspace(0.0, motion.settling_time, frames if motion.moves else 1)
     states = motion.at(times)
-    turns = turn_per_rotation * states.rotation
-    speeds = np.abs(states.velocity)
+    turns = magnification * float(motion.plan.scene.arc.facing) * states.rotation
     (far, length), (fast, velocity) = printed("m"), printed("m/s")
-    pace = _pace(motion, seconds, stage.magnification)
+    if motion.moves:
+        words = f"; {pace(motion.settling_time, seconds)}"
+    else:
+        words = ""
+    if magnification > 1.0:
+        words += f", displacements {formatted_number(magnification)} times as large"
     title = ax.figure.suptitle(" ", fontsize="medium")
 
     def draw(frame: int) -> tuple[Any, ...]:
         body.set_xy(mass.outline(float(turns[frame])))
         displacement = far * states.displacement[frame]
-        speed = fast * speeds[frame]
-        title.set_text(f"{times[frame]:.2f} s: {displacement:.2f} {length}, {speed:.2f} {velocity}{pace}")
+        speed = fast * abs(states.velocity[frame])
+        title.set_text(f"{times[frame]:.2f} s: {displacement:.2f} {length}, {speed:.2f} {velocity}{words}")
         return body, title
 
     draw(0)
     return Film(ax.figure, (body, title), draw, times, seconds)
 
 
-def _pace(motion: Motion, seconds: float, magnification: float) -> str:
-    """Return the speed-up of an animation and the magnification of its displacements as text."""
-    words = ""
-    if motion.moves:
-        words = f"; {pace(motion.settling_time, seconds)}"
-    if magnification > 1.0:
-        words += f", displacements {number(magnification)} times as large"
-    return words
-
-
-def animate(motion: Motion, seconds: float = 5.0, figure: Any = None) -> Any:
+def slide_animation(motion: Motion, seconds: float = 5.0, figure: Any = None) -> Any:
     """Return the slide as a `matplotlib.animation.FuncAnimation` that plays for ``seconds``.
 
     The section shows the mass at equidistant times, with a single frame if it does not move. A given figure has to be

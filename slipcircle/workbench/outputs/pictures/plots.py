@@ -4,9 +4,9 @@ Matplotlib is loaded when the first picture is drawn. Labels are beside their cu
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -17,61 +17,46 @@ from slipcircle.layers import LayeredSection
 from slipcircle.messages import standing, swings_back
 from slipcircle.tables import in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
-from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.common.trace import columns_of_picture
 from slipcircle.workbench.outputs.pictures.comparison import ladder
-from slipcircle.workbench.outputs.pictures.film import animate
+from slipcircle.workbench.outputs.pictures.film import slide_animation
 from slipcircle.workbench.outputs.pictures.layerplot import stress_along
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
-    amount,
-    axis,
+    add_label,
+    add_mark,
+    anchors_along,
+    check_choice,
     curve,
     empty,
     ending,
-    known,
-    label,
-    mark,
-    measure,
-    number,
-    outcome,
-    points_of,
+    formatted_amount,
+    formatted_number,
+    label_direction,
+    outcome_words,
+    panel,
     still,
-    title,
     width,
     work,
 )
 from slipcircle.workbench.outputs.pictures.sectionplot import section
 from slipcircle.workbench.outputs.pictures.sheets import Drawing, heading, sheet
 
-__all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
+__all__ = ["HISTORIES", "history", "ladder", "motion_overview", "phase_plane", "section", "shaking", "slide_animation"]
 
-
-class Curve(NamedTuple):
-    """Column of `HISTORY` as a curve, with its line style and its label."""
-
-    column: str
-    line: str = "main"
-    label: str = ""
-
-
-# Panels that `history` draws: symbol of the quantity, and its curves, first the quantity itself.
-HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
-    "velocity": (" $v$", (Curve("velocity"),)),
-    "displacement": (" $s$", (Curve("displacement"),)),
-    "rotation": (" $\\phi$", (Curve("rotation"),)),
-    "friction": (
-        "",
-        (Curve("friction", "main", "mobilised $\\mu$"), Curve("holding_friction", "other", "required for equilibrium")),
-    ),
-    "strength": (
-        "",
-        (Curve("strength", "main", "mobilised"), Curve("required_strength", "other", "required for equilibrium")),
-    ),
-    "normal_stress": (
-        "",
-        (Curve("normal_stress", "main", "total $\\sigma_n$"), Curve("effective_stress", "other", "effective")),
-    ),
+# Symbols of the quantities that `history` draws.
+HISTORIES: Mapping[str, str] = {
+    "velocity": " $v$",
+    "displacement": " $s$",
+    "rotation": " $\\phi$",
+    **dict.fromkeys(("friction", "strength", "normal_stress"), ""),
+}
+# Label of a quantity beside a second quantity, with the name and the label of the latter.
+_COMPARED: Mapping[str, tuple[str, str, str]] = {
+    "friction": ("mobilised $\\mu$", "holding_friction", "required for equilibrium"),
+    "strength": ("mobilised", "required_strength", "required for equilibrium"),
+    "normal_stress": ("total $\\sigma_n$", "effective_stress", "effective"),
 }
 _TALL = 3.0  # greatest required friction in view, over the greatest mobilised friction
 _SECTION = 3.9  # height of the section, inches
@@ -85,55 +70,65 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     required for equilibrium at the same position. In a ``brief`` panel the marks are not named, as the panel beside it
     names them.
     """
-    known("history: what", what, HISTORIES)
-    ax, columns, quantity = axis(ax), drawn(motion), HISTORY[what]
-    symbol, every = HISTORIES[what]
-    times, values = columns["time"], columns[what]
-    curves = [line for line in every if line.column == what or _differs(columns[line.column], values)]
-    in_si = [columns[line.column] for line in curves]
-    factor, unit = _unit(quantity, in_si)
-    drawn_values = [factor * column for column in in_si]
-    ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
-    title(ax, quantity.label)
+    check_choice("history: what", what, HISTORIES)
+    columns = columns_of_picture(motion)
+    quantity = HISTORY[what]
+    times = columns["time"]
+    name, second, name_of_second = _COMPARED.get(what, ("", what, ""))
+    curves = {"main": columns[what]}
+    if _differs(columns[second], columns[what]):
+        curves["other"] = columns[second]
+    factor, unit = _unit(quantity, [*curves.values()])
+    curves = {line: factor * values for line, values in curves.items()}
+    words = f"{quantity.label}{HISTORIES[what]} ({unit or '–'})"
+    ax = panel(ax, quantity.label, ("time $t$ (s)",), (words,))
     if not motion.moves:
         return still(motion, ax)
-    for line, heights in zip(curves, drawn_values, strict=True):
-        curve(ax, motion, times, heights, **LINES[line.line])
-    _limit(ax, motion, what, drawn_values)
-    _mark_times(ax, motion, (times, drawn_values[0]), unit, what == "displacement", brief)
-    if len(curves) > 1:
-        for line, heights in zip(curves, drawn_values, strict=True):
-            label(ax, line.label, _in_view(ax, times, heights), LINES[line.line]["color"])
+    for line, values in curves.items():
+        curve(ax, motion, times, values, **LINES[line])
+    _limit(ax, motion, what in ("friction", "strength"), [*curves.values()])
+    _mark_times(ax, motion, (times, curves["main"]), unit, what == "displacement", brief)
     if what == "displacement":
         _rotation_axis(ax, motion)
+    for line, words in zip(curves, (name, name_of_second) * (len(curves) > 1), strict=False):
+        add_label(ax, words, _in_view(ax, times, curves[line]), LINES[line]["color"])
     return ax
-
-
-def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None:
-    """Set the limits: the whole duration, room for labels, and zero for friction and constant quantities."""
-    values = curves[0]
-    is_level = np.ptp(values) <= 1e-9 * np.max(np.abs(values))
-    ax.margins(y=0.16)
-    if what in ("friction", "strength") or is_level:
-        _from_zero(ax, curves)
-    ax.grid(alpha=0.3)
-    ax.set_xlim(0.0, motion.settling_time)
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
     """Return the factor from SI units to the unit of drawn curves of a quantity, and the name of the unit."""
-    return (math.degrees(1.0), "deg") if quantity.degrees else prefixed(np.concatenate(curves), quantity.unit)
+    if quantity.degrees:
+        return (math.degrees(1.0), "deg")
+    return prefixed(np.concatenate(curves), quantity.unit)
+
+
+def _limit(ax: Any, motion: Motion, from_zero: bool, curves: Sequence[Floats]) -> None:
+    """Set the limits: the whole duration, room for labels, and zero for friction and constant quantities.
+
+    Curves after the first are shown up to `_TALL` times the greatest value of the first, as the friction required for
+    equilibrium grows without bound when the normal stress vanishes.
+    """
+    values = curves[0]
+    ax.margins(y=0.16)
+    if from_zero or np.ptp(values) <= 1e-9 * np.max(np.abs(values)):
+        greatest, *tops = (float(np.max(curve, initial=0.0, where=np.isfinite(curve))) for curve in curves)
+        top = min(max(greatest, *tops, 0.0), _TALL * greatest or math.inf)
+        ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
+    ax.set_xlim(0.0, motion.settling_time)
 
 
 def _mark_times(ax: Any, motion: Motion, curve: ArrayPair, unit: str, with_run_out: bool, brief: bool) -> None:
     """Mark times on a curve with their values, and unless ``brief`` with their names and times."""
     for role, time, name in _marks(motion, with_run_out):
         value = _read(time, *curve)
-        words = f"{number(value)} {unit}".rstrip()
+        words = f"{formatted_number(value)} {unit}".rstrip()
         if not brief or role == "farthest":
-            words = f"{name}: {words}\nat {number(time)} s" if value else f"{name}\nafter {number(time)} s"
+            if value:
+                words = f"{name}: {words}\nat {formatted_number(time)} s"
+            else:
+                words = f"{name}\nafter {formatted_number(time)} s"
         ax.axvline(time, **LINES["help"])
-        mark(ax, time, value, role, words)
+        add_mark(ax, time, value, role, words)
 
 
 def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
@@ -141,44 +136,36 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     left, right = ax.get_xlim()
     low, high = ax.get_ylim()
     margin = 0.1 * (right - left)
-    in_middle = (left + margin < times) & (times < right - margin)
-    inside = in_middle & (low < values) & (values < high)
-    shown = inside if np.any(inside) else slice(None)
-    return points_of(times[shown], values[shown])
-
-
-def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
-    """Show curves from zero, and curves after the first up to `_TALL` times the greatest value of the first.
-
-    The friction required for equilibrium grows without bound as the normal stress vanishes.
-    """
-    tops = [float(np.max(curve, initial=0.0, where=np.isfinite(curve))) for curve in curves]
-    top = min(max(tops), _TALL * tops[0] or math.inf)
-    ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
+    inside = (left + margin < times) & (times < right - margin) & (low < values) & (values < high)
+    if np.any(inside):
+        shown = inside
+    else:
+        shown = slice(None)
+    return anchors_along(times[shown], values[shown])
 
 
 def _rotation_axis(ax: Any, motion: Motion) -> None:
     """Add an axis of rotations in deg to the right of displacements."""
     radius, _ = printed("m")
     degrees = math.degrees(1.0 / (radius * float(np.asarray(motion.plan.scene.arc.radius))))
-    side = ax.secondary_yaxis(
-        "right", functions=(lambda s: np.multiply(s, degrees), lambda phi: np.divide(phi, degrees))
-    )
-    side.set_ylabel("rotation $\\phi$ (deg)")
+    functions = partial(np.multiply, degrees), partial(np.multiply, 1.0 / degrees)
+    ax.secondary_yaxis("right", functions=functions).set_ylabel("rotation $\\phi$ (deg)")
 
 
-def _marks(motion: Motion, with_run_out: bool = False) -> list[tuple[str, float, str]]:
-    """Return mark, time in s and label of the peak velocity, of the run-out if the mass swings back, and of the end."""
-    marks = [("peak", float(motion.peak.time), "peak velocity")]
+def _marks(motion: Motion, with_run_out: bool = False) -> Iterator[tuple[str, float, str]]:
+    """Yield mark, time in s and label of the peak velocity, of the run-out if the mass swings back, and of the end."""
+    yield "peak", float(motion.peak.time), "peak velocity"
     if with_run_out and swings_back(motion):
-        marks.append(("farthest", float(motion.farthest.time), "farthest"))
-    return [*marks, ("end", motion.settling_time, ending(motion))]
+        yield "farthest", float(motion.farthest.time), "farthest"
+    yield "end", motion.settling_time, ending(motion)
 
 
 def _read(time: float, times: Floats, values: Floats) -> float:
     """Return the value of a column at a time; exactly 0 where only rounding error is left."""
     value = float(np.interp(time, times, values))
-    return 0.0 if abs(value) < 1e-9 * float(np.max(np.abs(values))) else value
+    if abs(value) < 1e-9 * float(np.max(np.abs(values))):
+        return 0.0
+    return value
 
 
 def _differs(one: Floats, other: Floats) -> bool:
@@ -192,12 +179,15 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     Dissipation and kinetic energy make up the work. If the mass turns back, the path travelled replaces the
     displacement.
     """
-    ax, columns = axis(ax), drawn(motion)
-    title(ax, "speed and energy")
+    columns = columns_of_picture(motion)
     steps = np.diff(columns["displacement"])
     turns_back = bool(np.any(steps < 0.0) and np.any(steps > 0.0))
     along = columns["path" if turns_back else "displacement"]
-    measure(ax.xaxis, "path travelled, as it turns back" if turns_back else "displacement $s$", "m")
+    if turns_back:
+        across = "path travelled, as it turns back"
+    else:
+        across = "displacement $s$"
+    ax = panel(ax, "speed and energy", (across, "m"))
     _energies(motion, ax, along)
     if not motion.moves:
         return still(motion, ax)
@@ -206,22 +196,22 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     right = ax.twinx()
     speed = np.abs(columns["velocity"])
     curve(right, motion, along, speed, **LINES["main"])
-    measure(right.yaxis, "speed $|v|$", "m/s")
+    label_direction(right.yaxis, "speed $|v|$", "m/s")
     right.yaxis.label.set_color(LINES["main"]["color"])
     right.set_ylim(0.0, 1.2 * float(np.max(speed)))
     for role, time, words in _marks(motion):
         place = _read(time, columns["time"], along)
         height = _read(time, columns["time"], speed)
-        measured = f"{words}:\n{amount(height, 'm/s')} at {amount(place, 'm')}"
-        mark(right, place, height, role, measured if height else "")
+        measured = f"{words}:\n{formatted_amount(height, 'm/s')} at {formatted_amount(place, 'm')}"
+        add_mark(right, place, height, role, measured if height else "")
     onwards = along * math.copysign(1.0, farthest)
-    label(right, "speed", _in_view(right, onwards, speed), LINES["main"]["color"])
+    add_label(right, "speed", _in_view(right, onwards, speed), LINES["main"]["color"])
     return ax
 
 
 def _energies(motion: Motion, ax: Any, along: Floats) -> None:
     """Draw dissipation and kinetic energy, stacked, and the work that supplies them; label the axis."""
-    columns = drawn(motion)
+    columns = columns_of_picture(motion)
     at_start = float(columns["kinetic_energy"][0])
     supplied = at_start + columns["work_of_gravity_and_shaking"]
     factor, unit = prefixed(np.concatenate([supplied, columns["dissipation"]]), "J")
@@ -240,13 +230,11 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> None:
     ax.set_ylim(0.0, 1.2 * float(np.max(total)))
     words = work(motion) + (" and first kinetic energy" if at_start else "")
     later = slice(len(along) // 4, None)
-    on_line = points_of(along[later], supplied[later])
-    in_middle = points_of(along[later], dissipation[later] / 2)
-    label(ax, words, on_line, LINES["total"]["color"])
-    label(ax, "dissipation", in_middle, "0.25", inside=True)
+    add_label(ax, words, anchors_along(along[later], supplied[later]), LINES["total"]["color"])
+    add_label(ax, "dissipation", anchors_along(along[later], dissipation[later] / 2), "0.25", inside=True)
     thickest = int(np.argmax(kinetic))
     middle = dissipation[thickest] + kinetic[thickest] / 2
-    label(ax, "kinetic energy", (along[thickest], middle), "0.25")
+    add_label(ax, "kinetic energy", (along[thickest], middle), "0.25")
 
 
 def shaking(motion: Motion, ax: Any = None) -> Any:
@@ -255,40 +243,47 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     The whole record is drawn if the mass does not move. The yield coefficient at the start is drawn as well: without
     k_v, a mass at rest starts when k_h exceeds it, as long as its position and its friction are as at the start.
     """
-    ax = axis(ax, (7.0, 2.5))
-    title(ax, "ground acceleration")
-    ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
-    functions = {n: f for n, f in in_time(motion.plan.scene.called).items() if n.startswith("shaking.")}
-    kinks = [np.asarray(function.kinks) for function in functions.values()]
+    ax = panel(ax, "ground acceleration", ("time $t$ (s)",), ("shaking over $g$ (–)",), size=(7.0, 2.5))
+    called = in_time(motion.plan.scene.called)
+    functions = {line: called[name] for name, line in _SHAKING.items() if name in called}
     if not functions:
         return empty("not shaken", ax, "x", "y")
     if motion.moves:
-        last, times = motion.settling_time, drawn(motion)["time"]
+        last = motion.settling_time
+        times = columns_of_picture(motion)["time"]
     else:
-        last = float(np.max(np.concatenate(kinks)))
-        times = np.unique(np.concatenate([np.linspace(0, last, 401), *kinks]))
-    for way, words, line in (
-        ("horizontal", "down-slope $k_h$", "main"),
-        ("vertical", "vertical $k_v$, reduces the weight", "other"),
-    ):
-        if (function := functions.get(f"shaking.{way}")) is not None:
-            ax.plot(times, function(times), **{**LINES[line], "lw": 1.2})
-            label(ax, words, points_of(times, function(times), 40), LINES[line]["color"])
+        kinks = np.concatenate([np.asarray(function.kinks) for function in functions.values()])
+        last = float(np.max(kinks))
+        times = np.union1d(np.linspace(0, last, 401), kinks)
+    for (line, words), function in functions.items():
+        ax.plot(times, function(times), **{**LINES[line], "lw": 1.2})
+        add_label(ax, words, anchors_along(times, function(times), 40), LINES[line]["color"])
     yields = motion.yield_coefficient
     ax.axhline(yields, **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
     ax.margins(y=0.25)
     side = ax.secondary_yaxis("right")
-    side.set_yticks([yields], [f"yields at\nthe start:\n$k_y$ = {number(yields)}"], fontsize="small")
-    ax.grid(alpha=0.3)
+    side.set_yticks([yields], [f"yields at\nthe start:\n$k_y$ = {formatted_number(yields)}"], fontsize="small")
     return ax
 
 
-def overview(motion: Motion) -> Drawing:
+_SHAKING: Mapping[str, tuple[str, str]] = {  # style and label of each component
+    "shaking.horizontal": ("main", "down-slope $k_h$"),
+    "shaking.vertical": ("other", "vertical $k_v$, reduces the weight"),
+}
+
+
+def motion_overview(motion: Motion) -> Drawing:
     """Return the picture of a motion: the section, and the other panels in pairs below it."""
-    panels = _panels(motion)
+    arc = motion.plan.scene.arc
+    panels: list[Callable[..., Any]] = []
+    if motion.moves:
+        panels = [*_histories(motion), partial(phase_plane, motion)]
+    panels += [partial(shaking, motion)] * ("shaking" in motion.plan.effects)
+    panels += [partial(stress_along, motion)] * isinstance(arc, LayeredSection)
     pairs = [(_PANEL, panels[k : k + 2]) for k in range(0, len(panels), 2)]
-    return sheet([(_SECTION, [partial(section, motion)]), *pairs], outcome_title(motion))
+    words = heading(motion.plan.scene.name, outcome_words(motion) if motion.moves else standing(motion))
+    return sheet([(_SECTION, [partial(section, motion)]), *pairs], words)
 
 
 def histories(motion: Motion) -> Drawing:
@@ -305,23 +300,6 @@ def _histories(motion: Motion) -> list[Callable[..., Any]]:
     has_strength = "cohesion" in motion.plan.effects or isinstance(motion.plan.scene.arc, LayeredSection)
     names = ("velocity", "displacement", "strength" if has_strength else "friction", "normal_stress")
     return [partial(history, motion, what, brief=what != "velocity") for what in names]
-
-
-def _panels(motion: Motion) -> list[Callable[..., Any]]:
-    """Return functions that draw the panels below the section, in order."""
-    panels: list[Callable[..., Any]] = []
-    if motion.moves:
-        panels = [*_histories(motion), partial(phase_plane, motion)]
-    if "shaking" in motion.plan.effects:
-        panels.append(partial(shaking, motion))
-    if isinstance(motion.plan.scene.arc, LayeredSection):
-        panels.append(partial(stress_along, motion))
-    return panels
-
-
-def outcome_title(motion: Motion) -> str:
-    """Return a scene's name and its outcome to three digits."""
-    return heading(motion.plan.scene.name, outcome(motion) if motion.moves else standing(motion))
 
 
 # Single panels of `Motion.plot`.

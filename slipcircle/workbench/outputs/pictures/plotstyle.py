@@ -11,7 +11,7 @@ from slipcircle.base.optional import optional
 from slipcircle.base.text import measured, printed, shown
 from slipcircle.core import Motion, Status
 from slipcircle.messages import standing, swings_back
-from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.common.trace import columns_of_picture
 from slipcircle.workbench.files.keys import Key
 
 FIRST = "first standstill"  # end of a motion that is computed to its first standstill
@@ -77,9 +77,27 @@ SCENERY: Mapping[str, Values] = {
 }
 
 
-def axis(ax: Any = None, size: Pair = (7.0, 4.5)) -> Any:
-    """Return the given axis, or the axis of a new figure of a size in inches."""
-    return new_figure(size).add_subplot() if ax is None else ax
+_NO_WORDS = ("",)
+
+
+def panel(
+    ax: Any,
+    words: str,
+    across: Sequence[str] = _NO_WORDS,
+    up: Sequence[str] = _NO_WORDS,
+    notes: Iterable[str] = (),
+    size: Pair = (7.0, 4.5),
+) -> Any:
+    """Return the given axis, or the axis of a new figure of a size in inches, with a title, notes and a grid.
+
+    ``across`` and ``up`` are the arguments of `label_direction` for both directions.
+    """
+    ax = new_figure(size).add_subplot() if ax is None else ax
+    title(ax, words, notes)
+    ax.grid(alpha=0.3)
+    label_direction(ax.xaxis, *across)
+    label_direction(ax.yaxis, *up)
+    return ax
 
 
 def new_figure(size: Pair) -> Any:
@@ -87,30 +105,32 @@ def new_figure(size: Pair) -> Any:
     return optional("matplotlib.pyplot", "pictures").figure(figsize=size, layout="constrained")
 
 
-def known(what: str, given: str, choice: Iterable[str]) -> None:
+def check_choice(what: str, given: str, choice: Iterable[str]) -> None:
     """Raise ValueError if a name is not among the choices; ``what`` names the argument in the message."""
     if given not in choice:
         raise ValueError(f"{what} = {given!r}: must be one of {', '.join(choice)}")
 
 
-def number(value: float) -> str:
+def formatted_number(value: float) -> str:
     """Return a number with four significant digits as text, with a power of ten as a formula."""
     mantissa, _, exponent = shown(float(value)).partition("e")
-    return f"${mantissa}\\times10^{{{int(exponent)}}}$" if exponent else mantissa
+    if exponent:
+        return f"${mantissa}\\times10^{{{int(exponent)}}}$"
+    return mantissa
 
 
-def amount(value: float, unit: str) -> str:
-    """Return a quantity in an SI unit as `number`, with its unit of output."""
+def formatted_amount(value: float, unit: str) -> str:
+    """Return a quantity in an SI unit as `formatted_number`, with its unit of output."""
     factor, name = printed(unit)
-    return f"{number(factor * value)} {name}"
+    return f"{formatted_number(factor * value)} {name}"
 
 
-def measure(line: Any, words: str, unit: str, more: str = "") -> None:
-    """Label an axis line of a plot, of values in an SI unit, with numbers in the unit of output."""
+def label_direction(line: Any, words: str, unit: str | None = None, more: str = "") -> None:
+    """Label an axis line of a plot; if its values have an SI unit, with numbers in the unit of output."""
     from matplotlib.ticker import AutoLocator, FuncFormatter, LogLocator
 
-    factor, name = printed(unit)
-    line.set_label_text(f"{words} ({name or '–'}){more}")
+    factor, name = (1.0, "") if unit is None else printed(unit)
+    line.set_label_text(words if unit is None else f"{words} ({name or '–'}){more}")
     if factor == 1.0:
         return
 
@@ -129,7 +149,7 @@ def measure(line: Any, words: str, unit: str, more: str = "") -> None:
 
 
 def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
-    """Add the legend above the right end of the axis, beside the title, and return it."""
+    """Add the legend above the axis, to the right of the title, and return it."""
     return ax.legend(
         loc="lower right",
         bbox_to_anchor=(1.0, 1.0),
@@ -144,29 +164,26 @@ def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
     )
 
 
-def label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: bool = False, **more: Any) -> None:
+def add_label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: bool = False, **more: Any) -> None:
     """Add a label beside the best of its anchors, which are points (n, 2), where it covers least."""
     from slipcircle.workbench.outputs.pictures.labels import Label
 
     Label(ax, words, anchors, colour, inside, **more)
 
 
-def points_of(x: Any, y: Any, count: int = 12) -> Any:
+def anchors_along(x: Any, y: Any, count: int = 12) -> Any:
     """Return about ``count`` points of a curve, (points, 2), as anchors of its label."""
     points = np.column_stack(np.broadcast_arrays(x, y))
     apart = max(1, len(points) // count)
     return points[::apart]
 
 
-def note(ax: Any, words: Iterable[str]) -> None:
+def add_note(ax: Any, words: Iterable[str]) -> None:
     """Write lines of text at the emptiest place of an axis."""
     inside = np.arange(1, 14) / 14
-    left, right = ax.get_xlim()
-    bottom, top = ax.get_ylim()
-    across = left + inside * (right - left)
-    up = bottom + inside * (top - bottom)
-    places = np.stack(np.meshgrid(across, up), axis=-1)
-    label(ax, "\n".join(words), places, "0.25", inside=True)
+    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+    places = np.meshgrid(left + inside * (right - left), bottom + inside * (top - bottom))
+    add_label(ax, "\n".join(words), np.stack(places, axis=-1), "0.25", inside=True)
 
 
 def quantity_words(quantity: Key) -> str:
@@ -174,7 +191,9 @@ def quantity_words(quantity: Key) -> str:
     *groups, last = quantity.name.replace("_", " ").split(".")
     if groups and groups[-1].isdigit():  # a point of a line, or a layer
         place = int(groups[-1])
-        return f"top of layer {place}" if last == "top" else f"{last} of {groups[0]} point {place}"
+        if last == "top":
+            return f"top of layer {place}"
+        return f"{last} of {groups[0]} point {place}"
     if groups[:1] == ["soils"]:
         _, soil, *rest = groups
         of_soil = replace(quantity, name=".".join([*rest, last]))
@@ -191,7 +210,7 @@ def quantity_words(quantity: Key) -> str:
     return " ".join([*named, last])
 
 
-def unit_of(quantity: Key) -> str:
+def key_unit(quantity: Key) -> str:
     """Return the unit of a number's key as a picture shows it."""
     unit = quantity.written or ("$g$" if quantity.key.endswith("_g") else "")
     return unit.replace("m3", "m³").replace("^2", "²")
@@ -199,7 +218,7 @@ def unit_of(quantity: Key) -> str:
 
 def axis_words(quantity: Key) -> str:
     """Return the name of an axis for a number of a scene: its words and its unit."""
-    return f"{quantity_words(quantity)} ({unit_of(quantity) or '–'})"
+    return f"{quantity_words(quantity)} ({key_unit(quantity) or '–'})"
 
 
 def area(ax: Any, outline: Any, role: str, **more: Any) -> Any:
@@ -211,10 +230,9 @@ def area(ax: Any, outline: Any, role: str, **more: Any) -> Any:
 
 def to_scale(ax: Any, origin: str = "") -> None:
     """Set equal scales on the whole axis, and the names of its directions."""
-    measure(ax.xaxis, f"$x${origin}", "m")
-    measure(ax.yaxis, f"$y${origin}", "m")
+    label_direction(ax.xaxis, f"$x${origin}", "m")
+    label_direction(ax.yaxis, f"$y${origin}", "m")
     ax.set_aspect("equal", adjustable="datalim")
-    ax.grid(alpha=0.3)
 
 
 def title(ax: Any, words: str, notes: Iterable[str] = ()) -> None:
@@ -230,18 +248,18 @@ def letter(axes: Iterable[Any]) -> None:
         ax.set_title(f"{name}  {ax.get_title('left')}", loc="left", fontweight="bold", fontsize="medium")
 
 
-def mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:
+def add_mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:
     """Draw a mark of `MARKS` at a point, also on the edge, with words beside it."""
     ax.plot(x, y, ls="", clip_on=False, zorder=5, **MARKS[role])
     if words:
-        label(ax, words, (x, y), "black")
+        add_label(ax, words, (x, y), "black")
 
 
-def lines(ax: Any, names: Sequence[str]) -> None:
+def name_rows(ax: Any, names: Sequence[str]) -> None:
     """Prepare an axis for one bar per name, from the top down."""
     ax.set_yticks(range(len(names)), names, parse_math=False)
     ax.set_ylim(len(names) - 0.5, -0.5)
-    ax.grid(axis="x", alpha=0.3)
+    ax.grid(visible=False, axis="y")
 
 
 def empty(words: str, ax: Any, *sides: str) -> Any:
@@ -251,31 +269,25 @@ def empty(words: str, ax: Any, *sides: str) -> Any:
     return ax
 
 
-def described(figure: Any) -> list[str]:
+def figure_texts(figure: Any) -> list[str]:
     """Return the texts of titles, axes, legends and labels of a figure, except labels with measured values."""
     texts = [part.get_suptitle() for part in (figure, *figure.subfigs)]
-    legends = list(figure.legends)
+    legends = [*figure.legends, *filter(None, (ax.get_legend() for ax in figure.axes))]
     for ax in figure.axes:
         texts += [ax.get_title(), ax.get_title("left"), ax.get_xlabel(), ax.get_ylabel()]
-        texts += [" ".join(text.get_text().split()) for text in ax.texts if _is_fixed(text)]
-        legends += filter(None, [ax.get_legend()])
-    for explained in legends:
-        texts += [text.get_text() for text in explained.get_texts()]
+        labels = (text for text in ax.texts if hasattr(text, "anchors") and text.get_gid() != MEASURED)
+        texts += [" ".join(text.get_text().split()) for text in labels]
+    texts += [text.get_text() for legend in legends for text in legend.get_texts()]
     return [text for text in texts if text]
 
 
-def _is_fixed(text: Any) -> bool:
-    """Return whether a text is a label without measured values."""
-    return hasattr(text, "anchors") and text.get_gid() != MEASURED
-
-
 def curve(ax: Any, motion: Motion, x: Any, y: Any, **style: Any) -> None:
-    """Draw a curve over the times of `drawn`, grey where the motion is outside the range of the method."""
+    """Draw a curve over the times of `columns_of_picture`, grey where the motion is outside the range of the method."""
     from matplotlib.collections import LineCollection
 
     ax.plot(x, y, **style)
     if motion.outside_range:
-        outside = drawn(motion)["time"] >= motion.range_end.time
+        outside = columns_of_picture(motion)["time"] >= motion.range_end.time
         points = np.transpose([x, y])[outside]
         ax.add_collection(LineCollection([points], colors="0.6", lw=2.4, zorder=2.1), autolim=False)
 
@@ -286,12 +298,15 @@ def ending(motion: Motion) -> str:
         return "at rest"
     if motion.status is Status.CREEPS:
         return "creeping, 99 % covered"
-    return FIRST if motion.plan.scene.end_time is None else "still moving"
+    if motion.plan.scene.end_time is None:
+        return FIRST
+    return "still moving"
 
 
-def outcome(motion: Motion, digits: int = 3) -> str:
+def outcome_words(motion: Motion, digits: int = 3) -> str:
     """Return run-out, time and end of a motion in words, with numbers to some digits."""
-    time, end = motion.settling_time, ending(motion)
+    time = motion.settling_time
+    end = ending(motion)
     if swings_back(motion):
         time, end = motion.farthest.time, f"swings back to {measured(motion.end.displacement, 'm', digits)}"
     return f"{measured(motion.run_out, 'm', digits)} in {shown(time, digits)} s, {end}"
@@ -310,13 +325,15 @@ def width(motion: Motion) -> tuple[str, str, float]:
     metres = float(np.asarray(motion.plan.scene.arc.width))
     factor, name = printed("m")
     if metres != 1.0:
-        return f"of {amount(metres, 'm')} of width", "", 1.0
+        return f"of {formatted_amount(metres, 'm')} of width", "", 1.0
     return f"per {'metre' if factor == 1.0 else name} of width", f"/{name}", 1.0 / factor
 
 
 def work(motion: Motion) -> str:
     """Return the name of the work: of gravity, or of gravity and shaking."""
-    return "work of gravity and shaking" if "shaking" in motion.plan.effects else "work of gravity"
+    if "shaking" in motion.plan.effects:
+        return "work of gravity and shaking"
+    return "work of gravity"
 
 
 def still(motion: Motion, ax: Any) -> Any:

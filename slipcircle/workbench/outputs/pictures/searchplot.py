@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.workbench.outputs.pictures.plotstyle import SCENERY, area, label, title, to_scale
+from slipcircle.workbench.outputs.pictures.plotstyle import SCENERY, add_label, area, panel, to_scale
 from slipcircle.workbench.outputs.pictures.sectionplot import factors_in_words, name_circle, scenery
 from slipcircle.workbench.outputs.pictures.shapes import View, mass_of
 from slipcircle.workbench.outputs.pictures.sheets import Drawing, heading, sheet
@@ -27,31 +27,33 @@ def critical_circle(critical: Critical, ax: Any) -> Any:
 
     mass = mass_of(critical, critical.slope)
     outline = mass.outline()
+    outcome = _outcome(critical)
+    if outcome:
+        words = f"critical circle by {_whose(critical)}: {outcome}"
+    else:
+        words = "given circle"
+    panel(ax, words, notes=[factors_in_words(critical), ""])
     area(ax, outline, "start")
     view = View.around(outline, mass.centre)
-    margin = _MARGIN * view.size
-    view = view.grown(2 * margin, margin)
+    view = view.grown(2 * _MARGIN * view.size, _MARGIN * view.size)
     first, last = mass.ground[[0, -1], 0]
     view = view._replace(left=max(view.left, first), right=min(view.right, last))
-    view = scenery(ax, mass, critical.slope, view, [outline])
-    view = _map(critical, ax, view)
-    label(ax, "mass", outline.mean(axis=0), "0.3", inside=True)
+    view = _map(critical, ax, scenery(ax, mass, critical.slope, view))
+    add_label(ax, "mass", outline.mean(axis=0), "0.3", inside=True)
     name_circle(ax, mass, critical.slope)
-    outcome = _outcome(critical)
     if view.holds(mass.centre):
         (cross,) = ax.plot(*mass.centre, **SCENERY["centre"])
         cross.set_path_effects([withStroke(linewidth=3.5, foreground="white")])  # visible on a dark map
-        label(ax, f"centre{outcome and f', {outcome}'}", mass.centre)
+        add_label(ax, f"centre{outcome and f', {outcome}'}", mass.centre)
     view.show(ax)
-    words = f"critical circle by {_whose(critical)}: {outcome}" if outcome else "given circle"
-    title(ax, words, [factors_in_words(critical), ""])
     to_scale(ax)
     ax.set_aspect("equal", adjustable="box")
     return ax
 
 
-def overview(name: str, critical: Critical) -> Drawing:
-    """Return a picture of a critical circle under the name of its slope."""
+def search_overview(named: tuple[str, Critical]) -> Drawing:
+    """Return a picture of a critical circle under the name of its slope, given as pair of name and circle."""
+    name, critical = named
     return sheet([(7.0, [partial(critical_circle, critical)])], heading(name, ""))
 
 
@@ -59,7 +61,9 @@ def _outcome(critical: Critical) -> str:
     """Return the least factor of safety or yield coefficient as text; empty for a given circle."""
     if critical.method == YIELD:
         return f"$k_y$ = {critical.yield_coefficient:.3f}"
-    return f"$F$ = {critical.factors_of_safety[critical.method]:.3f}" if critical.method else ""
+    if critical.method:
+        return f"$F$ = {critical.factors_of_safety[critical.method]:.3f}"
+    return ""
 
 
 def _whose(critical: Critical) -> str:
@@ -81,14 +85,11 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
         return view
     least = float(values.min())
     bottom = view.bottom
-    valley = centres[values <= (1.0 + _VALLEY) * least]
-    view = View.around(valley, (view.left, bottom), (view.right, view.top))
-    highest = bottom + _TALL * (view.right - view.left)
-    view = view._replace(top=min(view.top, highest))
-    inside = view.holds(centres)
+    view = View.around(centres[values <= (1.0 + _VALLEY) * least], (view.left, bottom), (view.right, view.top))
+    view = view._replace(top=min(view.top, bottom + _TALL * view.width))
     most = min(float(values.max()), least + max(_RANGE * abs(least), 0.05))
-    drawn = inside & (values < most)
-    cell = (view.right - view.left) / _CELLS
+    drawn = view.holds(centres) & (values < most)
+    cell = view.width / _CELLS
     view = view.grown(cell, cell)._replace(bottom=bottom)  # the outermost cells are complete
     cells = ax.hexbin(
         *centres[drawn].T,
@@ -103,7 +104,10 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
         zorder=0,
     )
     _contours(ax, cells, least, most)
-    quantity = "yield coefficient" if critical.method == YIELD else "factor of safety"
+    if critical.method == YIELD:
+        quantity = "yield coefficient"
+    else:
+        quantity = "factor of safety"
     words = f"least {quantity} of the circles about each centre, up to {most:.3g}, by {_whose(critical)}"
     ax.figure.colorbar(
         cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format=ScalarFormatter(useOffset=False)

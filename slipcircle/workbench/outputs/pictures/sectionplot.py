@@ -20,17 +20,16 @@ from slipcircle.workbench.outputs.pictures.plotstyle import (
     LINES,
     SCENERY,
     SOILS,
-    amount,
+    add_label,
     area,
-    axis,
     ending,
-    label,
-    number,
-    title,
+    formatted_amount,
+    formatted_number,
+    panel,
     to_scale,
 )
-from slipcircle.workbench.outputs.pictures.scenery import lines
-from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, Mass, View, mass_of
+from slipcircle.workbench.outputs.pictures.scenery import scenery_lines
+from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, MassShape, View, mass_of
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
@@ -43,10 +42,10 @@ _NAMES = {"water": _BLUE, "pond": _BLUE}  # colours of names that differ from th
 
 
 class Pose(NamedTuple):
-    """Position of the mass at a time that a section shows; the rotation is in rad."""
+    """Position of the mass that a section shows: role in `AREAS`, rotation in rad as drawn, and label."""
 
-    role: str  # of `AREAS`
-    rotation: float
+    role: str
+    turn: float
     words: str
 
 
@@ -68,133 +67,110 @@ def section(motion: Motion, ax: Any = None) -> Any:
     -------
     matplotlib axis
     """
-    ax = axis(ax, (8.0, 5.0))
+    ax = panel(ax, "section", notes=_notes(motion), size=(8.0, 5.0))
     stage = set_stage(motion, ax)
-    soil, turns, view = motion.plan.scene.arc, stage.turns, stage.view
+    soil = motion.plan.scene.arc
+    turns = [pose.turn for pose in stage.poses]
     farthest = max(turns, key=abs)
-    if farthest:
-        _continuation(ax, stage.mass, farthest)
+    if farthest:  # the circle beyond the toe, as the method assumes
+        points = stage.mass.on_circle(stage.mass.ends[int(farthest > 0.0)] + np.linspace(0.0, farthest, 60))
+        ax.plot(*points.T, **{**LINES["help"], "zorder": 4})
+        add_label(ax, "toe assumed to follow the circle", points[20:50:5], LINES["help"]["color"])
     rightwards = (farthest or float(soil.facing)) > 0.0
-    _draw_poses(ax, stage.poses, stage.outlines, rightwards)
+    for pose in stage.poses:
+        outline = stage.mass.outline(pose.turn)
+        area(ax, outline, pose.role, label=pose.role)
+        rear, front = tips = outline[[0, ON_ARC - 1]][:: 1 if rightwards else -1]
+        anchors = {"start": rear, "end": front}.get(pose.role, tips)
+        add_label(ax, pose.words, anchors, AREAS[pose.role]["edgecolor"])
     if isinstance(soil, LayeredSection):
         draw_stretches(ax, stage.mass, soil, turns[1:2])
     name_circle(ax, stage.mass, soil)
-    view.show(ax)
-    title(ax, "section", _notes(motion, stage.magnification))
+    stage.view.show(ax)
     return ax
 
 
-def slope(soil: Any, ax: Any) -> None:
-    """Draw an arc or a section to scale, with its circle and the mass at the start."""
-    mass = mass_of(soil, soil)
+def slope(soil: Any, ax: Any = None) -> Any:
+    """Draw an arc or a section to scale, with its circle and the mass at the start; return the axis."""
+    mass = mass_of(soil)
     outline = mass.outline()
+    ax = panel(ax, "section")
     view = surroundings(ax, mass, soil, [outline])
     area(ax, outline, "start")
     name_circle(ax, mass, soil)
     view.show(ax)
-    title(ax, "section")
+    return ax
 
 
 class Stage(NamedTuple):
-    """Scenery of the section of a motion, and positions of its mass."""
+    """Scenery of the section of a motion: its mass, the positions of the mass, and the view."""
 
-    mass: Mass
-    magnification: float
+    mass: MassShape
     poses: Sequence[Pose]
-    turns: Sequence[float]  # as they are drawn
-    outlines: Sequence[Floats]
     view: View
 
 
 def set_stage(motion: Motion, ax: Any) -> Stage:
     """Draw slope and circle of a motion to scale, with room for all positions of the mass."""
     soil = motion.plan.scene.arc
-    mass = mass_of(soil, soil)
-    magnification = magnified(motion)
-    facing = float(soil.facing)
-    poses = _poses(motion)
-    turns = [magnification * pose.rotation * facing for pose in poses]
-    outlines = [mass.outline(turn) for turn in turns]
-    view = surroundings(ax, mass, soil, outlines)
-    return Stage(mass, magnification, poses, turns, outlines, view)
+    mass = mass_of(soil)
+    poses = [*_poses(motion)]
+    return Stage(mass, poses, surroundings(ax, mass, soil, [mass.outline(pose.turn) for pose in poses]))
 
 
-def surroundings(ax: Any, mass: Mass, soil: Any, outlines: Sequence[Floats]) -> View:
+def surroundings(ax: Any, mass: MassShape, soil: Any, outlines: Sequence[Floats]) -> View:
     """Draw slope and circle to scale, with room for the given outlines of the mass; return the view."""
     view = View.around(*outlines)
     margin = _MARGIN * view.size
-    view = scenery(ax, mass, soil, view.grown(margin, margin), outlines)
-    origin = " from the centre K" if isinstance(soil, Arc) else ""
+    view = scenery(ax, mass, soil, view.grown(margin, margin))
+    if isinstance(soil, Arc):
+        origin = " from the centre K"
+    else:
+        origin = ""
     view.show(ax)
     to_scale(ax, origin)
     return view
 
 
-def _poses(motion: Motion) -> list[Pose]:
-    """Return the mass at the start, at the run-out, and at its peak velocity if that is in between."""
-    poses = [Pose("start", 0.0, "start")]
-    if motion.moves:
-        peak, farthest = motion.peak, motion.farthest
-        words, time = ("farthest", farthest.time) if swings_back(motion) else (ending(motion), motion.settling_time)
-        toe = (
-            f",\ntoe {amount(motion.journey.run_out, 'm')} further"
-            if isinstance(motion.plan.scene.arc, Section)
-            else ""
-        )
-        poses.append(Pose("end", float(farthest.rotation), f"{words} {_after(farthest, time)}{toe}"))
-        if peak.rotation not in (0.0, farthest.rotation):
-            poses.append(
-                Pose(
-                    "peak",
-                    float(peak.rotation),
-                    f"peak velocity {amount(abs(float(peak.velocity)), 'm/s')} {_after(peak, peak.time)}",
-                )
-            )
-    return poses
+def _poses(motion: Motion) -> Iterator[Pose]:
+    """Yield the mass at the start, at the run-out, and at its peak velocity if that is in between."""
+    yield Pose("start", 0.0, "start")
+    if not motion.moves:
+        return
+    peak, farthest = motion.peak, motion.farthest
+    scale = magnified(motion) * float(motion.plan.scene.arc.facing)
+    words, time = ("farthest", farthest.time) if swings_back(motion) else (ending(motion), motion.settling_time)
+    has_toe = isinstance(motion.plan.scene.arc, Section)
+    if has_toe:
+        toe = f",\ntoe {formatted_amount(motion.journey.run_out, 'm')} further"
+    else:
+        toe = ""
+    yield Pose("end", scale * float(farthest.rotation), f"{words} {_after(farthest, time)}{toe}")
+    if peak.rotation not in (0.0, farthest.rotation):
+        words = f"peak velocity {formatted_amount(abs(float(peak.velocity)), 'm/s')} {_after(peak, peak.time)}"
+        yield Pose("peak", scale * float(peak.rotation), words)
 
 
 def _after(state: Any, time: float) -> str:
     """Return time and displacement of a state as text."""
-    return f"\nafter {number(time)} s and {amount(state.displacement, 'm')}"
+    return f"\nafter {formatted_number(time)} s and {formatted_amount(state.displacement, 'm')}"
 
 
-def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], rightwards: bool) -> None:
-    """Draw the outline of the mass in each pose.
-
-    Labels are at the rear of the mass at the start and at its front at the run-out.
-    """
-    for pose, outline in zip(poses, outlines, strict=True):
-        area(ax, outline, pose.role, label=pose.role)
-        tips = outline[[0, ON_ARC - 1]]
-        rear, front = tips if rightwards else tips[::-1]
-        anchors = {"start": rear, "end": front}.get(pose.role, tips)
-        label(ax, pose.words, anchors, AREAS[pose.role]["edgecolor"])
-
-
-def _continuation(ax: Any, mass: Mass, turn: float) -> None:
-    """Draw the circle beyond the end of the arc towards which the mass turns, as the method assumes."""
-    toe = mass.ends[int(turn > 0.0)]
-    beyond = toe + np.linspace(0.0, turn, 60)
-    points = mass.on_circle(beyond)
-    ax.plot(*points.T, **{**LINES["help"], "zorder": 4})
-    label(ax, "toe assumed to follow the circle", points[20:50:5], LINES["help"]["color"])
-
-
-def _notes(motion: Motion, magnification: float) -> Iterator[str]:
+def _notes(motion: Motion) -> Iterator[str]:
     """Yield notes: factors of safety, toe and range of validity, frozen geometry, magnified displacements."""
     if factors := factors_in_words(stability_of(motion.plan.scene)):
         yield factors
     if both := starts(motion):
         yield start_words(motion, both)
-    where = [f"toe {height}"] if (height := toe_words(motion)) else []
-    where += [f"{OUTSIDE} {range_words(motion)}"] if motion.outside_range else []
-    if where:
-        yield "; ".join(where)
+    toe = toe_words(motion)
+    outside = f"{OUTSIDE} {range_words(motion)}"
+    if toe or motion.outside_range:
+        yield "; ".join([f"toe {toe}"] * bool(toe) + [outside] * bool(motion.outside_range))
     # The paper turns the mass (1.2) but evaluates J_r and J_theta, which it finds practically constant, at the start.
     if motion.moves and "rotation" not in motion.plan.effects:
         yield "frozen geometry: the mass turns by $s/R$, its forces remain as at the start"
-    if magnification > 1.0:
-        yield f"displacements drawn {number(magnification)} times as large"
+    if (magnification := magnified(motion)) > 1.0:
+        yield f"displacements drawn {formatted_number(magnification)} times as large"
 
 
 def magnified(motion: Motion) -> float:
@@ -213,15 +189,20 @@ def magnified(motion: Motion) -> float:
 
 def factors_in_words(critical: Critical | None) -> str:
     """Return the factors of safety with the names of their methods as text; empty without any."""
-    factors = critical.factors_of_safety if critical else {}
+    if critical:
+        factors = critical.factors_of_safety
+    else:
+        factors = {}
     known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors.items() if value is not None]
-    return f"factor of safety {', '.join(known)}" if known else ""
+    if known:
+        return f"factor of safety {', '.join(known)}"
+    return ""
 
 
 # --- ground, water and circle ----------------------------------------------------------------------------------------
 
 
-def scenery(ax: Any, mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) -> View:
+def scenery(ax: Any, mass: MassShape, soil: Any, view: View) -> View:
     """Draw the circle and the surroundings of the mass; return the view, extended down to the firm layer."""
     ax.plot(*mass.arc.T, zorder=4, **LINES["main"])
     base = getattr(soil, "base", None)
@@ -229,7 +210,7 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View, outlines: Sequence[Float
     if base is not None:
         bottom = base
         view = view._replace(bottom=min(view.bottom, base - _BELOW * view.size))
-    for line in lines(mass, soil, view, outlines):
+    for line in scenery_lines(mass, soil, view):
         colour = _NAMES.get(line.role, "0.2")
         style = SCENERY[line.role]
         if line.role == "soil":
@@ -243,24 +224,23 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View, outlines: Sequence[Float
         else:
             ax.plot(*line.points.T, **style)
         if line.name:
-            label(ax, line.name, line.places, colour, inside=line.role == "soil")
+            add_label(ax, line.name, line.places, colour, inside=line.role == "soil")
     return view
 
 
-def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
+def name_circle(ax: Any, mass: MassShape, soil: Any) -> None:
     """Label the circle, and the chord of an arc."""
-    words = f"slip circle, $R$ = {amount(mass.radius, 'm')}"
-    colour = "0.25" if isinstance(soil, LayeredSection) else LINES["main"]["color"]
-    quarter = ON_ARC // 4
-    middle_half = mass.arc[quarter:-quarter:10]
-    label(ax, words, middle_half, colour)
+    words = f"slip circle, $R$ = {formatted_amount(mass.radius, 'm')}"
+    if isinstance(soil, LayeredSection):
+        colour = "0.25"
+    else:
+        colour = LINES["main"]["color"]
+    add_label(ax, words, mass.arc[ON_ARC // 4 : -ON_ARC // 4 : 6], colour)
     if not isinstance(soil, Arc):
         return
     chord = 2 * mass.radius * math.sin(float(soil.half_angle))
     dip = math.degrees(1.5 * math.pi - mass.ends.mean())
-    depth = float(soil.depth)
-    words = f"chord {amount(chord, 'm')}, dip {number(dip)} deg, depth {amount(depth, 'm')}"
+    depth = formatted_amount(float(soil.depth), "m")
+    words = f"chord {formatted_amount(chord, 'm')}, dip {formatted_number(dip)} deg, depth {depth}"
     left, right = mass.ground
-    shares = np.linspace(0.2, 0.8, 7)
-    along_chord = left + shares[:, None] * (right - left)
-    label(ax, words, along_chord)
+    add_label(ax, words, left + np.linspace(0.2, 0.8, 7)[:, None] * (right - left))

@@ -30,10 +30,13 @@ def _draw(rows: Sequence[Row], title: str, apart: bool, figure: Any) -> Any:
     grid = figure.add_gridspec(len(rows), _COLUMNS, height_ratios=[height for height, _ in rows])
     axes = []
     for row, (_, panels) in enumerate(rows):
-        host, cells, place = figure, grid, row
+        host = figure
+        cells = grid
+        place = row
         if apart:
             host = figure.add_subfigure(grid[row, :])
-            cells, place = host.add_gridspec(1, _COLUMNS), 0
+            cells = host.add_gridspec(1, _COLUMNS)
+            place = 0
         for column, draw in enumerate(panels):
             spec = cells[place, column if len(panels) > 1 else slice(None)]
             axes.append(draw(ax=host.add_subplot(spec)))

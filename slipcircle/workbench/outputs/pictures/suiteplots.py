@@ -6,25 +6,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.outputs.pictures.comparison import STILL, curves
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     SERIES,
-    amount,
-    axis,
+    add_label,
+    add_note,
+    anchors_along,
     empty,
-    label,
+    formatted_amount,
+    label_direction,
     legend,
-    measure,
-    note,
-    points_of,
-    title,
+    panel,
 )
 from slipcircle.workbench.outputs.pictures.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.studies.fragility import interval_note
-from slipcircle.workbench.studies.statistics import distribution, exceedance
+from slipcircle.workbench.studies.statistics import distribution, exceedance_probabilities
 
 if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
@@ -42,26 +40,24 @@ def displacements(study: "Study", ax: Any = None) -> Any:
 
     The records have the scale next to their own; for samples the displacement is the median.
     """
-    ax, scale = axis(ax), study.own_scale
+    scale = study.own_scale
     values = np.median(study.displacement[:, :, scale], axis=-1)
     order = np.argsort(values.mean(axis=1))
     ranks = np.arange(order.size)
     in_order = values[order]
+    ax = panel(ax, "displacement by record")
     ax.hlines(ranks, in_order.min(axis=1), in_order.max(axis=1), color="0.7", lw=1.0, zorder=1)
     for name, column, (colour, _, marker) in zip(_POLARITIES, in_order.T, SERIES, strict=False):
         ax.plot(column, ranks, marker, color=colour, ms=4, label=name, clip_on=False)
-    ax.set(ylim=(-0.6, order.size - 0.4))
-    title(ax, "displacement by record")
+    ax.set(ylim=(-0.6, order.size - 0.4), ylabel="record, in order")
     if order.size <= _NAMED:
+        ax.set_ylabel("")
         ax.set_yticks(ranks, [study.suite.entries[k].name for k in order], fontsize=8, parse_math=False)
-    else:
-        ax.set_ylabel("record, in order")
     known = in_order[np.isfinite(in_order)]
     if known.size and known.max() > _SKEW * np.median(known):
         ax.set_xscale("symlog", linthresh=known.max() / _SKEW**2)
     ax.set_xlim(left=0.0)
-    measure(ax.xaxis, f"displacement at {study.scale_text(scale)}", "m")
-    ax.grid(axis="x", alpha=0.3)
+    label_direction(ax.xaxis, f"displacement at {study.scale_text(scale)}", "m")
     if values.shape[1] > 1:
         legend(ax)
     return ax
@@ -69,26 +65,29 @@ def displacements(study: "Study", ax: Any = None) -> Any:
 
 def incremental(study: "Study", ax: Any = None) -> Any:
     """Draw displacement against scale: each record (mean of polarities), median, 16 to 84 %; return the axis."""
-    ax = axis(ax)
-    title(ax, "displacement by scale")
+    if study.records.to_pga:
+        across = "peak acceleration of each record (g)"
+    else:
+        across = "factor on the records (–)"
+    ax = panel(ax, "displacement by scale", (across,))
     values = np.median(study.displacement, axis=-1).mean(axis=1)
     levels = [distribution(study.displacement, k) for k in range(study.scales.size)]
-    low, middle, high = np.array([(level.p16, level.median, level.p84) for level in levels]).T
     greatest = float(np.max(values, initial=0.0, where=np.isfinite(values)))
     if greatest == 0.0:
-        return empty("does not move", ax, "x", "y")
+        return empty(STILL, ax, "x", "y")
     least = _LEAST * greatest
     below = 0.1 * least  # below the view, in place of zeros
+    shares = np.array([(level.p16, level.median, level.p84) for level in levels])
+    low, middle, high = np.maximum(shares.T, below)
     ax.plot(study.scales, np.maximum(values, below).T, color="0.75", lw=0.6, zorder=1)
-    ax.fill_between(study.scales, np.maximum(low, below), high, **AREAS["band"], alpha=0.6)
-    ax.plot(study.scales, np.maximum(middle, below), **LINES["main"])
+    ax.fill_between(study.scales, low, high, **AREAS["band"], alpha=0.6)
+    ax.plot(study.scales, middle, **LINES["main"])
     in_view = (middle > least) & (middle < np.inf)
     if np.any(in_view):
-        label(ax, "median", points_of(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
-    words = "peak acceleration of each record (g)" if study.records.to_pga else "factor on the records (–)"
-    ax.set(xlabel=words, yscale="log", ylim=(least, 1.5 * greatest))
-    measure(ax.yaxis, "displacement", "m")
-    note(ax, ["grey: records; band: 16 to 84 %"])
+        add_label(ax, "median", anchors_along(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
+    ax.set(yscale="log", ylim=(least, 1.5 * greatest))
+    label_direction(ax.yaxis, "displacement", "m")
+    add_note(ax, ["grey: records; band: 16 to 84 %"])
     return ax
 
 
@@ -99,16 +98,15 @@ def fragility(study: "Study", ax: Any = None) -> Any:
     of the records, joined where a curve is missing; they have intervals where some motions exceed the threshold and
     some do not.
     """
-    ax = axis(ax)
-    title(ax, "fragility")
+    across = f"peak acceleration (g)\n{interval_note(len(study.suite))}"
+    ax = panel(ax, "fragility", (across,), ("exceedance probability (–)",))
     levels = np.median(study.pga, axis=0)
-    greatest = levels.max() if levels.size > 1 else study.pga.max()
-    pga = np.linspace(0.0, 1.05 * greatest, 201)[1:]
-    estimates = np.array(exceedance(study.displacement, study.records.thresholds))
+    pga = np.linspace(0.0, 1.05 * (levels if levels.size > 1 else study.pga).max(), 201)[1:]
+    estimates = np.array(exceedance_probabilities(study.displacement, study.records.thresholds))
     for curve, shares, style in zip(study.fragility(), np.swapaxes(estimates, 0, 1), cycle(SERIES), strict=False):
-        _shares(ax, levels, shares, style)
-        anchors = (levels, shares[:, 0])
-        colour, dashes, _ = style
+        colour, dashes, marker = style
+        _shares(ax, levels, *shares.T, color=colour, marker=marker)
+        anchors = levels, shares[:, 0]
         if curve.reason:
             ax.plot(*anchors, color=colour, ls=dashes, lw=0.6)
         else:
@@ -118,50 +116,27 @@ def fragility(study: "Study", ax: Any = None) -> Any:
             off = np.abs(probability - 0.6)
             steep = off <= max(0.3, off.min())
             anchors = (pga[steep], probability[steep])
-        label(ax, f"D > {amount(curve.threshold, 'm')}", points_of(*anchors), colour)
-    ax.set(ylabel="exceedance probability (–)", xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
-    ax.set_xlabel(f"peak acceleration (g)\n{interval_note(len(study.suite))}")
-    ax.grid(alpha=0.3)
+        add_label(ax, f"D > {formatted_amount(curve.threshold, 'm')}", anchors_along(*anchors), colour)
+    ax.set(xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
     return ax
 
 
-def _shares(ax: Any, levels: Any, estimates: Any, style: tuple[str, Any, str]) -> None:
-    """Draw shares of the motions with their intervals, (levels, 3)."""
-    colour, _, marker = style
-    value, low, high = estimates.T
-    some = (value > 0.0) & (value < 1.0)
-    errors = np.where(some, [value - low, high - value], 0.0)
-    ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
+def _shares(ax: Any, levels: Any, value: Any, low: Any, high: Any, **style: Any) -> None:
+    """Draw shares of the motions over levels, with intervals where they are neither 0 nor 1."""
+    errors = np.where((value > 0.0) & (value < 1.0), [value - low, high - value], 0.0)
+    ax.errorbar(levels, value, errors, ls="", ms=4, elinewidth=0.7, alpha=0.8, **style)
 
 
 def _history(study: "Study", what: str, ax: Any = None) -> Any:
     """Draw a quantity over time, in each polarity, under the record of median displacement near its own scale."""
-    ax, scale = axis(ax), study.own_scale
+    scale = study.own_scale
     record = study.median_record(scale)
-    title(ax, what, [_shortened(f"median: {study.suite.entries[record].name}")])
-    ax.set(xlabel="time (s)", ylabel="")
-    measure(ax.yaxis, what, HISTORY[what].unit)
-    motions = study.motions_of(record, scale)
-    end = max(float(motion.settling_time) for motion in motions)
-    if not any(motion.moves for motion in motions):
-        return empty("does not move", ax, "x", "y")
-    for words, motion, (colour, dashes, _) in zip(_POLARITIES, motions, SERIES, strict=False):
-        columns = drawn(motion)
-        values = columns[what]
-        times = np.append(columns["time"], end)
-        values = np.append(values, values[-1])
-        ax.plot(times, values, color=colour, ls=dashes, lw=1.2)
-        size = np.abs(values)
-        high = size >= 0.6 * size.max()
-        if len(motions) > 1:
-            label(ax, words, points_of(times[high], values[high]), colour)
-    ax.grid(alpha=0.3)
-    return ax
-
-
-def _shortened(text: str) -> str:
-    """Return a text shortened to the width above half a picture."""
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+    words = f"median: {study.suite.entries[record].name}"
+    if len(words) <= _LONGEST:
+        words = words
+    else:
+        words = f"{words[: _LONGEST - 1]}…"
+    return curves(study.motions_of(record, scale), _POLARITIES, what, ax, [words])
 
 
 PANELS = {
@@ -173,18 +148,16 @@ PANELS = {
 }
 
 
-def overview(study: "Study") -> Drawing:
+def suite_overview(study: "Study") -> Drawing:
     """Return the picture of a suite: displacements by record, curves by scale, histories of the median record."""
-    records = 1.2 + 0.15 * len(study.suite) if len(study.suite) <= _NAMED else 1.2 * _PANEL
+    if len(study.suite) <= _NAMED:
+        records = 1.2 + 0.15 * len(study.suite)
+    else:
+        records = 1.2 * _PANEL
     rows: list[Row] = [(records, [partial(displacements, study)])]
     if study.scales.size > 1:
         rows.append((_PANEL, [partial(incremental, study), partial(fragility, study)]))
-    elif _has_cloud(study):
+    elif not all(curve.reason for curve in study.fragility()):  # the records have different peak accelerations
         rows.append((_PANEL, [partial(fragility, study)]))
     rows.append((0.8 * _PANEL, [partial(_history, study, what=what) for what in ("velocity", "displacement")]))
     return sheet(rows, heading(study.scene.name, f"{len(study.suite)} records"))
-
-
-def _has_cloud(study: "Study") -> bool:
-    """Return whether the records have different peak accelerations at a single scale, for which a curve exists."""
-    return any(not curve.reason for curve in study.fragility())

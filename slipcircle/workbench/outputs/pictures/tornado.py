@@ -1,9 +1,9 @@
 """Tornado diagrams: changes of an output with each number of a scene, the largest on top."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -12,17 +12,15 @@ from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import by_name, in_output_unit, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
-    amount,
-    axis,
+    check_choice,
     empty,
-    known,
+    formatted_amount,
+    formatted_number,
+    key_unit,
     legend,
-    lines,
-    measure,
-    number,
+    name_rows,
+    panel,
     quantity_words,
-    title,
-    unit_of,
 )
 from slipcircle.workbench.outputs.pictures.sheets import Drawing, sheet
 
@@ -30,8 +28,15 @@ if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity
 
 _MOST_BARS = 10  # greatest number; smaller changes are summarised in text
-Bar = tuple[float, str, str]  # a change, its step in words, and the name of the number
 _SHARE = 0.01  # relative change of each number if the scene has no uncertain numbers
+
+
+class Bar(NamedTuple):
+    """Change of an output, the step of a number that causes it in words, and the line of points of the number."""
+
+    change: float
+    words: str
+    line: str
 
 
 def tornado(
@@ -48,62 +53,49 @@ def tornado(
     gravity change by 1 %, ends of the arc by 1 % of its half angle and points of a section by 1 % of its depth. Of the
     coordinates of a line of points, only the most influential is drawn. ``named`` adds a legend.
     """
-    known("tornado: output", output, table.outputs)
+    check_choice("tornado: output", output, table.outputs)
     steps, how = _steps(table, changes)
-    bars = _changes(table, output, steps)
+    bars = sorted((_bar(table, output, name, *step) for name, step in steps.items()), key=lambda bar: -abs(bar.change))
+    bars = [bar for bar in bars if np.isfinite(bar.change)]
     if changes is None:
-        bars = [*_largest_of_lines(bars)]
-    shown, hidden = bars[:_MOST_BARS], bars[_MOST_BARS:]
-    ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(shown))))
-    unit, at = table.outputs[output], table.at[output]
+        largest = {bar.line: bar for bar in reversed(bars)}
+        bars = [bar for bar in bars if bar.change and largest[bar.line] is bar]
+    shown = bars[:_MOST_BARS]
+    hidden = bars[_MOST_BARS:]
+    unit, at, words = table.outputs[output], table.at[output], OUTCOMES[output].label
     more = ""
     if hidden:
-        more = f"\n{len(hidden)} more numbers change it by at most {amount(abs(hidden[0][0]), unit)} each"
-    measure(ax.xaxis, f"change of {OUTCOMES[output].label} from {amount(at, unit)}{how}", unit, more)
-    title(ax, f"influence on {OUTCOMES[output].label}")
+        more = f"\n{len(hidden)} more numbers change it by at most {formatted_amount(abs(hidden[0].change), unit)} each"
+    across = f"change of {words} from {formatted_amount(at, unit)}{how}", unit, more
+    ax = panel(ax, f"influence on {words}", across, size=(7.0, 1.6 + 0.4 * max(2, len(shown))))
     if not at or not shown:
         return empty("nothing changes it" if at else "does not move", ax, "x", "y")
-    _two_sided_bars(ax, shown)
+    _draw_bars(ax, shown)
     if named:
         legend(ax)
     return ax
 
 
-def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Key, float]]) -> list[Bar]:
-    """Return the changes of an output with each step, the largest first, with the steps in words."""
-    bars = []
-    for name, (key, step) in steps.items():
-        value = float(key.from_si(table.at[name]))
-        per_si = table.derivative(output, name)
-        change = per_si * key.slope(value) * step
-        drawn = in_output_unit(key)
-        value = float(drawn.from_si(table.at[name]))
-        words = f"{quantity_words(key)} {number(value)} ± {step * key.per_unit / drawn.per_unit:.3g} {unit_of(drawn)}"
-        if np.isfinite(change):
-            bars.append((change, words.rstrip(), name))
-    return sorted(bars, key=lambda bar: -abs(bar[0]))
-
-
-def _largest_of_lines(bars: Iterable[Bar]) -> Iterator[Bar]:
-    """Yield the bars with a change; for each line of points only the bar of the coordinate of largest change."""
-    drawn = set()
-    for bar in bars:
-        line = re.sub(r"\.\d+\..*", "", bar[-1])
-        if bar[0] and line not in drawn:
-            drawn.add(line)
-            yield bar
-
-
-def _two_sided_bars(ax: Any, bars: Sequence[Bar]) -> None:
-    """Draw a bar to both sides for each change, with its label, the largest first."""
-    changes = np.array([change for change, *_ in bars])
-    lines(ax, [text for _, text, _ in bars])
-    places = np.arange(len(bars))
-    ax.barh(places, changes, height=0.62, label="larger", **AREAS["kinetic"])
-    ax.barh(places, -changes, height=0.62, label="smaller", **AREAS["rests"])
+def _draw_bars(ax: Any, bars: Sequence[Bar]) -> None:
+    """Draw a bar to both sides for each change, the largest first."""
+    changes = np.array([bar.change for bar in bars])
+    name_rows(ax, [bar.words for bar in bars])
+    ax.barh(range(len(bars)), changes, height=0.62, label="larger", **AREAS["kinetic"])
+    ax.barh(range(len(bars)), -changes, height=0.62, label="smaller", **AREAS["rests"])
     widest = 1.08 * abs(changes[0])
     ax.set_xlim(-widest, widest)
     ax.axvline(0.0, color="0.25", lw=0.8)
+
+
+def _bar(table: "Sensitivity", output: str, name: str, key: Key, step: float) -> Bar:
+    """Return the bar of an output for a step of a number in the unit of its key."""
+    value = float(key.from_si(table.at[name]))
+    change = table.derivative(output, name) * key.slope(value) * step
+    drawn = in_output_unit(key)
+    value = float(drawn.from_si(table.at[name]))
+    drawn_step = step * key.per_unit / drawn.per_unit
+    words = f"{quantity_words(key)} {formatted_number(value)} ± {drawn_step:.3g} {key_unit(drawn)}"
+    return Bar(change, words.rstrip(), re.sub(r"\.\d+\..*", "", name))
 
 
 def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Key, float]], str]:
@@ -111,34 +103,29 @@ def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[d
     by_names = by_name(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
     if changes is not None:
-        choice = [key.key for key in keys.values()]
         for changed in changes:
-            known("tornado: changes", changed, choice)
+            check_choice("tornado: changes", changed, [key.key for key in keys.values()])
         return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
-    deviations = {}
-    for name, uncertain in uncertain_numbers(table.scene).items():
-        if name in keys:
-            _, deviation = uncertain.moments
-            deviations[name] = uncertain.number, deviation
-    if deviations:
+    uncertain = {name: each for name, each in uncertain_numbers(table.scene).items() if name in keys}
+    if uncertain:
+        deviations = {name: (each.number, each.moments[1]) for name, each in uncertain.items()}
         return deviations, ", by a standard deviation of each"
-    relative = {name: (key, _relative_step(table, name, key)) for name, key in keys.items() if name != "gravity"}
+    relative = {}
+    for name, key in keys.items():
+        if name != "gravity":
+            value = float(key.from_si(table.at[name]))
+            relative[name] = key, float(_SHARE * size_of(table, name) / key.slope(value))
     return relative, f", by {100 * _SHARE:g} % of each"
 
 
-def _relative_step(table: "Sensitivity", name: str, key: Key) -> float:
-    """Return the step of a number as a share of its size, in the unit of its key.
-
-    The size of places on a section is its depth, and the size of ends of an arc is half its angle.
-    """
+def size_of(table: "Sensitivity", name: str) -> float:
+    """Return the size of a number in SI units: its value, of a place the depth, of an end of the arc its half angle."""
     arc: Any = table.scene.arc
-    value = table.at[name]
-    size = abs(value) or 1.0
     if name in lengths(arc):
-        size = float(arc.depth)
-    elif name.startswith("theta_"):
-        size = float(arc.half_angle)
-    return float(_SHARE * size / key.slope(float(key.from_si(value))))
+        return float(arc.depth)
+    if name.startswith("theta_"):
+        return float(arc.half_angle)
+    return abs(table.at[name]) or 1.0
 
 
 def panels(table: "Sensitivity") -> Drawing:
