@@ -213,6 +213,16 @@ def test_intervals_count_as_uniform_distributions() -> None:
     assert found.intervals == intervals
 
 
+@pytest.mark.parametrize(
+    ("degrees", "missed"), [(10.0, {"run_out", "toe_rise"}), (13.6, set[str]()), (14.0, set[str]())]
+)
+def test_what_one_friction_angle_meets_of_vaiont(degrees: float, missed: set[str]) -> None:
+    """Reported ranges that a friction angle misses by more than a tenth."""
+    outcomes = observed_of_vaiont(solve(replace(VAIONT, friction=math.tan(math.radians(degrees)))))
+    outside = {n for n, (low, high) in VAIONT.observed.items() if not 0.9 * low <= outcomes[n] <= 1.1 * high}
+    assert outside == missed
+
+
 def test_tables_and_json_show_what_was_observed_beside_the_motion() -> None:
     """Intervals with a verdict, a number with its error without one."""
     seen = {"run_out": Interval(600.0, 700.0), "peak_velocity": Interval(20.0, 25.0), "duration": (40.0, 5.0)}

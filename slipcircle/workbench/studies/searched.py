@@ -1,18 +1,22 @@
 """Factors of safety of samples, with the critical circle searched for each sample."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import ArrayDict, Flags, Floats, Texts
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.variation import slope_of
+from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.critical import SlopeScene
-from slipcircle.workbench.stability.samples import SampleSearch
+from slipcircle.workbench.stability.factors import circle_factors
+from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
@@ -25,16 +29,16 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> Ar
     assert isinstance(scene, SlopeScene)
     assert stability is not None
     scene = replace(scene, start=OF_CLOSURE)  # no motion starts here
-    search = SampleSearch(stability.slope, stability.method, stability.limits)
-    values = np.stack([*si.values()], axis=1)
-    spread = values.std(axis=0)
-    places = values / np.where(spread > 0.0, spread, 1.0)
-    factors = {method: np.full(len(values), np.nan) for method in METHODS}
+    factors = {method: np.full(len(valid), np.nan) for method in METHODS}
     for k in np.flatnonzero(valid):
-        numbers = dict(zip(si, values[k].tolist(), strict=True))
+        numbers = {name: float(values[k]) for name, values in si.items()}
         slope = slope_of(with_parameters(scene, numbers), stability.slope)
-        for method, factor in search.factors(slope, places[k]).items():
-            factors[method][k] = factor
+        search = Search(slope, stability.method, **stability.limits)
+        with suppress(InputError):  # no circle within the limits can slide
+            best = least(search, lambda _: None)
+            found = circle_factors(search.arrays, *search.circles(best[:1]))
+            for method in METHODS:
+                factors[method][k] = found[method][0]
     return {f"{SEARCHED}{method}": values for method, values in factors.items()}
 
 
