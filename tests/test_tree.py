@@ -18,7 +18,7 @@ LAYERED = Scene(
         GROUND,
         (30, 45),
         48.0,
-        layers=[(Soil(18e3, 2e3, LAW, name="sand 1.2"), None), (Soil(19e3, 5e3, LAW, name="clay"), LINE)],
+        layers=[(Soil(18e3, 2e3, LAW, name="sand 1.2"), None), (Soil(19e3, 5e3, LAW, name=""), LINE)],
         surcharge=[(-15, -5, 2e4, 4e4)],
         crack=0.5,
     ),
