@@ -226,12 +226,16 @@ class SlopeScene(Scene[Numbers]):
         return factor.dtype.kind == "f" and np.array_equal(factor, np.asarray(self.set_by_start, float), equal_nan=True)
 
     def _start_with(self, factor: Any) -> None:
-        """Set the strength factor."""
+        """Set the strength factor, a number or an array in the shape of the scene, and mark it as set by the start."""
         for name in ("strength_factor", "set_by_start"):
             object.__setattr__(self, name, factor)
 
     def by_start(self, quantity: str, motion: Motion, kept: float = 1.0) -> Any:
-        """Return a factor of safety or yield coefficient by the starting method; None if the closure's applies."""
+        """Return a factor of safety or yield coefficient and the starting method; None if the closure's applies.
+
+        ``quantity`` is one of "factor_of_safety", "yield_coefficient", "residual" and "at_rest"; ``kept`` is the share
+        of the cohesion that remains at rest.
+        """
         if quantity not in _BY_START or self.start == OF_CLOSURE or not self.starts_by_method:
             return None
         if quantity == "yield_coefficient":  # under shaking, the strength factor has made it the closure's value
@@ -300,6 +304,7 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
 
 
 def _point(points: Floats) -> Pair:
+    """Return the point of an array (1, 2) as a tuple x, y."""
     return float(points[0, 0]), float(points[0, 1])
 
 
@@ -309,5 +314,5 @@ def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
 
 
 def _known(values: Floats) -> float | None:
-    """Return the number of one circle, or None if it is NaN."""
+    """Return the number in an array (1,), or None if it is NaN."""
     return float(values[0]) if np.isfinite(values[0]) else None

@@ -49,7 +49,10 @@ def strength_factor(scene: Any, method: str) -> Any:
 
 
 def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = False) -> Any:
-    """Return a result of the arcs of a scene in its shape; None if the strength is unknown or zero."""
+    """Return the ``result`` of the slices of a scene's arcs in its shape; None if the strength is unknown or zero.
+
+    The function ``result`` gives one number for each arc; with ``slipped``, strength is residual.
+    """
     if 0 in scene.shape or not soil(scene.friction, scene.effects, slipped):
         return None
     blocks = []
@@ -62,7 +65,10 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
 
 
 def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tuple[Driven, int]]:
-    """Yield the slices of the arcs of a scene and the number of lanes, in the blocks of `circles_of`."""
+    """Yield the slices of the arcs of a scene and the number of lanes, in the blocks of `circles_of`.
+
+    With ``slipped``, strength is residual; ``most`` is the greatest number of lanes in a block.
+    """
     blocks = circles_of(scene, slipped, **most)
     for slope, circles, lanes in blocks:
         is_shared = _is_shared(slope, circles)
@@ -138,7 +144,7 @@ def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
 
 
 def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
-    """Return the strength factors of arcs."""
+    """Return the strength factors of arcs for a start by a method; if ``shaken``, from equal yield coefficients."""
     if shaken:
         k_h = yield_coefficient(driven, method)
         wanted = np.ones_like(k_h)
@@ -172,7 +178,7 @@ def yield_coefficient(driven: Driven, method: str) -> Floats:
 
 
 def _resistance(driven: Driven, method: str) -> Floats:
-    """Return the resisting moment by a method at a factor of safety of 1, in which Bishop's does not depend on k_h."""
+    """Return the resisting moment over gamma R^3 by a method at F = 1, where Bishop's does not depend on k_h."""
     if method != "bishop":
         return factor_by(method, driven) * driven.driving
     slices = driven.slices
