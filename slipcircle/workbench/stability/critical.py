@@ -268,7 +268,7 @@ def at_circle(slope: Slope, section: Section) -> Critical:
 
 
 def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
-    """Return one circle, given by arrays of one, with its factors of safety."""
+    """Return one circle with its factors of safety; its centre and ends of arc are (1, 2), its radius (1,), in m."""
     if slope.level is not None:
         fault = ends_above(np.asarray(slope.level)[None], left[:, 0], right[:, 0])
         raise_all("Slope", complaint([fault], ()))

@@ -131,6 +131,7 @@ def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> Texts:
 
 
 def _limit_mistakes(name: str, pair: Any, ground: Floats) -> Texts:
+    """Return a message, in a list, if a limit is not two ordered numbers or lies beside the ground; else []."""
     try:
         low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
     except (TypeError, ValueError):
