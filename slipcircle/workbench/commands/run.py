@@ -79,6 +79,7 @@ def _live(motion: Motion, varied: str | None) -> str:
 
 
 def _warnings(motions: Sequence[Motion]) -> Iterator[str]:
+    """Yield the warnings of all motions, each with the name of the scene."""
     for motion in motions:
         scene = motion.plan.scene
         for warning in warnings_of(motion):

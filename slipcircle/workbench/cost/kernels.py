@@ -42,7 +42,7 @@ class Exact(NamedTuple):
     least: float  # least size to which errors are relative
 
     def errors(self, results: NDArray[Any]) -> Floats:
-        """Return the relative errors of results at the points; infinite where a result is not finite."""
+        """Return the relative errors of results at the points, (points,); infinite where a result is not finite."""
         size = np.maximum(np.abs(self.nearest), self.least)
         with np.errstate(all="ignore"):
             errors = np.abs((results - self.nearest) - self.rest) / size

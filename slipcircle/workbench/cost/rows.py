@@ -61,7 +61,7 @@ class CostRow:
 
 
 def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
-    """Return the processor seconds of each piece of work, several times.
+    """Return the processor seconds of one call of each piece of work, measured up to 9 times.
 
     All pieces run in turns, so that disturbances affect them alike.
     """
@@ -93,7 +93,7 @@ def medians(works: Sequence[Callable[[], object]]) -> list[float]:
 
 
 def _timed(work: Callable[[], object], loops: int) -> float:
-    """Return the processor seconds of one loop."""
+    """Return the mean processor seconds of one call of ``work`` over a number of loops."""
     return max(timeit(work, timer=time.process_time, number=loops) / loops, 1e-9)
 
 
@@ -119,7 +119,7 @@ def _beats(one: CostRow, other: CostRow) -> bool:
 
 
 def recommended(rows: Sequence[CostRow], accuracy: float | None = None, budget: float | None = None) -> list[CostRow]:
-    """Return the rows with the recommended way marked.
+    """Return the rows with the recommended way marked, if there is one.
 
     This is the most accurate way within a ``budget`` in s; without a budget, the fastest way whose error and bound are
     at most ``accuracy``.

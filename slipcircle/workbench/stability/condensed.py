@@ -184,7 +184,7 @@ def salient(line: Floats, most: int, deviation: float) -> Integers:
 
 
 def _edges(kept: Integers, count: int) -> Any:
-    """Return for each of ``count`` vertices the index of the edge between kept vertices that contains it."""
+    """Return the index of the edge, between sorted vertices ``kept``, that contains each of ``count`` vertices."""
     every = np.arange(count)
     edge = np.searchsorted(kept, every, side="right") - 1
     return np.minimum(edge, len(kept) - 2)

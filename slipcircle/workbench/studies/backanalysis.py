@@ -262,8 +262,7 @@ def _unattainable(problem: SearchProblem) -> ValueError:
 def _wanted(problem: SearchProblem, target: float, outcomes: Sequence[float]) -> str:
     """Return the start of the message: the observation, and whether no value or every value of the field gives it.
 
-    ``target`` is the observed value, and ``outcomes`` are the least and greatest computed values, in the unit of the
-    observation.
+    ``target`` is the observed value; ``outcomes`` are computed at both ends of the attainable range, in the same unit.
     """
     (name,) = problem.observed
     unit = OBSERVABLE[name].unit
@@ -345,7 +344,7 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
 def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
     """Return derivatives of the observed outcomes with respect to the fields in SI units, (observations, fields).
 
-    They are NaN if a limit keeps the mass at rest. ``si`` are the values of the fields by name.
+    ``si`` are the values by name. The derivatives are NaN if a limit keeps the mass at rest.
     """
     if problem.limit is not None and not motion.moves:
         return np.full((len(problem.observed), len(si)), np.nan)
@@ -354,10 +353,7 @@ def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
 
 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
-    """Return derivatives of the scaled residuals with respect to the fields in their units, (observations, fields).
-
-    ``slopes`` are the derivatives in SI units, and ``values`` the fields in their units.
-    """
+    """Return ``slopes``, (observations, fields), as derivatives of scaled residuals by fields in their units."""
     with_values = zip(problem.fields, values, strict=True)
     return slopes / problem.scales[:, None] * np.array([field.slope(value) for field, value in with_values])
 
@@ -365,8 +361,7 @@ def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -
 def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
     """Return the covariance of the fields from standard errors or the misfit; None if neither is known.
 
-    ``inverse`` is the pseudo-inverse of `_jacobian`, (fields, observations); ``chi_square`` is the sum of squared
-    scaled residuals.
+    ``inverse`` is the pseudo-inverse of the derivatives of the scaled residuals, (fields, observations).
     """
     if problem.is_weighted:
         return inverse @ inverse.T

@@ -79,7 +79,7 @@ class Design:
         return min(REPLICATES, self.n) if self.method == "sobol" else 1
 
     def share(self, replicate: int) -> int:
-        """Return the number of samples of a replicate."""
+        """Return the number of samples of a replicate, given by its index among the independent sequences."""
         return self.n // self.replicates + (replicate < self.n % self.replicates)
 
     @property

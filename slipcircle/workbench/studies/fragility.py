@@ -195,7 +195,7 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
 
 
 def _most_likely(terms: Floats, share: Floats) -> Floats:
-    """Return the coefficients of greatest likelihood, (2,), for terms (motions, 2) and shares of exceedance."""
+    """Return the coefficients of greatest likelihood, (2,), for terms (points, 2) and shares of exceedance."""
     from scipy.optimize import minimize
 
     def negative(coefficients: Floats) -> tuple[float, Floats]:

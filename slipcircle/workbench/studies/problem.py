@@ -109,7 +109,7 @@ class SearchProblem:
         return found - self.origins.reshape(-1, *[1] * (found.ndim - 1))
 
     def values_at(self, shares: Floats) -> Floats:
-        """Return the values of the fields in their units, (fields, count), at shares of the ranges."""
+        """Return the values of the fields in their units at shares of their ranges, both (fields, count)."""
         by_field = zip(shares, self.ranges, strict=True)
         return np.stack([np.interp(share, np.linspace(0.0, 1.0, len(row)), row) for share, row in by_field])
 
@@ -339,6 +339,8 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
 
 def _friction_range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     """Return friction coefficients from many swings of the mass up to the limit of motion from rest.
+
+    If the field ``is_alone``, greater ones follow for an initial velocity or a friction that is not constant.
 
     If the field ``is_alone``, greater ones follow for an initial velocity or a law of slip.
     """

@@ -244,7 +244,7 @@ def _indices(sums: Floats) -> Floats:
 
 
 def sums(y: Floats) -> Floats:
-    """Return the sums that `sensitivity_indices` needs, from the rows of y: yA, yB, and yAB of each input.
+    """Return the sums that `sensitivity_indices` needs, (3 + 3 inputs,), from rows of outputs: yA, yB and yAB by input.
 
     They are the number of points, the sums of yA + yB and of yA**2 + yB**2, and for each input the sums of
     (yAB - yA)**2, yB (yAB - yA) and yAB - yA.
@@ -342,7 +342,10 @@ class Shares(NamedTuple):
 
 
 def variance_shares(displacement: Floats, scale: int) -> Shares:
-    """Return first-order shares of the variance at a scale, from variances of means; NaN if unknown."""
+    """Return first-order shares of the variance of displacements at the scale with an index, from variances of means.
+
+    The displacements are (record, polarity, scale, sample); shares are NaN if unknown.
+    """
     values = displacement[:, :, scale]
     if not np.all(np.isfinite(values)) or not np.var(values) > 0.0:
         return Shares(math.nan, math.nan, math.nan)

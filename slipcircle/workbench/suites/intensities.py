@@ -73,12 +73,18 @@ def drift_warning(record: Series, gravity: float = 9.81) -> str:
 
 
 def _velocity(time: Floats, values: Floats) -> Floats:
-    """Return the integral of the acceleration from the start to each time but the first."""
+    """Return the integral of the acceleration from the start to each time but the first, (times - 1,).
+
+    Times are in s; accelerations are over gravity, so that velocities are as well.
+    """
     return np.cumsum(np.diff(time) * ((values[:-1] + values[1:]) / 2.0))
 
 
 def _with_zeros(record: Series) -> ArrayPair:
-    """Return times and values, with the zeros of the acceleration between samples added, where the velocity peaks."""
+    """Return times in s and accelerations over gravity, with a sample added at each zero between samples.
+
+    The velocity peaks there.
+    """
     time, values = record.time, record.values
     before, after = values[:-1], values[1:]
     crosses = np.flatnonzero(before * after < 0.0)
