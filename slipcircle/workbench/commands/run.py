@@ -62,6 +62,7 @@ def _check_options(options: argparse.Namespace) -> None:
 
 
 def _report(motions: Sequence[Motion], sources: Sequence[bytes], line: str) -> str:
+    """Return the HTML report on motions, with the contents of their scene files and the typed command line."""
     from slipcircle.workbench.outputs.report import report
 
     return report(motions, sources, line)

@@ -334,7 +334,7 @@ def json_text(record: Any) -> str:
 
 
 def to_error(value: float, error: float) -> str:
-    """Return a number in words, to two digits of its error; as `shown` if the error is not positive."""
+    """Return a number in words, to two digits of its error in the same unit; as `shown` if that is not positive."""
     if not error > 0.0:
         return shown(value)
     last = math.floor(math.log10(error)) - 1  # position of the last digit

@@ -183,7 +183,7 @@ def plain_numbers(cells: Texts) -> Floats:
 
 
 def is_even(numbers: Floats, longest: float) -> bool:
-    """Return whether numbers increase by equal steps, up to rounding, that are shorter than ``longest``."""
+    """Return whether numbers increase by equal steps, up to rounding, and these are shorter than ``longest``."""
     if numbers.size < 2 or not np.all(np.abs(numbers) < 1e300):
         return False
     even, step = np.linspace(numbers[0], numbers[-1], numbers.size, retstep=True)

@@ -171,7 +171,10 @@ def seconds_of(unit: str, text: str, default: str = "s") -> float:
 
 
 def period_of(unit: str, text: str) -> float:
-    """Return the period in s of a rate such as "50Hz" or "200"; 0 if the text is not a rate."""
+    """Return the period in s of a rate such as "50Hz" or "200"; 0 if the text is not a rate.
+
+    It is in Hz unless ``unit``, or else the text, names another unit.
+    """
     return seconds_of(unit, text, "Hz")
 
 

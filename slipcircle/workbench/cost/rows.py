@@ -112,7 +112,7 @@ def with_verdicts(rows: Iterable[CostRow]) -> list[CostRow]:
 
 
 def _beats(one: CostRow, other: CostRow) -> bool:
-    """Return whether one way is faster or more accurate by more than a tie, and not worse in the other respect."""
+    """Return whether row ``one`` is faster or more accurate than ``other`` by more than a tie, and else not worse."""
     if one.seconds > other.seconds or one.error > other.error + ULP:
         return False
     return one.seconds * MARGIN < other.seconds or one.error * MARGIN + ULP < other.error

@@ -87,7 +87,7 @@ def _ranges(scene: Scene, vary: Mapping[str, Pair]) -> Ranges:
 
 
 def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
-    """Return an ensemble that covers ranges of a scene's numbers, and a mask of its invalid cases."""
+    """Return an ensemble of ``cases`` scenes that covers ranges from `_ranges`, and a mask of its invalid cases."""
     by_name, together = ranges
     shares = np.linspace(0.0, 1.0, cases)
     values = {}

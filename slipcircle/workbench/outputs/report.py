@@ -73,7 +73,7 @@ def report_page(
 
 
 def _heading(title: str, files: Iterable[bytes]) -> tuple[str, Raw]:
-    """Return the title, and the date with the contents of the first [report] table in the scene files."""
+    """Return the title, and the date with the contents of the first [report] table in the scene files (their bytes)."""
     reports = (tomllib.loads(content.decode("utf-8-sig")).get("report") for content in files)
     try:
         now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())

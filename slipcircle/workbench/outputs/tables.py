@@ -235,7 +235,7 @@ def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> TextDic
 
 
 def _point(xy: Sequence[float], radius: float) -> str:
-    """Return coordinates in the unit of output as text, to the last place of the printed radius."""
+    """Return x and y in m as text in the unit of output, to the last place of the printed radius, also in m."""
     factor, unit = printed("m")
     places = DIGITS - 1 - math.floor(math.log10(factor * radius))
     return ", ".join(f"{round(factor * value, places) + 0.0:.12g}" for value in xy) + f" {unit}"
@@ -327,7 +327,7 @@ def cell_text(cell: Any) -> str:
 
 
 def _total(columns: Sequence[Sequence[str]], most: int) -> int:
-    """Return the total width of columns wrapped at some width, with the gaps before them."""
+    """Return the total width in characters of columns wrapped at ``most`` characters, with the gaps before them."""
     return sum(_widths(columns, most)) + _GAP * len(columns)
 
 
@@ -337,7 +337,7 @@ def headed(name: str, unit: str) -> str:
 
 
 def in_unit(cell: Any, unit: str) -> Any:
-    """Return an outcome in an SI unit, or an estimate of one, in the unit of output."""
+    """Return an outcome in an SI unit, or an `Estimate` of one, converted to the unit of output."""
     factor, _ = printed(unit)
     if isinstance(cell, Estimate):
         return Estimate(*(factor * x for x in cell))
@@ -367,7 +367,7 @@ def interval_text(e: Estimate) -> str:
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
-    """Return the widths of columns wrapped at some width, without breaking words."""
+    """Return the widths of columns in characters, wrapped at ``most`` characters without breaking words."""
     widths = []
     for column in columns:
         words = " ".join(column).split()

@@ -17,7 +17,7 @@ _MET = 1e-7  # norm of the residuals below which the fit is exact
 
 
 class Fit(NamedTuple):
-    """A minimum: shares of the ranges, sum of squared residuals, and whether the fit has converged there."""
+    """A minimum: shares of the ranges, (fields,), sum of squared scaled residuals, and whether the fit converged."""
 
     shares: Floats
     chi_square: float

@@ -141,7 +141,11 @@ def spectral_acceleration(record: Series, period: float) -> float:
 
 @lru_cache(maxsize=1024)
 def _recurrence(step: float, frequency: float) -> ArrayTriple:
-    """Return the weights of the last three accelerations and displacements, and the initial state of the filter."""
+    """Return numerator, denominator and initial state of a filter from ground accelerations to displacements.
+
+    The filter is an oscillator's: the time step is in s and the angular frequency in rad/s. Both polynomials begin with
+    the latest sample, and the state is for a first acceleration of 1.
+    """
     from scipy.signal import cont2discrete, ss2tf
 
     free = np.array([[0.0, 1.0], [-(frequency**2), -2.0 * _DAMPING * frequency]])

@@ -50,7 +50,10 @@ class Frame(NamedTuple):
         return (world - np.array([self.view.left, self.view.top])) * [self.scale, -self.scale]
 
     def path(self, kind: str, world: Any, closed: bool = False, arc: str = "") -> str:
-        """Return an SVG path of a class: a line through points of the section, with gaps at NaN, and an arc command."""
+        """Return an SVG path of a CSS class, ``kind``: a line through points (n, 2) in m, with gaps at NaN.
+
+        ``arc`` has further commands of the path.
+        """
         points = self.points(np.asarray(world, dtype=np.float64))
         data = ""
         for part in np.split(points, np.flatnonzero(np.isnan(points[:, 0]))):
@@ -67,7 +70,7 @@ class Frame(NamedTuple):
 
 
 def frame_around(motion: Motion, magnification: float) -> Frame:
-    """Return the frame around the mass at the start and at its magnified run-out."""
+    """Return the frame around the mass at the start and at its run-out, drawn ``magnification`` times as large."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil)
     if motion.moves:
@@ -110,7 +113,10 @@ def drawn_section(motion: Motion, frame: Frame, magnification: float, name: str)
 
 
 def _mass(mass: MassShape, frame: Frame, bands: str, name: str, behind: Iterable[str]) -> Iterator[str]:
-    """Yield the scar, lines behind the mass, slip circle, mass with bands, and the ground over it; ``name`` clips."""
+    """Yield the scar, lines behind the mass, slip circle, mass with bands, and the ground over it, as SVG.
+
+    ``bands`` are the soils and ``behind`` these lines, as SVG; ``name`` identifies the clipping path.
+    """
     first, last = mass.ends
     opening = last - first
     beyond = min(opening, math.pi - opening / 2)  # the mass is assumed to continue along its circle
@@ -128,7 +134,7 @@ def _mass(mass: MassShape, frame: Frame, bands: str, name: str, behind: Iterable
 
 
 def _drawn(around: Sequence[Line], frame: Frame, *roles: str) -> Iterator[str]:
-    """Yield the lines with one of the roles as SVG paths, free water as an area down to the ground."""
+    """Yield the lines of ``around`` with one of the roles as SVG paths, free water as an area down to the ground."""
     for line in around:
         if line.role in roles:
             points = line.points
@@ -142,7 +148,10 @@ def _drawn(around: Sequence[Line], frame: Frame, *roles: str) -> Iterator[str]:
 
 
 def _names(around: Sequence[Line], is_left: bool, frame: Frame) -> Iterator[str]:
-    """Yield names of lines at the upper side of the slope as SVG texts, which the script moves to their lines."""
+    """Yield names of lines at the upper side of the slope as SVG texts, which the script moves to their lines.
+
+    ``is_left`` says that this is the left side.
+    """
     edge, side = (_INSET, "start") if is_left else (WIDTH - _INSET, "end")
     named = [(_height(line, is_left, frame.view), line) for line in around if line.name and line.role != "beyond"]
     for height, line in sorted(named, key=lambda pair: -pair[0]):
