@@ -209,7 +209,7 @@ def _lobatto(degree: int) -> Floats:
 
 
 def fits_of(inputs: PageInputs, most: float = math.inf) -> list[Interpolant]:
-    """Return interpolants of all rows that vary, or raise `NoFit` above ``most`` numbers."""
+    """Return interpolants of all rows that vary; raise `NoFit` if they need more than ``most`` numbers."""
     present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
     every = range(len(inputs.sliders))
     degrees = [_degrees(inputs, present, k) for k in every]

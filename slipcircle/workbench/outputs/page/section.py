@@ -62,7 +62,7 @@ class Frame(NamedTuple):
         return f'<path class="{kind}" d="{data}{arc}" />'
 
     def area(self, kind: str, line: Floats, bottom: float) -> str:
-        """Return the area between a line, (n, 2), and the height ``bottom`` as an SVG path of a class."""
+        """Return the area between a line, (n, 2), and a height, both in m, as an SVG path of a CSS class (``kind``)."""
         slopes = np.diff(line[:, 1]) / np.diff(line[:, 0])
         corners = line[np.pad(np.abs(np.diff(slopes)) > _STRAIGHT, 1, constant_values=True)]
         (left, _), (right, _) = line[[0, -1]]

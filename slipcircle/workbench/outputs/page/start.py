@@ -33,7 +33,10 @@ class NoFit(Exception):
 
 
 class StartSeries(NamedTuple):
-    """Series of the resistance of each soil along an arc in the mobilised friction, between two bounds."""
+    """Series of the resistance of each soil along an arc in the mobilised friction.
+
+    Its bounds are ``low`` and ``high``, (soils,) each.
+    """
 
     method: str
     soils: Any  # number of the soil of each interval of the arc
@@ -93,7 +96,7 @@ class StartSeries(NamedTuple):
         return _by_lane(slices, (slices.weight * shear).sum(axis=0))
 
     def factors(self, rows: Floats) -> ArrayPair:
-        """Return the factors of safety and the strength factors of lanes from their rows, as the page does."""
+        """Return factors of safety and strength factors, (lanes,) each, from `rows`, as the page does."""
         driving, closure = rows[:2]
         count = len(self.low)
         friction = rows[2 : 2 + count]
