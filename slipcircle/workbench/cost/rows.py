@@ -88,7 +88,7 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
 
 
 def medians(works: Sequence[Callable[[], object]]) -> list[float]:
-    """Return the median processor seconds of each piece of work."""
+    """Return the median processor seconds of one call of each piece of work."""
     return [median(sample) for sample in interleaved(works)]
 
 
@@ -98,7 +98,7 @@ def _timed(work: Callable[[], object], loops: int) -> float:
 
 
 def with_verdicts(rows: Iterable[CostRow]) -> list[CostRow]:
-    """Return the rows of a group with verdicts: the fastest way that beats each, or that it is on the frontier."""
+    """Return the rows of a group with verdicts: beaten by the fastest of the better ways, or on the frontier."""
     rows = list(rows)
     judged_rows = []
     for row in rows:

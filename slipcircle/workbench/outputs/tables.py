@@ -183,7 +183,7 @@ def stretches_part(motion: Motion) -> ResultTable | None:
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
-    """Return columns by label as rows of one table; cells of missing labels are empty."""
+    """Return columns of texts by label as rows: the label and a cell of each column, empty without this label."""
     return [[label, *(c.get(label, "") for c in columns)] for label in dict.fromkeys(chain.from_iterable(columns))]
 
 
@@ -191,7 +191,7 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 
 
 def stability_columns(critical: Critical) -> tuple[TextDict, TextDict]:
-    """Return the factors of safety of a slip circle, and its geometry with free water, by labels."""
+    """Return the factors of safety of a slip circle, and its geometry with free water, as texts by label."""
     factors = _factors(critical.factors_of_safety, critical.slope.k_h)
     without = critical.factors_of_safety_without_k_h or {}
     factors |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
@@ -297,7 +297,7 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
 
 
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
-    """Yield the lines of a table in blocks: the first column and as many others as fit, until all are printed."""
+    """Yield the lines of a table, at most ``width`` characters, in blocks of the first and as many columns as fit."""
     every_row = [head, *rows] if head else rows
     first, *rest = ([*map(cell_text, column)] for column in zip(*every_row, strict=True))
     yield from wrap(clean(title), width)
@@ -318,7 +318,7 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
 
 
 def cell_text(cell: Any) -> str:
-    """Return a cell as printable text: an estimate with its interval, a number in some digits."""
+    """Return a cell as printable text: an `Estimate` with its interval, or a number with four digits."""
     if isinstance(cell, Estimate):
         return interval_text(cell)
     if isinstance(cell, float):
@@ -332,7 +332,7 @@ def _total(columns: Sequence[Sequence[str]], most: int) -> int:
 
 
 def headed(name: str, unit: str) -> str:
-    """Return the head of a column, with the unit of output for an SI unit."""
+    """Return the head of a column: its name, and in brackets the unit of output for its SI unit."""
     return f"{name} ({printed(unit)[1]})"
 
 

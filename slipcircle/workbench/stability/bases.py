@@ -84,6 +84,8 @@ class Bases:
     def surface(self, k: Any) -> ArrayPair:
         """Return constant and gradient of surfaces: their height above the centre over R is constant + gradient sine.
 
+        ``k`` is the index of a surface in `Columns`, or indices: (surfaces, 1), or one for each interval.
+
         ``k`` is the index of a surface in `Columns`, or an array of indices (surfaces, 1).
         """
         columns = self.slope.columns
@@ -175,7 +177,10 @@ class Bases:
         return BaseStresses(soil, load, pond, displaced, pressure, cohesion, none, none, pond)
 
     def _free_water(self, ponds: Ponds) -> ArrayPair:
-        """Return the pressure of free water on the ground, and minus the weight of water displaced by soil below it."""
+        """Return pressure of free water on the ground, and minus the weight of water displaced by soil below it.
+
+        Both are over gamma R, as coefficients of 1, sine and cosine, (3, intervals).
+        """
         depth = np.zeros((3, len(self.arc)))
         filled = np.zeros(len(self.arc))
         constant, gradient = self.surface(0)
@@ -191,7 +196,7 @@ class Bases:
         return self.water * depth, -self._above_arc(0, self.water * filled)
 
     def _soil_weight(self) -> Floats:
-        """Return the vertical stress of the soil, from its sums down to the layer at the base."""
+        """Return the vertical stress of the soil over gamma R, from its sums down to the layer at the base."""
         slope = self.slope
         weight = self._of_sums(slope.weights)
         if slope.saturates:

@@ -117,7 +117,7 @@ class SlopeArrays:
 
     @cached_property
     def _datum_lines(self) -> list[Floats]:
-        """Return lines below which the cohesion of layers grows, over the whole ground."""
+        """Return the lines below which the cohesion of layers grows, over the whole ground, (1 or n, V, 2) each."""
         return [self._over_ground(line) for line in self.datums.values()]
 
     def ground_height(self, x: Floats) -> Floats:
@@ -142,7 +142,7 @@ class SlopeArrays:
         return Columns(bounds, middle, height, gradient)
 
     def _kinks(self) -> Floats:
-        """Return x of vertices and crossings of lines, and of ends of loads and free water, (1 or n, any), sorted."""
+        """Return sorted x of vertices and crossings of lines, and of ends of loads and free water, (1 or n, any)."""
         kinks = [line[:, 1:-1, 0] for line in (*self.lines, *self._datum_lines)]
         kinks += [np.array([[x1, x2]]) for x1, x2, *_ in self.surcharge]
         if self.ponds is not None:
@@ -200,7 +200,10 @@ class SlopeArrays:
         return np.cumsum(values * step, axis=1)
 
     def _surfaces(self, lines: list[Floats]) -> list[Floats]:
-        """Return heights and gradients of surfaces, each (2, n, columns), from the lines above the ground."""
+        """Return heights and gradients of surfaces, (2, n, columns) each, from those of the lines above the ground.
+
+        The surfaces are the tops of layers, the water level and the tops of wet parts of layers.
+        """
         layers = len(self.tops) + 1
         tops = lines[:1]
         for line in lines[1:layers]:

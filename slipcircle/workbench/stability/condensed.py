@@ -129,7 +129,7 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
 
 
 def _few(line: Floats, most: int) -> Floats:
-    """Return a line (1, V, 2) reduced to at most ``most`` of its vertices."""
+    """Return a line (1, V, 2) with at most ``most`` of its vertices if it has many."""
     if line.shape[1] <= MANY_VERTICES:
         return line
     (points,) = line

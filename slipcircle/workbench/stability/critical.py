@@ -261,7 +261,7 @@ class SlopeScene(Scene[Numbers]):
 
 
 def at_circle(slope: Slope, section: Section) -> Critical:
-    """Return the given circle of a section of a slope with its factors of safety."""
+    """Return the circle of a section, which lies on a slope, with its factors of safety."""
     left, right = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
     found = circle_of(slope, np.array([section.centre]), np.array([section.radius]), left, right)
     return replace(found, refused=int(None in found.factors_of_safety.values()))
@@ -309,7 +309,7 @@ def _point(points: Floats) -> Pair:
 
 
 def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
-    """Return the factors of one circle by method, None for a method without a result."""
+    """Return the factors of one circle by method, None for a method without a result, from arrays (1,)."""
     return {method: _known(factors[method]) for method in METHODS}
 
 

@@ -166,7 +166,7 @@ def _leaps(values: Floats) -> Floats:
 
 
 def _derivatives(grid: Floats) -> ArrayPair:
-    """Return first and second derivatives in the middle of grids (n, 3, 3, 3) of unit steps, (n, 3) and (n, 3, 3)."""
+    """Return first and second derivatives, (n, 3) and (n, 3, 3), in the middle of grids (n, 3, 3, 3) of unit steps."""
     gradient = np.empty((len(grid), 3))
     curvature = np.empty((len(grid), 3, 3))
     with np.errstate(invalid="ignore"):

@@ -113,7 +113,7 @@ class Search:
         return other
 
     def _set_lines(self, arrays: SlopeArrays) -> None:
-        """Search on the lines of these arrays."""
+        """Search on the lines of these arrays, of one slope."""
         self.arrays = arrays
         (self.ground,) = arrays.ground
         self.along = _lengths_along(self.ground)
@@ -233,7 +233,7 @@ class Search:
         return within
 
     def _factors(self, q: Floats, rule: Rule) -> Floats:
-        """Return the factors of a block of circles, and store them for the map."""
+        """Return the factors of a block of circles, (n,), NaN as in `evaluate`, and store them for the map."""
         centre, radius, left, right = self.circles(q)
         thickness = self.thickness(q, centre, radius)
         thick = np.flatnonzero(thickness >= self.depth)

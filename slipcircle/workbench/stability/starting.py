@@ -27,7 +27,7 @@ OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motio
 
 
 def strength_factor(scene: Any, method: str) -> Any:
-    """Return the strength factor by which a scene on a ground starts from the result of a method.
+    """Return the factor on strength by which a scene on a ground starts from the result of a method.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
 
 
 def yield_by(scene: Any, method: str) -> Any:
-    """Return the yield coefficient at the start by a method; None if no strength is known, as in `factor_of`."""
+    """Return the yield coefficient (k_h for F = 1) at the start by a method; None if no strength is known."""
     return _of_scene(scene, lambda driven: yield_coefficient(driven, method))
 
 
@@ -134,7 +134,7 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
 
 
 def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
-    """Return whether all lanes have the same ground, circle and loads, and no free water."""
+    """Return whether all lanes (members of an ensemble) have the same ground, circle and loads, and no free water."""
     lines = [slope.ground, *slope.tops, *circles]
     if slope.level is not None:
         lines.append(slope.level)
@@ -158,14 +158,14 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
 
 
 def _under(k_h: Floats, driven: Driven) -> Driven:
-    """Return arcs under a horizontal acceleration of k_h g, which acts on surcharges as well."""
+    """Return arcs under a horizontal acceleration of k_h g, (arcs,), which acts on surcharges as well."""
     slices = driven.slices
     shaken = slices._replace(k_h=slices.of_arcs(k_h), shaken_load=1.0)
     return driven._replace(slices=shaken, driving=driven.gravity + k_h * shaken.shaking_moment())
 
 
 def yield_coefficient(driven: Driven, method: str) -> Floats:
-    """Return the k_h for which the factor of safety by a method is 1, NaN if there is none."""
+    """Return the k_h, (arcs,), for which the factor of safety by a method is 1, NaN if there is none."""
     if method == OF_CLOSURE:
         return factor_by(YIELD, driven)
     none = np.zeros_like(driven.gravity)

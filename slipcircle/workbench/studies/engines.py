@@ -125,7 +125,10 @@ class Store:
         }
 
     def has(self, index: int) -> bool:
-        """Return whether a block is stored and its digest is correct; a wrong digest is counted in ``damaged``."""
+        """Return whether the block with an index is stored and its digest is correct.
+
+        A wrong digest is counted in ``damaged``.
+        """
         if not self._study or not self._digests[index].any():
             return False
         is_whole = self._digests[index].tobytes() == self._digest(index)
@@ -140,7 +143,7 @@ class Store:
             self._digests[index] = np.frombuffer(self._digest(index), np.uint8)
 
     def _digest(self, index: int) -> bytes:
-        """Return the digest of the study, the index of a block and its stored results, of 32 bytes."""
+        """Return a digest of the study, the index of a block and its stored results, as 32 bytes."""
         digest = hashlib.sha256(self._study + index.to_bytes(8))
         place = self.design.place(index)
         for values in self.values.values():
@@ -179,7 +182,7 @@ def _path(folder: PathName) -> Path:
 
 
 def stored(folder: PathName) -> ValueDict | None:
-    """Return the description of the study whose blocks are in a folder; None if it does not have a study."""
+    """Return the description of the study whose blocks are in a folder, as in its study.json; None without a study."""
     path = _path(folder) / "study.json"
     if not path.exists():
         return None

@@ -127,7 +127,7 @@ class Regression:
         return ", ".join(ranges)
 
     def in_range(self, shaking: Shaking) -> Flags:
-        """Return whether each record is in the range; an unknown measure does not exclude a record."""
+        """Return whether each record is in the range, (records,); an unknown measure does not exclude a record."""
         inside = np.isfinite(self.ln_cm(shaking)) & (shaking.ratio < 1.0)
         for measure, (least, greatest) in self.limits.items():
             value = getattr(shaking, measure)

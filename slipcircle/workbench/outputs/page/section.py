@@ -171,7 +171,10 @@ def _height(line: Line, is_left: bool, view: View) -> float:
 
 
 def section_ticks(frame: Frame, names_left: bool) -> Raw:
-    """Return ticks along the bottom and both sides as SVG, with numbers on the side opposite the names."""
+    """Return ticks along the bottom and both sides as SVG, with numbers on the side opposite the names.
+
+    ``names_left`` says that the names are at the left.
+    """
     view = frame.view
     factor, unit = printed("m")
     drawn = ""
@@ -188,7 +191,7 @@ def section_ticks(frame: Frame, names_left: bool) -> Raw:
 
 
 def _round_numbers(low: float, high: float, most: int) -> list[float]:
-    """Return at most ``most`` round numbers between two bounds, away from both of them."""
+    """Return at most ``most`` equidistant round numbers between two bounds, away from both of them."""
     span = high - low
     steps = _STEPS * 10.0 ** math.floor(math.log10(span / most))
     step = float(steps[steps >= span / most][0])
