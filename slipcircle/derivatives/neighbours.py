@@ -164,8 +164,8 @@ def _judged(
 ) -> tuple[list[list[Derivatives]], list[list[float]]]:
     """Return derivatives by one ladder, (numbers, outcomes), and the errors at which they need no further ladder.
 
-    `here` and `beside` are the outcomes of `_solved`, and `steps` are (numbers, 1, rungs) and `scales` (numbers, 1, 1). `off`
-    is the relative error common to all outcomes.
+    `here` and `beside` are the outcomes of `_solved`. The steps are (numbers, 1, rungs) and the scales (numbers, 1, 1).
+    `off` is the relative error common to all outcomes.
     """
     largest = _largest(here, beside)
     scatter = noise_of(beside) + ROUNDING * largest[..., None]
