@@ -162,10 +162,10 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
 def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
     """Return `Problem.near`, for forces that do not change in time and strengths that are not scaled."""
     arc = plan.scene.arc
-    if arc.limit_parts is None or arc.given is not None or plan.recipe.moving or np.any(strength != 1.0):
+    if arc._limit_parts is None or arc.given is not None or plan.recipe.moving or np.any(strength != 1.0):
         return 0.0, bool
     least = NEAR if lanes == 1 else min(NEAR, 10.0 / plan.accuracy)
-    return least, partial(arc.limit_parts, plan.scene.shape)
+    return least, partial(arc._limit_parts, plan.scene.shape)
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:

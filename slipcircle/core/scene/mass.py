@@ -127,7 +127,7 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
-    limit_parts: Any = None  # optional method: the exact limit friction of some lanes in two parts
+    _limit_parts: Any = None  # optional method: the exact limit friction of some lanes in two parts
     in_standing_water: Any = False
     rotation_range: Any = (-math.pi / 6, math.pi / 6)
 
