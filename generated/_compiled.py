@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 24638729b5dab86755509e6330be201afcfbec1c69d86cc27ecb76718bd99d4c
+# sha256 of the text below: ccdabf899da4a79db1473ea35e720aa5597e31d336bf01e5593e86bd9cc6efd4
 """Selection of the compiled loops or of NumPy for a kernel, and of its tier of accuracy.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -11,7 +11,7 @@ import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from functools import cache, partial
+from functools import cache, partial, update_wrapper
 from importlib import import_module
 from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
@@ -93,6 +93,13 @@ def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str,
 LEVELS = load()
 _asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
 LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
+
+
+def direct(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a public function whose calls with floats run in C without Python's interpreter, if it is compiled."""
+    _, loops = LEVELS[LEVEL]
+    best = loops.get("best", {}).get(function.__name__)
+    return update_wrapper(import_module("generated._kernels").Direct(function, best), function) if best else function
 
 
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: bool = False) -> Callable[..., Any]:

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "85ef0cd9803122d8a8b9006b2553d03e2d994df4572fa304791aa28f06a5f69b"
+#define DIGEST "9a5e264f462aea6802048f52bf4896b41d8b354aeef1bf90381740b949136d7a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1150,6 +1150,7 @@ static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.1216
 #define TIE 0x1.0000000000000p-44
 #define CLOSEST 0x1.56e1fc2f8f359p-997
 #define SURE 0x1.ffffe00000000p-1
+#define SIXTH 0x1.5555555555555p-3
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
 #define PI 0x1.921fb54442d18p+1
@@ -1792,18 +1793,33 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
     return power_of_two(lowest);
 }
 
-/* Record the current speed, at a time not before the lane's own, if it is the greatest. If peaks differ by
- * rounding, the earliest is recorded, so that every processor reports the same peak. A speed that has risen from a
- * record at the lane's time is compared exactly. */
-static void update_peak(Batch *b, unsigned lane, double rate, double now)
+/* Record the current speed if it is the greatest. If peaks differ by rounding, the earliest is recorded, so that
+ * every processor reports the same peak. A speed that has risen from a record at the lane's time is compared
+ * exactly. */
+static void update_peak(Batch *b, unsigned lane, double rate)
 {
     V *const c = b->c;
     int rises = c[PEAK_TIME][lane] == c[TIME][lane];
     if (c[OMEGA][lane] > ((rises ? 1.0 : (1.0 + TIE)) * fabs(c[PEAK_OMEGA][lane]))) {
-        c[PEAK_TIME][lane] = now;
+        c[PEAK_TIME][lane] = c[TIME][lane];
         c[PEAK_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
         c[PEAK_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
         c[PEAK_RATE][lane] = c[DIRECTION][lane] * rate;
+    }
+}
+
+/* Record a candidate for the greatest speed in the current step if it exceeds the record. If the record is not at
+ * the beginning of the step, the difference must exceed rounding. */
+INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
+{
+    V *const c = b->c;
+    M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
+    if (bits(faster)) {
+        faster = faster & ((c[PEAK_TIME] == c[TIME]) | (speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]))));
+        c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
+        c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
+        c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);
+        c[PEAK_RATE] = pick(here, pick(faster, c[DIRECTION] * rate, c[PEAK_RATE]), c[PEAK_RATE]);
     }
 }
 
@@ -1877,7 +1893,7 @@ static void start_moving(Batch *b, unsigned lane, double rate)
     if (c[LIFTED][lane] > 0.0) {
         note_lift_off(b, lane);
     }
-    update_peak(b, lane, rate, c[TIME][lane]);
+    update_peak(b, lane, rate);
     c[PENDING][lane] = READY;
 }
 
@@ -2152,59 +2168,237 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
- * ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began. */
-INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
+/* Return the path after a time at a speed with a rate ``net`` that changes linearly. */
+INLINE V path(V time, V omega, V net, V change)
 {
-    const Job *const job = b->job;
-    V *const c = b->c;
-    double after = c[job->role->drive][lane] + by_drive;
-    double lowest = (net < after) ? net : after;
-    double slowest = omega + (length * ((lowest < 0.0) ? lowest : 0.0));
-    int peaks = (net >= 0.0) && (after < 0.0) && ((omega + (length * net)) >= fabs(c[PEAK_OMEGA][lane]));
-    int moves = (slowest > ((1.0 - SURE) * omega)) && ((c[job->role->normal0][lane] + by_load) > ((1.0 - SURE) * fabs(c[job->role->normal0][lane])));
-    return moves && !peaks;
+    V by_change = (SIXTH * time) * change;
+    V by_rate = (0.5 * net) + by_change;
+    V mean = omega + (time * by_rate);
+    return time * mean;
 }
 
-/* Pass the pieces in which the net moment is linear in time and no event occurs. The rates of net moment and
- * normal force are taken from the preceding step. */
-static void glide(Batch *b, unsigned lane, int t)
+/* Return the first time at which a falling speed is zero. */
+INLINE V standstill(V omega, V net, V change)
+{
+    V square = net * net;
+    V decrease = (2.0 * change) * omega;
+    V root = sqrt_of(maximum(square - decrease, broadcast(0.0)));
+    V twice = 2.0 * omega;
+    V falling = twice / (root - net);
+    V rising = (net + root) / (0.0 - change);
+    return pick(net <= 0.0, falling, rising);
+}
+
+/* Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale. */
+INLINE V end_of(Batch *b, int t, int piece, V per)
+{
+    const Job *const job = b->job;
+    int last = (int)job->data[t].pieces - 1;
+    int following = (piece + 1) < last ? (piece + 1) : last;
+    return job->data[t].breaks[following] * per;
+}
+
+/* Return the lanes that are pressed through a piece that ends before the end time and not at the last break. */
+INLINE M passes(Batch *b, int t, int piece, V per, V press)
+{
+    V *const c = b->c;
+    V until = end_of(b, t, piece, per);
+    V following = end_of(b, t, piece + 1, per);
+    M before_last = (until < following) & (following < INFINITY);
+    V latest = c[END_TIME] * (1.0 - (4.0 * EPS));
+    M in_time = until < latest;
+    M pressed = press > 0.0;
+    return before_last & in_time & pressed;
+}
+
+/* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
+static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, double omega)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double rise = (b->r + job->table[t].reg)[1][lane];
-    if ((c[PENDING][lane] == READY) && (rise != 0.0) && ((b->r + job->role->net)[2][lane] == 0.0) && (c[LIFTED][lane] == 0.0)) {
-        double slope = (b->r + job->role->net)[1][lane] / rise;
-        double grip = 0.0 * slope;
-        if (job->role->normal >= 0) {
-            grip = (b->r + job->role->normal)[1][lane] / rise;
-        }
-        int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-        double x = c[X][lane];
-        double omega = c[OMEGA][lane];
-        double now = c[TIME][lane];
-        double net = c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]);
-        double until = c[job->table[t].cell + UPPER][lane];
-        double inc = c[job->table[t].cell + LOWER][lane];
-        while (passes_quietly(b, lane, t, piece) && glides_on(b, lane, omega, until - now, net, slope * inc, grip * inc)) {
-            double length = until - now;
-            double after = c[job->role->drive][lane] + (slope * inc);
-            x = x + (length * (omega + ((length * ((2.0 * net) + after)) / 6.0)));
-            omega = omega + ((length * (net + after)) / 2.0);
-            now = until;
-            net = after;
-            piece = piece + 1;
-            until = break_of(b, lane, t, piece + 1) / c[job->table[t].cell + SCALE][lane];
-            inc = value_at_break(b, lane, t, piece + 1) - c[job->table[t].cell + VALUE][lane];
-        }
-        if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
-            c[X][lane] = x;
-            c[OMEGA][lane] = omega;
-            update_peak(b, lane, net, now);
-            stand_before(b, lane, t, piece, now);
-            pass_break(b, lane, t);
-        }
+    c[X][lane] = x;
+    c[OMEGA][lane] = omega;
+    c[STATUS][lane] = (omega > 0.0) ? MOVING : RESTING;
+    c[STEPS][lane] = 0.0;
+    c[PASSED][lane] = NOTHING;
+    if (omega == 0.0) {
+        c[TIME][lane] = c[REST_SINCE][lane];
+        update_reach(b, lane);
     }
+    advance_origin(b, lane);
+    double edge = break_of(b, lane, t, piece);
+    double now = edge / c[job->table[t].cell + SCALE][lane];
+    stand_before(b, lane, t, piece, now);
+    pass_break(b, lane, t);
+    c[PENDING][lane] = BEGIN_PHASE;
+}
+
+/* Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed. */
+INLINE V lowest_speed(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
+{
+    V share = net / (net - after);
+    V at = length * share;
+    V gain = at * net;
+    V extreme = omega + (0.5 * gain);
+    V mean = omega + ((2.0 * SIXTH) * gain);
+    V there = x + (at * mean);
+    M rises = here & (net > 0.0);
+    keep_faster(b, rises, extreme, now + at, there, broadcast(0.0));
+    M falls = here & (net < 0.0);
+    V twice = net + after;
+    V half = 0.5 * length;
+    V end = omega + (half * twice);
+    return pick(falls, extreme, end);
+}
+
+/* Count phases that begin down-slope. */
+INLINE void count_starts(Batch *b, M here)
+{
+    V *const c = b->c;
+    M back = c[LAST_WAY] < 0.0;
+    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
+    c[TURNS] = pick(here, c[TURNS] + pick(back, broadcast(1.0), broadcast(0.0)), c[TURNS]);
+    c[LAST_WAY] = pick(here, broadcast(1.0), c[LAST_WAY]);
+}
+
+/* Stop lanes within a piece, start them, or both; return the speed at its end and the path. */
+INLINE Pair turn(Batch *b, M here, V now, V length, V omega, V net, V after)
+{
+    V *const c = b->c;
+    M moves = omega > 0.0;
+    V rise = after - net;
+    V change = rise / length;
+    V root = standstill(omega, net, change);
+    V stop = pick(moves, root, broadcast(0.0));
+    V share = net / (net - after);
+    V zero = share * length;
+    V start = pick(net < 0.0, zero, broadcast(0.0));
+    M drives_later = (after > 0.0) & (start >= stop);
+    M drives = (net > 0.0) & ~moves;
+    M starts = drives_later | drives;
+    V push = maximum(net, broadcast(0.0));
+    V left = length - start;
+    V by_change = (0.5 * left) * change;
+    V rate = push + by_change;
+    V speed = left * rate;
+    M again = starts & (speed <= 0.0);
+    V to_stop = ((-2.0) * push) / change;
+    V span = pick(again, to_stop, left);
+    V since = pick(moves, now + stop, c[REST_SINCE]);
+    c[REST_SINCE] = pick(here, pick(again, now + span, since), c[REST_SINCE]);
+    count_starts(b, here & starts);
+    V nothing = 0.0 * span;
+    V behind = path(span, nothing, push, change);
+    V further = pick(starts, behind, broadcast(0.0));
+    M goes_on = starts & ~again;
+    V end = pick(goes_on, speed, broadcast(0.0));
+    V before = path(stop, omega, net, change);
+    return (Pair){end, (before + further)};
+}
+
+/* Return the speed at the end of a piece and the path through it. */
+INLINE Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
+{
+    V twice = net + after;
+    V half = 0.5 * length;
+    V end = omega + (half * twice);
+    V by_rates = net + twice;
+    V sixth = SIXTH * length;
+    V mean = omega + (sixth * by_rates);
+    V further = length * mean;
+    V lowest = end;
+    V opposite = net * after;
+    M crosses = here & (opposite < 0.0);
+    if (bits(crosses)) {
+        lowest = lowest_speed(b, crosses, now, length, x, omega, net, after);
+    }
+    M moves = omega > 0.0;
+    M stays = moves & (lowest > 0.0);
+    M drives = (net > 0.0) | (after > 0.0);
+    M turns = here & ~stays & (moves | drives);
+    end = pick(stays, end, broadcast(0.0));
+    further = pick(stays, further, broadcast(0.0));
+    if (bits(turns)) {
+        const Pair speed_way = turn(b, turns, now, length, omega, net, after);
+        V speed = speed_way.one, way = speed_way.other;
+        end = pick(turns, speed, end);
+        further = pick(turns, way, further);
+    }
+    return (Pair){end, further};
+}
+
+/* Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic. The net
+ * moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record. A
+ * lane leaves before a piece in which it may lift. */
+static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V weight)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V per = 1.0 / c[job->table[t].cell + SCALE];
+    int last = (int)job->data[t].pieces - 1;
+    int piece = first;
+    V now = c[TIME];
+    V current = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
+    V net = base + (slope * current);
+    V value = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
+    V omega = broadcast(0.0);
+    V x = broadcast(0.0);
+    M on = here;
+    while (bits(on)) {
+        V until = end_of(b, t, piece, per);
+        V length = until - now;
+        V after = base + (slope * value);
+        const Pair speed_way = pass_piece(b, on, now, length, x, omega, net, after);
+        V speed = speed_way.one, way = speed_way.other;
+        omega = speed;
+        x = x + way;
+        now = until;
+        net = after;
+        piece = piece + 1;
+        int following = (piece + 1) < last ? (piece + 1) : last;
+        double height = job->data[t].coefficients[2 * following];
+        value = height * c[job->table[t].cell + SCALED_BY];
+        V press = weight + (grip * value);
+        M inside = passes(b, t, piece, per, press);
+        M leaves = on & ~inside;
+        EACH(lane, bits(leaves)) {
+            end_slide(b, lane, t, piece, x[lane], omega[lane]);
+        }
+        on = on & inside;
+    }
+}
+
+/* Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round. So
+ * the numbers of a lane do not depend on other lanes. */
+static M slide_together(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *net = b->r + job->role->net;
+    V slope = net[1] / c[job->table[t].cell + RISE];
+    V origin = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
+    V base = net[0] - (slope * origin);
+    V grip = broadcast(0.0);
+    if (job->role->normal >= 0) {
+        grip = (b->r + job->role->normal)[1] / c[job->table[t].cell + RISE];
+    }
+    V force = normal_force(b);
+    V weight = force - (grip * origin);
+    M straight = net[2] == 0.0;
+    M linear = here & straight & (c[job->table[t].cell + RISE] != 0.0);
+    M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0);
+    M forward = linear & down_slope & (c[LIFTED] == 0.0);
+    int piece = greatest(pick(forward, c[job->table[t].cell + PIECE], broadcast(-1.0)));
+    M same = c[job->table[t].cell + PIECE] == (double)piece;
+    M there = forward & same;
+    if (bits(there)) {
+        V per = 1.0 / c[job->table[t].cell + SCALE];
+        V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
+        V press = weight + (grip * ahead);
+        M inside = there & passes(b, t, piece, per, press);
+        slide(b, inside, t, piece, slope, base, grip, weight);
+    }
+    return forward & ~there;
 }
 
 /* Begin another phase in motion: the lane enters another piece of a table, is lifted or lands. */
@@ -2287,18 +2481,12 @@ static void end_motion(Batch *b, unsigned lane, double rate, double status)
 /* End the lane at its end time, or pass breaks of functions of time. */
 static void on_limit(Batch *b, unsigned lane, double rate)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
     if (c[TIME][lane] >= c[END_TIME][lane]) {
         end_motion(b, lane, rate, ENDED);
         return;
     }
     pass_breaks(b, lane);
-    for (int t = 0; t < job->tables; t++) {
-        if ((job->autonomous == 2) && (job->timed == 1) && !(job->samples > 0) && (job->data[t].terms == 2)) {
-            glide(b, lane, t);
-        }
-    }
 }
 
 /* Apply the consequences of a step: an event, a break of a function of time, the end time, or another step. */
@@ -2424,21 +2612,6 @@ static void find_events(Batch *b, M here, int top)
     if (job->role->normal >= 0) {
         V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
         find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), c[PASSED] == (double)LIFT, EVENT_LIFT_OFF);
-    }
-}
-
-/* Record a candidate for the greatest speed in the current step if it exceeds the record. If the record is not at
- * the beginning of the step, the difference must exceed rounding. */
-INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
-{
-    V *const c = b->c;
-    M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
-    if (bits(faster)) {
-        faster = faster & ((c[PEAK_TIME] == c[TIME]) | (speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]))));
-        c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
-        c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
-        c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);
-        c[PEAK_RATE] = pick(here, pick(faster, c[DIRECTION] * rate, c[PEAK_RATE]), c[PEAK_RATE]);
     }
 }
 
@@ -2907,21 +3080,11 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
     }
 }
 
-/* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
-static void rest_on(Batch *b, M here)
+/* Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too. */
+static void rest_to_change(Batch *b, M here, V limit, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V limit = next_break(b);
-    V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
-    c[STRETCH] = pick(here, room, c[STRETCH]);
-    c[START_AHEAD] = pick(here, broadcast(INFINITY), c[START_AHEAD]);
-    c[START_DIRECTION] = pick(here, broadcast(0.0), c[START_DIRECTION]);
-    c[SUDDEN] = pick(here, broadcast(0.0), c[SUDDEN]);
-    c[LIFT_AHEAD] = pick(here, broadcast(INFINITY), c[LIFT_AHEAD]);
-    c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
-    c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
-    look_ahead(b, here, room);
     M both = here & (c[ONE_WAY] == 0.0);
     if (bits(both)) {
         EACH(lane, bits(both)) {
@@ -2941,6 +3104,31 @@ static void rest_on(Batch *b, M here)
     EACH(lane, bits(here)) {
         leave_rest(b, lane, limit[lane], room[lane]);
     }
+}
+
+/* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
+static void rest_on(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V limit = next_break(b);
+    V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
+    c[STRETCH] = pick(here, room, c[STRETCH]);
+    c[START_AHEAD] = pick(here, broadcast(INFINITY), c[START_AHEAD]);
+    c[START_DIRECTION] = pick(here, broadcast(0.0), c[START_DIRECTION]);
+    c[SUDDEN] = pick(here, broadcast(0.0), c[SUDDEN]);
+    c[LIFT_AHEAD] = pick(here, broadcast(INFINITY), c[LIFT_AHEAD]);
+    c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
+    c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
+    look_ahead(b, here, room);
+    M later = (M){0};
+    for (int t = 0; t < job->tables; t++) {
+        int exact = (job->autonomous == 2) && (job->timed == 1) && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
+            later = slide_together(b, here, t);
+        }
+    }
+    rest_to_change(b, here & (c[PENDING] == (double)READY) & ~later, limit, room);
 }
 
 /* Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow. */
@@ -3079,10 +3267,12 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         job->order = order > job->order ? (int)order : job->order;
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
+    /* Motions under a record whose series end early begin side by side. */
+    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
         if (round < job->budget && load_neighbours(b, next)) next += LANES;
-        else if (round < job->budget && (vacant >= LEAST_FREE || vacant >= job->end - next))
+        else if (round < job->budget && (vacant >= least_free || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;

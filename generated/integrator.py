@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1a7ea43a016984d310818204cf8cfb329f2e381df96ec363b6e79d6c239f9d4a
+# sha256 of the text below: 485c96d95f536b309854ee46bbde670e92aa24f328dc8a4d349a181246315230
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -46,6 +46,8 @@ class Table:
         self.degree = slot.degree
         self.data = data
         self.pieces = len(data.breaks)
+        self.places = data.breaks
+        self.heights = data.coefficients.ravel()
         self.terms = data.coefficients.shape[1]
         self.sine = data.sine
         self.open = data.open
@@ -81,6 +83,7 @@ class Lanes:
         self.autonomous = program.autonomous
         self.samples = samples
         self.log = log
+        self.logged = log is not None
 
     @property
     def stored(self) -> Floats:
@@ -249,6 +252,7 @@ LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
 SURE = 0.9999990463256836
+SIXTH = 0.16666666666666666
 ROUNDINGS = 134217728.0
 FAR = 1e+300
 PI = 3.141592653589793
@@ -795,19 +799,32 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
     return power_of_two(lowest)
 
 
-def update_peak(lane: Lanes, i: Index, rate: Floats, now: Floats) -> None:
-    """Record the current speed, at a time not before the lane's own, if it is the greatest."""
+def update_peak(lane: Lanes, i: Index, rate: Floats) -> None:
+    """Record the current speed if it is the greatest."""
     c = lane.cells
     rises = c[ix.PEAK_TIME, i] == c[ix.TIME, i]
     holds_1 = c[ix.OMEGA, i] > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA, i])
-    i_1, rate_1, now_1, rises_1 = (i, rate, now, rises)
-    i, rate, now, rises = among(holds_1, i_1, rate_1, now_1, rises_1)
+    i_1, rate_1, rises_1 = (i, rate, rises)
+    i, rate, rises = among(holds_1, i_1, rate_1, rises_1)
     if i.size:
-        c[ix.PEAK_TIME, i] = now
+        c[ix.PEAK_TIME, i] = c[ix.TIME, i]
         c[ix.PEAK_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
         c[ix.PEAK_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
         c[ix.PEAK_RATE, i] = c[ix.DIRECTION, i] * rate
-    i, rate, now, rises = (i_1, rate_1, now_1, rises_1)
+    i, rate, rises = (i_1, rate_1, rises_1)
+
+
+def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
+    """Record a candidate for the greatest speed in the current step if it exceeds the record."""
+    c = s.cells
+    faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
+    if np.any(faster):
+        faster = faster & ((c[ix.PEAK_TIME] == c[ix.TIME]) | (speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])))
+        c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
+        c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
+        c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,
+            c[ix.PEAK_ROTATION]), c[ix.PEAK_ROTATION])
+        c[ix.PEAK_RATE] = np.where(here, np.where(faster, c[ix.DIRECTION] * rate, c[ix.PEAK_RATE]), c[ix.PEAK_RATE])
 
 
 def update_reach(lane: Lanes, i: Index) -> None:
@@ -881,7 +898,7 @@ def start_moving(lane: Lanes, i: Index, rate: Floats) -> None:
     if i.size:
         note_lift_off(lane, i)
     i, rate = (i_1, rate_1)
-    update_peak(lane, i, rate, c[ix.TIME, i])
+    update_peak(lane, i, rate)
     c[ix.PENDING, i] = ix.READY
 
 
@@ -1186,77 +1203,219 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = (i_2, piece_2)
 
 
-def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, by_drive: Floats,
-        by_load: Floats) -> Mask:
-    """Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends."""
-    c = lane.cells
-    after = c[lane.roles.drive, i] + by_drive
-    lowest = np.where(net < after, net, after)
-    slowest = omega + length * np.where(lowest < 0.0, lowest, 0.0)
-    peaks = (net >= 0.0) & (after < 0.0) & (omega + length * net >= np.abs(c[ix.PEAK_OMEGA, i]))
-    moves = (slowest > (1.0 - SURE) * omega) & (c[lane.roles.normal0,
-        i] + by_load > (1.0 - SURE) * np.abs(c[lane.roles.normal0, i]))
-    return moves & np.logical_not(peaks)
+def path(time: Floats, omega: Floats, net: Floats, change: Floats) -> Floats:
+    """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
+    by_change = SIXTH * time * change
+    by_rate = 0.5 * net + by_change
+    mean = omega + time * by_rate
+    return time * mean
 
 
-def glide(lane: Lanes, i: Index, t: Table) -> None:
-    """Pass the pieces in which the net moment is linear in time and no event occurs."""
+def standstill(omega: Floats, net: Floats, change: Floats) -> Floats:
+    """Return the first time at which a falling speed is zero."""
+    square = net * net
+    decrease = 2.0 * change * omega
+    root = np.sqrt(np.maximum(square - decrease, 0.0))
+    twice = 2.0 * omega
+    falling = twice / (root - net)
+    rising = (net + root) / (0.0 - change)
+    return np.where(net <= 0.0, falling, rising)
+
+
+def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
+    """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
+    last = t.pieces - 1
+    following = min(piece + 1, last)
+    return t.places[following] * per
+
+
+def passes(s: Lanes, t: Table, piece: int, per: Floats, press: Floats) -> Mask:
+    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
+    c = s.cells
+    until = end_of(s, t, piece, per)
+    following = end_of(s, t, piece + 1, per)
+    before_last = (until < following) & (following < INFINITY)
+    latest = c[ix.END_TIME] * (1.0 - 4.0 * EPS)
+    in_time = until < latest
+    pressed = press > 0.0
+    return before_last & in_time & pressed
+
+
+def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
+    """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = lane.cells
-    rise = lane.registers[t.register][1, i]
-    holds_1 = (c[ix.PENDING, i] == ix.READY) & (rise != 0.0) & (lane.registers[lane.roles.net][2,
-        i] == 0.0) & (c[ix.LIFTED, i] == 0.0)
-    i_1, rise_1 = (i, rise)
-    i, rise = among(holds_1, i_1, rise_1)
+    c[ix.X, i] = x
+    c[ix.OMEGA, i] = omega
+    c[ix.STATUS, i] = np.where(omega > 0.0, ix.MOVING, ix.RESTING)
+    c[ix.STEPS, i] = 0.0
+    c[ix.PASSED, i] = ix.NOTHING
+    holds_1 = omega == 0.0
+    i_1, piece_1, omega_1 = (i, piece, omega)
+    i, piece, omega = among(holds_1, i_1, piece_1, omega_1)
     if i.size:
-        slope = lane.registers[lane.roles.net][1, i] / rise
-        grip = 0.0 * slope
-        if lane.roles.normal >= 0:
-            grip = lane.registers[lane.roles.normal][1, i] / rise
-        piece = integer(c[t.cells + ix.PIECE, i])
-        x = c[ix.X, i]
-        omega = c[ix.OMEGA, i]
-        now = c[ix.TIME, i]
-        net = c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i]
-        until = c[t.cells + ix.UPPER, i]
-        inc = c[t.cells + ix.LOWER, i]
-        i_2, slope_2, grip_2, piece_2, x_2, omega_2, now_2, net_2, until_2, inc_2 = (i, slope, grip, piece.copy(),
-            x.copy(), omega.copy(), now.copy(), net.copy(), until.copy(), inc.copy())
-        place_2 = np.arange(i.size)
-        while True:
-            i, slope, grip, piece, x, omega, now, net, until, inc, place_2 = among(passes_quietly(lane, i, t,
-                piece) & glides_on(lane, i, omega, until - now, net, slope * inc, grip * inc), i, slope, grip, piece, x,
-                omega, now, net, until, inc, place_2)
-            if not i.size:
-                break
-            length = until - now
-            after = c[lane.roles.drive, i] + slope * inc
-            x = x + length * (omega + length * (2.0 * net + after) / 6.0)
-            omega = omega + length * (net + after) / 2.0
-            now = until
-            net = after
-            piece = piece + 1
-            until = break_of(lane, i, t, piece + 1) / c[t.cells + ix.SCALE, i]
-            inc = value_at_break(lane, i, t, piece + 1) - c[t.cells + ix.VALUE, i]
-            piece_2[place_2] = piece
-            x_2[place_2] = x
-            omega_2[place_2] = omega
-            now_2[place_2] = now
-            net_2[place_2] = net
-            until_2[place_2] = until
-            inc_2[place_2] = inc
-        i, slope, grip, piece, x, omega, now, net, until, inc = (i_2, slope_2, grip_2, piece_2, x_2, omega_2, now_2,
-            net_2, until_2, inc_2)
-        holds_3 = piece > integer(c[t.cells + ix.PIECE, i])
-        i_3, piece_3, x_3, omega_3, now_3, net_3 = (i, piece, x, omega, now, net)
-        i, piece, x, omega, now, net = among(holds_3, i_3, piece_3, x_3, omega_3, now_3, net_3)
+        c[ix.TIME, i] = c[ix.REST_SINCE, i]
+        update_reach(lane, i)
+    i, piece, omega = (i_1, piece_1, omega_1)
+    advance_origin(lane, i)
+    edge = break_of(lane, i, t, piece)
+    now = edge / c[t.cells + ix.SCALE, i]
+    stand_before(lane, i, t, piece, now)
+    pass_break(lane, i, t)
+    c[ix.PENDING, i] = ix.BEGIN_PHASE
+
+
+def lowest_speed(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
+        after: Floats) -> Floats:
+    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
+    share = net / (net - after)
+    at = length * share
+    gain = at * net
+    extreme = omega + 0.5 * gain
+    mean = omega + 2.0 * SIXTH * gain
+    there = x + at * mean
+    rises = here & (net > 0.0)
+    keep_faster(s, rises, extreme, now + at, there, 0.0)
+    falls = here & (net < 0.0)
+    twice = net + after
+    half = 0.5 * length
+    end = omega + half * twice
+    return np.where(falls, extreme, end)
+
+
+def count_starts(s: Lanes, here: Mask) -> None:
+    """Count phases that begin down-slope."""
+    c = s.cells
+    back = c[ix.LAST_WAY] < 0.0
+    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
+    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(back, 1.0, 0.0), c[ix.TURNS])
+    c[ix.LAST_WAY] = np.where(here, 1.0, c[ix.LAST_WAY])
+
+
+def turn(s: Lanes, here: Mask, now: Floats, length: Floats, omega: Floats, net: Floats, after: Floats) -> tuple[Floats,
+        Floats]:
+    """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
+    c = s.cells
+    moves = omega > 0.0
+    rise = after - net
+    change = rise / length
+    root = standstill(omega, net, change)
+    stop = np.where(moves, root, 0.0)
+    share = net / (net - after)
+    zero = share * length
+    start = np.where(net < 0.0, zero, 0.0)
+    drives_later = (after > 0.0) & (start >= stop)
+    drives = (net > 0.0) & np.logical_not(moves)
+    starts = drives_later | drives
+    push = np.maximum(net, 0.0)
+    left = length - start
+    by_change = 0.5 * left * change
+    rate = push + by_change
+    speed = left * rate
+    again = starts & (speed <= 0.0)
+    to_stop = -2.0 * push / change
+    span = np.where(again, to_stop, left)
+    since = np.where(moves, now + stop, c[ix.REST_SINCE])
+    c[ix.REST_SINCE] = np.where(here, np.where(again, now + span, since), c[ix.REST_SINCE])
+    count_starts(s, here & starts)
+    nothing = 0.0 * span
+    behind = path(span, nothing, push, change)
+    further = np.where(starts, behind, 0.0)
+    goes_on = starts & np.logical_not(again)
+    end = np.where(goes_on, speed, 0.0)
+    before = path(stop, omega, net, change)
+    return (end, before + further)
+
+
+def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
+        after: Floats) -> tuple[Floats, Floats]:
+    """Return the speed at the end of a piece and the path through it."""
+    twice = net + after
+    half = 0.5 * length
+    end = omega + half * twice
+    by_rates = net + twice
+    sixth = SIXTH * length
+    mean = omega + sixth * by_rates
+    further = length * mean
+    lowest = end
+    opposite = net * after
+    crosses = here & (opposite < 0.0)
+    if np.any(crosses):
+        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after)
+    moves = omega > 0.0
+    stays = moves & (lowest > 0.0)
+    drives = (net > 0.0) | (after > 0.0)
+    turns = here & np.logical_not(stays) & (moves | drives)
+    end = np.where(stays, end, 0.0)
+    further = np.where(stays, further, 0.0)
+    if np.any(turns):
+        speed, way = turn(s, turns, now, length, omega, net, after)
+        end = np.where(turns, speed, end)
+        further = np.where(turns, way, further)
+    return (end, further)
+
+
+def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Floats, grip: Floats,
+        weight: Floats) -> None:
+    """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
+    c = s.cells
+    per = 1.0 / c[t.cells + ix.SCALE]
+    last = t.pieces - 1
+    piece = first
+    now = c[ix.TIME].copy()
+    current = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
+    net = base + slope * current
+    value = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
+    omega: Floats = 0.0
+    x: Floats = 0.0
+    on = here
+    while np.any(on):
+        until = end_of(s, t, piece, per)
+        length = until - now
+        after = base + slope * value
+        speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+        omega = speed
+        x = x + way
+        now = until
+        net = after
+        piece = piece + 1
+        following = min(piece + 1, last)
+        height = t.heights[2 * following]
+        value = height * c[t.cells + ix.SCALED_BY]
+        press = weight + grip * value
+        inside = passes(s, t, piece, per, press)
+        leaves = on & np.logical_not(inside)
+        i = np.flatnonzero(leaves)
         if i.size:
-            c[ix.X, i] = x
-            c[ix.OMEGA, i] = omega
-            update_peak(lane, i, net, now)
-            stand_before(lane, i, t, piece, now)
-            pass_break(lane, i, t)
-        i, piece, x, omega, now, net = (i_3, piece_3, x_3, omega_3, now_3, net_3)
-    i, rise = (i_1, rise_1)
+            end_slide(s, i, t, np.full(i.size, piece), x[i], omega[i])
+        on = on & inside
+
+
+def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
+    """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round."""
+    c = s.cells
+    net = s.registers[s.roles.net]
+    slope = net[1] / c[t.cells + ix.RISE]
+    origin = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
+    base = net[0] - slope * origin
+    grip: Floats = 0.0
+    if s.roles.normal >= 0:
+        grip = s.registers[s.roles.normal][1] / c[t.cells + ix.RISE]
+    force = normal_force(s)
+    weight = force - grip * origin
+    straight = net[2] == 0.0
+    linear = here & straight & (c[t.cells + ix.RISE] != 0.0)
+    down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0)
+    forward = linear & down_slope & (c[ix.LIFTED] == 0.0)
+    piece = greatest(np.where(forward, c[t.cells + ix.PIECE], -1.0))
+    same = c[t.cells + ix.PIECE] == float(piece)
+    there = forward & same
+    if np.any(there):
+        per = 1.0 / c[t.cells + ix.SCALE]
+        ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
+        press = weight + grip * ahead
+        inside = there & passes(s, t, piece, per, press)
+        slide(s, inside, t, piece, slope, base, grip, weight)
+    return forward & np.logical_not(there)
 
 
 def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
@@ -1347,9 +1506,6 @@ def on_limit(lane: Lanes, i: Index, rate: Floats) -> None:
     if not i.size:
         return
     pass_breaks(lane, i)
-    for t in lane.tables:
-        if lane.autonomous == 2 and lane.timed == 1 and (not lane.samples) and (t.terms == 2):
-            glide(lane, i, t)
 
 
 def settle(lane: Lanes, i: Index, rate: Floats, at_limit: Mask, endless: Mask) -> None:
@@ -1477,19 +1633,6 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
         sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
         find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, c[ix.PASSED] == ix.LIFT,
             ix.EVENT_LIFT_OFF)
-
-
-def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
-    """Record a candidate for the greatest speed in the current step if it exceeds the record."""
-    c = s.cells
-    faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
-    if np.any(faster):
-        faster = faster & ((c[ix.PEAK_TIME] == c[ix.TIME]) | (speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])))
-        c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
-        c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
-        c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,
-            c[ix.PEAK_ROTATION]), c[ix.PEAK_ROTATION])
-        c[ix.PEAK_RATE] = np.where(here, np.where(faster, c[ix.DIRECTION] * rate, c[ix.PEAK_RATE]), c[ix.PEAK_RATE])
 
 
 def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
@@ -1911,19 +2054,9 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
     i, breaks = (i_5, breaks_5)
 
 
-def rest_on(s: Lanes, here: Mask) -> None:
-    """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
+def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
+    """Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too."""
     c = s.cells
-    limit = next_break(s)
-    room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
-    c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
-    c[ix.START_AHEAD] = np.where(here, INFINITY, c[ix.START_AHEAD])
-    c[ix.START_DIRECTION] = np.where(here, 0.0, c[ix.START_DIRECTION])
-    c[ix.SUDDEN] = np.where(here, 0.0, c[ix.SUDDEN])
-    c[ix.LIFT_AHEAD] = np.where(here, INFINITY, c[ix.LIFT_AHEAD])
-    c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
-    c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
-    look_ahead(s, here, room)
     both = here & (c[ix.ONE_WAY] == 0.0)
     if np.any(both):
         i = np.flatnonzero(both)
@@ -1941,6 +2074,27 @@ def rest_on(s: Lanes, here: Mask) -> None:
     i = np.flatnonzero(here)
     if i.size:
         leave_rest(s, i, limit[i], room[i])
+
+
+def rest_on(s: Lanes, here: Mask) -> None:
+    """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
+    c = s.cells
+    limit = next_break(s)
+    room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
+    c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
+    c[ix.START_AHEAD] = np.where(here, INFINITY, c[ix.START_AHEAD])
+    c[ix.START_DIRECTION] = np.where(here, 0.0, c[ix.START_DIRECTION])
+    c[ix.SUDDEN] = np.where(here, 0.0, c[ix.SUDDEN])
+    c[ix.LIFT_AHEAD] = np.where(here, INFINITY, c[ix.LIFT_AHEAD])
+    c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
+    c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
+    look_ahead(s, here, room)
+    later = none_of(s)
+    for t in s.tables:
+        exact = s.autonomous == 2 and s.timed == 1 and (not s.samples) and (not s.logged) and (t.terms == 2)
+        if exact and t.kind == ix.OF_TIME and (not t.sine):
+            later = slide_together(s, here, t)
+    rest_to_change(s, here & (c[ix.PENDING] == float(ix.READY)) & np.logical_not(later), limit, room)
 
 
 def stop_endless(s: Lanes, here: Mask) -> None:

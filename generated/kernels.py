@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 162615408b0d8956d5e72db95c5344f2a58037c923b90a2477ed9dd764a8c03e
+# sha256 of the text below: b3fc34cdb3118b34e581c4b14e9e542a3ae3ea025114d788be81852acbe724d0
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from generated._compiled import Text, kernel
+from generated._compiled import Text, direct, kernel
 from generated._evaluate import Array, horner, lost
 
 __all__ = [
@@ -185,6 +185,7 @@ TEXTS["polar_moment"] = {"best": _polar_moment, "1e-10": _polar_moment_1e_10, "1
 _call_polar_moment = kernel("polar_moment", TEXTS["polar_moment"])
 
 
+@direct
 def polar_moment(alpha, out=None, *, where=True, accuracy=None):
     """Return I_p*, the polar surface moment of inertia of the moving mass, dimensionless.
 
@@ -272,6 +273,7 @@ TEXTS["moment_of_inertia"] = {"best": _moment_of_inertia, "1e-10": _moment_of_in
 _call_moment_of_inertia = kernel("moment_of_inertia", TEXTS["moment_of_inertia"])
 
 
+@direct
 def moment_of_inertia(alpha, out=None, *, where=True, accuracy=None):
     """Return Theta*, the moment of inertia of the moving mass about the centre, dimensionless.
 
@@ -378,6 +380,7 @@ TEXTS["radial_weight_amplitude"] = {"best": _radial_weight_amplitude, "1e-10": _
 _call_radial_weight_amplitude = kernel("radial_weight_amplitude", TEXTS["radial_weight_amplitude"])
 
 
+@direct
 def radial_weight_amplitude(alpha, out=None, *, where=True, accuracy=None):
     """Return C_r, the weight of the moving mass along the radius, dimensionless.
 
@@ -463,6 +466,7 @@ TEXTS["weight_moment_amplitude"] = {"best": _weight_moment_amplitude, "1e-10": _
 _call_weight_moment_amplitude = kernel("weight_moment_amplitude", TEXTS["weight_moment_amplitude"])
 
 
+@direct
 def weight_moment_amplitude(alpha, out=None, *, where=True, accuracy=None):
     """Return C_theta, the moment of the weight about the centre, dimensionless.
 
@@ -538,6 +542,7 @@ TEXTS["resistance_factor"] = {"best": _resistance_factor, "1e-10": _resistance_f
 _call_resistance_factor = kernel("resistance_factor", TEXTS["resistance_factor"])
 
 
+@direct
 def resistance_factor(alpha, out=None, *, where=True, accuracy=None):
     """Return lambda, the lever of the resistance, arc length times depth, dimensionless.
 
@@ -606,6 +611,7 @@ TEXTS["dynamic_coefficient"] = {"best": _dynamic_coefficient}
 _call_dynamic_coefficient = kernel("dynamic_coefficient", TEXTS["dynamic_coefficient"])
 
 
+@direct
 def dynamic_coefficient(alpha, out=None, *, where=True, accuracy=None):
     """Return A, the coefficient of omega*^2 in the mean normal stress (2.20), dimensionless.
 
@@ -672,6 +678,7 @@ TEXTS["weight_moment_per_inertia"] = {"best": _weight_moment_per_inertia}
 _call_weight_moment_per_inertia = kernel("weight_moment_per_inertia", TEXTS["weight_moment_per_inertia"])
 
 
+@direct
 def weight_moment_per_inertia(alpha, out=None, *, where=True, accuracy=None):
     """Return C_theta/Theta*, the drive of gravity in the equation of motion, dimensionless.
 
@@ -746,6 +753,7 @@ TEXTS["radial_weight_per_inertia"] = {"best": _radial_weight_per_inertia}
 _call_radial_weight_per_inertia = kernel("radial_weight_per_inertia", TEXTS["radial_weight_per_inertia"])
 
 
+@direct
 def radial_weight_per_inertia(alpha, out=None, *, where=True, accuracy=None):
     """Return C_r/Theta*, the brake of static friction in the equation of motion, dimensionless.
 
@@ -816,6 +824,7 @@ TEXTS["polar_moment_per_inertia"] = {"best": _polar_moment_per_inertia}
 _call_polar_moment_per_inertia = kernel("polar_moment_per_inertia", TEXTS["polar_moment_per_inertia"])
 
 
+@direct
 def polar_moment_per_inertia(alpha, out=None, *, where=True, accuracy=None):
     """Return I_p*/Theta*, the brake of centripetal friction in the equation of motion, dimensionless.
 
@@ -889,6 +898,7 @@ _call_weight_moment_per_radial_weight = kernel("weight_moment_per_radial_weight"
     TEXTS["weight_moment_per_radial_weight"])
 
 
+@direct
 def weight_moment_per_radial_weight(alpha, out=None, *, where=True, accuracy=None):
     """Return C_theta/C_r, the limit friction over tan(psi), dimensionless.
 
@@ -974,6 +984,7 @@ TEXTS["radial_weight"] = {"best": _radial_weight, "1e-10": _radial_weight_1e_10,
 _call_radial_weight = kernel("radial_weight", TEXTS["radial_weight"], both_ends=True)
 
 
+@direct
 def radial_weight(theta_1, theta_2, out=None, *, where=True, accuracy=None):
     """Return J_r, the weight of the moving mass along the radius, dimensionless.
 
@@ -1061,6 +1072,7 @@ TEXTS["weight_moment"] = {"best": _weight_moment, "1e-10": _weight_moment_1e_10,
 _call_weight_moment = kernel("weight_moment", TEXTS["weight_moment"], both_ends=True)
 
 
+@direct
 def weight_moment(theta_1, theta_2, out=None, *, where=True, accuracy=None):
     """Return J_theta, the moment of the weight about the centre, dimensionless.
 
@@ -1130,6 +1142,7 @@ TEXTS["limit_friction"] = {"best": _limit_friction}
 _call_limit_friction = kernel("limit_friction", TEXTS["limit_friction"], both_ends=True)
 
 
+@direct
 def limit_friction(theta_1, theta_2, out=None, *, where=True, accuracy=None):
     """Return mu_eq, the friction coefficient at limit equilibrium.
 

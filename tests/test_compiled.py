@@ -1,5 +1,8 @@
 """The compiled kernels: bits of exact arithmetic, NumPy's manners, and the accuracy that is asked for."""
 
+import inspect
+import math
+import pickle
 import tracemalloc
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -246,3 +249,22 @@ def test_accuracy_that_cannot_be(level: str) -> None:
         function(np.float16(0.5), accuracy=1e-3)
     with pytest.raises(ValueError, match="nothing is proved"):
         _compiled.kernel("unknown", {"best": lambda x: x}, level)(0.5, accuracy=1.0)
+
+
+@pytest.mark.parametrize("name", kernels.__all__)
+def test_calls_with_floats_have_the_bits_of_arrays(name: str) -> None:
+    """Protect the calls that do not run Python's interpreter, at both ends of the domain, outside and for NaN."""
+    function = getattr(kernels, name)
+    ends = name in ("radial_weight", "weight_moment", "limit_friction")
+    halves = [0.0, 5e-324, 1e-9, 0.3, 1.1, 1.5, math.pi / 2, np.nextafter(math.pi / 2, 2.0), -1e-300, 2.0, math.nan]
+    cases = [(4.0, 4.0 + 2.0 * x) for x in halves] if ends else [(x,) for x in halves]
+    for case in cases:
+        with np.errstate(all="ignore"):
+            values = [function(*case), function(*map(np.float64, case))]
+            expected = function(*(np.array([x]) for x in case))
+        assert np.array_equal(values, np.repeat(expected, 2), equal_nan=True), case
+        assert {type(x) for x in values} == {np.float64}
+    with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match=name):
+        function(*((5.0, 4.0) if ends else (-1.0,)))
+    assert pickle.loads(pickle.dumps(function)) is function
+    assert [*inspect.signature(function).parameters][-3:] == ["out", "where", "accuracy"]

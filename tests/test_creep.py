@@ -47,11 +47,7 @@ CRITICAL = float(2 * mpmath.sqrt(STIFFNESS))
 
 @pytest.mark.parametrize(
     ("damping", "accuracy"),
-    [
-        *product((0.9 * CRITICAL, 0.99 * CRITICAL, 1.001 * CRITICAL, 1.5 * CRITICAL, 20.0), (1e-3, 1e-9, 1e-12)),
-        (1e4, 1e-3),
-        (1e9, 1e-9),
-    ],
+    [*product((0.99 * CRITICAL, 1.001 * CRITICAL, 20.0), (1e-3, 1e-9, 1e-12)), (1e4, 1e-3), (1e9, 1e-9)],
 )
 def test_a_mass_creeps_if_it_is_overdamped_at_its_equilibrium(damping: float, accuracy: float) -> None:
     """The status from rest under constant friction is the same for every accuracy, alone and in an ensemble."""

@@ -1,14 +1,17 @@
 """Closed forms of phases of motion: proofs, plain integration with many digits, and the integrator in time."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
+from sympy import Add, hyper, lambdify
 
 from derive.algebra import phase_plane
+from derive.algebra.phase_plane import drive, q, sine, vers, x
 from derive.check.proof import ProofError
 from derive.flow import closed
 from derive.flow.integrator import swing
@@ -62,6 +65,34 @@ def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
 # --- E and the duration, with many digits ----------------------------------------------------------------------------
 
 
+@cache
+def regular_energy() -> Callable[..., Any]:
+    """Return E as a function of mpmath, regular at q = 0."""
+    terms = [factor * function for factor, function in zip(phase_plane.constant(), phase_plane.BASIS, strict=True)]
+    terms[1] = phase_plane.constant()[1] * x**2 * hyper([1], [3], -q * x) / 2
+    return lambdify((x, drive, sine, vers, q), Add(*terms), "mpmath")
+
+
+def energy_at(at: Any, numbers: Sequence[Any], softens: Sequence[Any] = ()) -> Any:
+    """Return E at a rotation as a number of mpmath, from drive, sine, vers and q.
+
+    ``softens`` are slope, brake, load, load_sine and load_vers of exponential softening.
+    """
+    numbers = [mpmath.mpf(number) for number in numbers]
+    if not softens:
+        return regular_energy()(at, *numbers)
+    fall = mpmath.exp(-softens[0] * at)
+    total = mpmath.mpf(0)
+    for j, problem in enumerate(phase_plane.softening()):
+        numbers_of = lambdify((drive, sine, vers, q, *phase_plane.SOFTENING), [*problem.values()], "mpmath")
+        of_term = numbers_of(*numbers, *softens)
+        term = fall**j * energy_at(at, of_term)
+        total += term
+        if j > 1 and abs(term) <= mpmath.eps * abs(total):
+            break
+    return mpmath.exp(softens[1] * fall / softens[0]) * total
+
+
 def by_quadrature(numbers: Any, at: Any, softens: Any = (1, 0, 0, 0, 0)) -> Any:
     """E by the integrating factor of the linear equation, of exponential softening if there are numbers for it."""
     drive, sine, vers, q = map(mpmath.mpf, numbers)
@@ -84,7 +115,7 @@ def test_e_under_constant_friction_solves_the_equation(q: float) -> None:
     with mpmath.workdps(30):
         for at in (1e-6, 0.04, 1.5):
             exact = by_quadrature(numbers, mpmath.mpf(at))
-            assert abs(phase_plane.energy_at(mpmath.mpf(at), numbers) / exact - 1) < 1e-20
+            assert abs(energy_at(mpmath.mpf(at), numbers) / exact - 1) < 1e-20
             e, b = [0.0] * 5, [0.0] * 4
             swing.factors(e, *numbers)
             swing.functions(b, at, q)
@@ -98,7 +129,7 @@ def test_e_under_exponential_softening_passes_resonances(order: int, distance: f
     q = 0.6
     softens = (q / order * (1 + mpmath.mpf(distance)), 0.4, 0.05, 0.3, -0.1)
     with mpmath.workdps(25):
-        found = phase_plane.energy_at(mpmath.mpf(0.7), (*CONSTANT[:3], q), softens)
+        found = energy_at(mpmath.mpf(0.7), (*CONSTANT[:3], q), softens)
         assert abs(found / by_quadrature((*CONSTANT[:3], q), mpmath.mpf(0.7), softens) - 1) < 1e-16
 
 
@@ -116,12 +147,12 @@ def test_a_phase_near_the_limit_keeps_its_digits(share: float) -> None:
     peak = swing.peak_of_swing(e, end, True)
     with mpmath.workdps(60):
         given = [mpmath.mpf(x) for x in numbers]
-        exact = mpmath.findroot(lambda x: phase_plane.energy_at(x, given) / x, end)
-        top = mpmath.findroot(lambda x: mpmath.diff(partial(phase_plane.energy_at, numbers=given), x), peak)
+        exact = mpmath.findroot(lambda x: energy_at(x, given) / x, end)
+        top = mpmath.findroot(lambda x: mpmath.diff(partial(energy_at, numbers=given), x), peak)
 
         def spent(u: Any) -> Any:
             x = exact * mpmath.sin(u) ** 2
-            return exact * mpmath.sin(2 * u) / mpmath.sqrt(abs(phase_plane.energy_at(x, given)))
+            return exact * mpmath.sin(2 * u) / mpmath.sqrt(abs(energy_at(x, given)))
 
         whole = mpmath.quad(spent, [0, mpmath.pi / 4, mpmath.pi / 2])
         part = mpmath.quad(spent, [0, mpmath.asin(mpmath.sqrt(top / exact))])
@@ -131,12 +162,12 @@ def test_a_phase_near_the_limit_keeps_its_digits(share: float) -> None:
 
 
 def test_functions_without_cancellation() -> None:
-    for x in (1e-9, 0.1, 1.0, 3.14):
+    for angle in (1e-9, 0.1, 1.0, 3.14):
         with mpmath.workdps(40):
-            exact = (x - mpmath.sin(x), 1 - mpmath.cos(x))
-            y = mpmath.mpf(min(x, 2.0))
+            exact = (angle - mpmath.sin(angle), 1 - mpmath.cos(angle))
+            y = mpmath.mpf(min(angle, 2.0))
             fading = float((y - 1 + mpmath.exp(-y)) / y**2)
-        assert swing.turned(x) == pytest.approx([float(v) for v in exact], rel=4e-15)
+        assert swing.turned(angle) == pytest.approx([float(v) for v in exact], rel=4e-15)
         assert swing.faded(float(y)) == pytest.approx(fading, rel=1e-15)
 
 

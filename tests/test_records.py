@@ -12,8 +12,8 @@ import pytest
 from slipcircle import Record, Scene, load, solve
 from slipcircle.tables import Pulse, Series
 from slipcircle.workbench.records import recordfiles
-from slipcircle.workbench.records.records import read_pore_pressure, read_record
-from tests.support.recordfiles import NORTH, TIME, at2, cosmos, csmip, esm, knet, smc
+from slipcircle.workbench.records.records import read_record
+from tests.support.recordfiles import NORTH, TIME, at2, cosmos, csmip, esm, knet, read_pore_pressure, smc
 
 
 def write(folder: Path, text: str, name: str = "record.txt") -> Path:

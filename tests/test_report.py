@@ -276,7 +276,7 @@ def test_nothing_is_written_where_one_file_fails(tmp_path: Path, refused: Any, m
     def fails(*_: Any) -> bytes:
         raise ValueError("cannot be drawn")
 
-    monkeypatch.setattr("slipcircle.workbench.commands.run.picture", fails)
+    monkeypatch.setattr(pictures, "render", fails)
     assert "cannot be drawn" in refused("run vaiont --csv", tmp_path / "m.csv", "--plot", tmp_path / "m.png")
     assert not list(tmp_path.iterdir())
 

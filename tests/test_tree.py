@@ -18,7 +18,7 @@ LAYERED = Scene(
         GROUND,
         (30, 45),
         48.0,
-        layers=[(Soil(18e3, 2e3, LAW, name="sand 1.2"), None), (Soil(19e3, 5e3, LAW, name="clay"), LINE)],
+        layers=[(Soil(18e3, 2e3, LAW, name="sand 1.2"), None), (Soil(19e3, 5e3, LAW, name=""), LINE)],
         surcharge=[(-15, -5, 2e4, 4e4)],
         crack=0.5,
     ),
@@ -54,6 +54,8 @@ def test_lenses_change_what_they_stand_for() -> None:
     assert np.asarray(arc.layers[1][1]).tolist() == [[-60, 17.0], [10, 17.5], [20, 11.0]]
     assert arc.surcharge[0] == (-15, -5, 3e4, 6e4)
     assert [soil.friction["length"] for soil, _ in arc.layers] == [0.7, 0.7]
+    leftward = with_parameters(Scene(Arc(60.0, 4.4, 5.6, 19e3), 0.4), {"dip": 0.3})
+    assert leftward.arc.dip == pytest.approx(0.3, rel=1e-14)
     turned = with_parameters(SHAKEN, {"dip": 0.3, "shaking.peak": 0.4})
     assert turned.arc.dip == pytest.approx(0.3, rel=1e-14)
     assert turned.arc.half_angle == pytest.approx(0.6, rel=1e-14)

@@ -4,12 +4,10 @@ While a mass slides in one direction and presses on its surface, d omega/dt = (d
 the phase began. If forces depend on the rotation and on omega^2 alone, (3.11) is therefore E' + k(x) E = 2 f(x).
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from functools import cache
 from itertools import islice
-from typing import Any
 
-import mpmath
 from sympy import (
     Add,
     Expr,
@@ -22,8 +20,6 @@ from sympy import (
     exp,
     expand,
     factorial,
-    hyper,
-    lambdify,
     sin,
     solve,
     sqrt,
@@ -112,31 +108,3 @@ def prove(count: int = 3) -> str:
     factor = exp(brake * exp(-slope * x) / slope)
     prove_zero(diff(factor, x) + brake * exp(-slope * x) * factor, "exp(brake W/slope) removes brake W E")
     return "E' + k E = 2 f derived from (3.11), solved for constant friction and for exponential softening"
-
-
-@cache
-def _energy() -> Callable[..., Any]:
-    """Return E as a function of mpmath, regular at q = 0."""
-    terms = [factor * function for factor, function in zip(constant(), BASIS, strict=True)]
-    terms[1] = constant()[1] * x**2 * hyper([1], [3], -q * x) / 2
-    return lambdify((x, drive, sine, vers, q), Add(*terms), "mpmath")
-
-
-def energy_at(at: Any, numbers: Sequence[Any], softens: Sequence[Any] = ()) -> Any:
-    """Return E at a rotation as a number of mpmath, from drive, sine, vers and q.
-
-    ``softens`` are slope, brake, load, load_sine and load_vers of exponential softening.
-    """
-    numbers = [mpmath.mpf(number) for number in numbers]
-    if not softens:
-        return _energy()(at, *numbers)
-    fall = mpmath.exp(-softens[0] * at)
-    total = mpmath.mpf(0)
-    for j, problem in enumerate(softening()):
-        numbers_of = lambdify((drive, sine, vers, q, *SOFTENING), [*problem.values()], "mpmath")
-        of_term = numbers_of(*numbers, *softens)
-        term = fall**j * energy_at(at, of_term)
-        total += term
-        if j > 1 and abs(term) <= mpmath.eps * abs(total):
-            break
-    return mpmath.exp(softens[1] * fall / softens[0]) * total

@@ -172,7 +172,7 @@ def function(f: Function, text: PythonText) -> str:
     names = ", ".join(inputs)
     return (
         f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"]{more})\n\n\n'
-        f"def {name}({names}, out=None, *, where=True, accuracy=None):\n{doc}"
+        f"@direct\ndef {name}({names}, out=None, *, where=True, accuracy=None):\n{doc}"
         f"    return _call_{name}({names}, out, where, accuracy)\n"
     )
 
@@ -259,7 +259,7 @@ IMPORTS = (
     "import numpy as np",
     "from numpy.typing import ArrayLike, NDArray",
     "",
-    "from generated._compiled import Text, kernel",
+    "from generated._compiled import Text, direct, kernel",
     "from generated._evaluate import Array, Out, horner, lost",
 )
 

@@ -44,12 +44,13 @@ _OF_LANES = {
     **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
     **{f"series.{x}": ("SERIES", "S") for x in layout.ROLES},
     **{f"has.{x.removeprefix('cell_')}": ("HAS", "N") for x in layout.ROLES},
-    **dict.fromkeys(("samples", "timed", "autonomous", "highest"), ("SHARED", "N")),
+    **dict.fromkeys(("samples", "logged", "timed", "autonomous", "highest"), ("SHARED", "N")),
 }
 _OF_TABLE = {
     **{x.lower(): ("PART", "V") for x in layout.TABLE if x != "Q1"},
     **dict.fromkeys(("kind", "number", "degree", "terms", "pieces", "sine", "open"), ("TABLE", "N")),
     "series": ("TABLE", "S"),
+    **dict.fromkeys(("places", "heights"), ("TABLE", "A")),
 }
 ENTRIES = {(kind, x): entry for kind in ("LANES", "LANE") for x, entry in _OF_LANES.items()}
 ENTRIES |= {("T", before + x): entry for before in ("", "before.") for x, entry in _OF_TABLE.items()}

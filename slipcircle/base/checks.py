@@ -17,8 +17,7 @@ EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # open lower and upper bound, and their description in words
 Fault = tuple[Any, Callable[[int], str]]  # mask of invalid lanes, and a function that describes a lane
-
-
+_WITHOUT_WARNING: Any = nullcontext()
 _ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
 
 
@@ -112,7 +111,7 @@ def may_overflow(shape: Shape) -> Any:
     The overflow itself is reported when the result is read.
     """
     if not shape:
-        return nullcontext()
+        return _WITHOUT_WARNING
     return np.errstate(over="ignore")
 
 

@@ -1,5 +1,6 @@
 """Closed forms in decimal arithmetic, for differences of nearly equal numbers."""
 
+import math
 import sys
 from decimal import Decimal, localcontext
 from functools import lru_cache
@@ -44,12 +45,6 @@ def _sine_and_cosine(x: Decimal) -> tuple[Decimal, Decimal]:
     return sine, cosine
 
 
-def limit_rest(theta_1: float, theta_2: float, limit: float) -> float:
-    """Return the limit friction (3.21) of an arc between two angles in rad minus its rounded value ``limit``."""
-    with localcontext(prec=_DIGITS):
-        return float(limit_friction(theta_1, theta_2) - Decimal(limit))
-
-
 @lru_cache(maxsize=4096)
 def limit_friction(theta_1: float, theta_2: float) -> Decimal:
     """Return the limit friction (3.21) of an arc between two angles in rad, with 50 digits."""
@@ -64,3 +59,16 @@ def limit_friction(theta_1: float, theta_2: float) -> Decimal:
         above, below = (CLOSED[name](arithmetic, alpha) for name in QUOTIENTS["weight_moment_per_radial_weight"])
         cotangent = cos(middle) / sin(middle)
         return abs(above / below * cotangent)
+
+
+def limit_parts(theta_1: float, theta_2: float) -> tuple[float, float]:
+    """Return the limit friction (3.21) of an arc between two angles in rad as the next float above and the rest.
+
+    A friction equal to the float holds the mass, and the float below it does not.
+    """
+    exact = limit_friction(theta_1, theta_2)
+    rounded = float(exact)
+    if Decimal(rounded) < exact:
+        rounded = math.nextafter(rounded, math.inf)
+    with localcontext(prec=_DIGITS):
+        return rounded, float(exact - Decimal(rounded))

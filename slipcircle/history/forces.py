@@ -162,6 +162,8 @@ class Forces:
 
         The program supplies all forces. The excess of drive over resistance is linear in k_h and vanishes at k_y.
         """
+        if self.problem.lanes == 1:
+            self.problem.refine(np.zeros(1))
         # The same lanes with a constant horizontal coefficient, initially 0, instead of their shaking.
         effects, laws, moving, absent = self.problem.recipe
         shaking = symbols_of("shaking").values()

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 
 from slipcircle import read_suite
-from slipcircle.workbench.records.records import read_pore_pressure, read_record
+from slipcircle.workbench.records.records import read_record
 from tests.campaigns import options
-from tests.support.recordfiles import FILES, NORTH, TIME, rows
+from tests.support.recordfiles import FILES, NORTH, TIME, read_pore_pressure, rows
 
 SECONDS = 2.0
 TABLES = (

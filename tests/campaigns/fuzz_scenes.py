@@ -68,7 +68,7 @@ def key_values(rng: Random, table: Any) -> dict[str, Any]:
     need = leave | ({rng.choice([k for k in table.any_of if k != "record"])} if table.any_of else set())
     others = {k for pair in table.one_of for k in pair} - leave
     for name, key in table.keys.items():
-        if name in others or not (key.required or name in need or (rng.random() < 0.3 and key.kind != "text")):
+        if name in others or not (not key.optional or name in need or (rng.random() < 0.3 and key.kind != "text")):
             continue
         if key.kind == "list" or (key.kind == "series" and many):
             values = [allowed(rng, key) for _ in range(count)]

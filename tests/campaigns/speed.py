@@ -25,7 +25,9 @@ from typing import Any, NamedTuple
 import heyoka as hy  # type: ignore[import-not-found, import-untyped, unused-ignore]
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import erf
 
+from generated import polar_moment
 from slipcircle import Scene, ensemble, load, solve, synthetic_records
 from slipcircle.derivatives import with_parameter_arrays
 from slipcircle.workbench.cost.rows import medians as median_seconds
@@ -172,7 +174,29 @@ def layers() -> Iterator[Row]:
     yield Row("layered, over geometry", "over cohesion", *medians(works, GEOMETRIES))
 
 
-MEASURES: Sequence[Callable[[], Iterator[Row]]] = (ensembles, single_scenes, samples, records, layers, threads)
+def kernel_calls() -> Iterator[Row]:
+    """Yield a kernel called with one float, beside SciPy's erf, each time and again."""
+
+    def again(function: Any) -> None:
+        for _ in range(AGAIN):
+            function(0.5)
+
+    yield Row(
+        "a kernel of one float",
+        "`scipy.special.erf`",
+        *medians([partial(again, f) for f in (polar_moment, erf)], AGAIN),
+    )
+
+
+MEASURES: Sequence[Callable[[], Iterator[Row]]] = (
+    ensembles,
+    single_scenes,
+    samples,
+    records,
+    layers,
+    kernel_calls,
+    threads,
+)
 
 
 def most_memory() -> float:

@@ -5,9 +5,15 @@ The layouts follow manuals and public files; the numbers are made up.
 
 import re
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+
+from slipcircle.tables import Series
+from slipcircle.workbench.common.units import PORE_PRESSURE
+from slipcircle.workbench.records.recordfiles import Options
+from slipcircle.workbench.records.records import pressure_of, read_record_samples
 
 STEP, COUNT = 0.02, 60
 TIME: Any = STEP * np.arange(COUNT)
@@ -149,3 +155,9 @@ FILES: dict[str, tuple[str, dict[str, float]]] = {  # text, and peaks of the com
             {"U": -0.075, "N": 0.3, "E": 0.15}),
     "UNAM": (_UNAM + rows(*of_three(GAL, GAL / 4, GAL / 2), **_BLANKS), {"N00E": 0.3, "+V": -0.075, "N90W": 0.15}),
 }  # fmt: skip
+
+
+def read_pore_pressure(path: Path, **options: Any) -> dict[str, Series]:
+    """Return the pore pressures of a file as parameters of the effect, as a scene file reads them."""
+    samples, _ = read_record_samples(PORE_PRESSURE, path, Options(**options))
+    return pressure_of(samples, str(path))

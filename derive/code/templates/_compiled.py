@@ -9,7 +9,7 @@ import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from functools import cache, partial
+from functools import cache, partial, update_wrapper
 from importlib import import_module
 from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
@@ -91,6 +91,13 @@ def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str,
 LEVELS = load()
 _asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
 LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
+
+
+def direct(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a public function whose calls with floats run in C without Python's interpreter, if it is compiled."""
+    _, loops = LEVELS[LEVEL]
+    best = loops.get("best", {}).get(function.__name__)
+    return update_wrapper(import_module("generated._kernels").Direct(function, best), function) if best else function
 
 
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: bool = False) -> Callable[..., Any]:

@@ -766,10 +766,12 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         job->order = order > job->order ? (int)order : job->order;
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
+    /* Motions under a record whose series end early begin side by side. */
+    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
         if (round < job->budget && load_neighbours(b, next)) next += LANES;
-        else if (round < job->budget && (vacant >= LEAST_FREE || vacant >= job->end - next))
+        else if (round < job->budget && (vacant >= least_free || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;

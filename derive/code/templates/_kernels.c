@@ -7,6 +7,7 @@
 #define PY_SSIZE_T_CLEAN
 #define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
 #include <Python.h>
+#include <structmember.h>
 #include <fenv.h>
 #include <float.h>
 #include <math.h>
@@ -267,7 +268,74 @@ static PyObject *ufuncs(Ufunc *table)
     return tiers;
 }
 
-/* DIGEST of the source; LEVELS: level -> (form, tier -> kernel -> ufunc), the widest first; UNSAFE: a flag, or None. */
+/* A public function of Python whose calls with floats alone go to the loop of a ufunc, and all others to itself: a
+ * ufunc, or Python in front of one, takes several times as long as the loop. It is made for the life of the process. */
+typedef struct { PyObject_HEAD PyObject *function, *attributes, *weak; Loop loop; Py_ssize_t inputs; } Direct;
+static PyArray_Descr *doubles;
+
+static PyObject *direct_new(PyTypeObject *type, PyObject *args, PyObject *named)
+{
+    PyObject *function, *ufunc;
+    if (named || !PyArg_ParseTuple(args, "OO!", &function, &PyUFunc_Type, &ufunc)) return NULL;
+    const PyUFuncObject *const of = (PyUFuncObject *)ufunc;
+    Direct *const self = (Direct *)PyType_GenericAlloc(type, 0);
+    if (self == NULL) return NULL;
+    self->function = Py_NewRef(function), self->loop = (Loop)of->data[of->ntypes - 1], self->inputs = of->nin;
+    return (PyObject *)self;
+}
+
+static PyObject *direct_call(PyObject *object, PyObject *args, PyObject *named)
+{
+    const Direct *const self = (Direct *)object;
+    double numbers[3];
+    char *places[] = {(char *)numbers, (char *)(numbers + 1), (char *)(numbers + 2)};
+    int simple = named == NULL && PyTuple_Size(args) == self->inputs;
+    for (Py_ssize_t k = 0; simple && k < self->inputs; k++) {
+        PyObject *const x = PyTuple_GetItem(args, k);
+        simple = PyFloat_CheckExact(x) || Py_IS_TYPE(x, &PyDoubleArrType_Type);
+        if (simple) numbers[k] = PyFloat_AsDouble(x);
+    }
+    if (!simple || self->loop(places, 1)) return PyObject_Call(self->function, args, named);
+    return PyArray_Scalar(places[self->inputs], doubles, NULL);
+}
+
+static PyObject *direct_get(PyObject *self, PyObject *object, PyObject *type)
+{
+    (void)object, (void)type;
+    return Py_NewRef(self);
+}
+
+static PyObject *direct_reduce(PyObject *self, PyObject *none)
+{
+    (void)none;
+    return PyObject_GetAttrString(self, "__qualname__"); /* it travels by its name */
+}
+
+static PyObject *direct_repr(PyObject *self)
+{
+    PyObject *const name = PyObject_GetAttrString(self, "__qualname__");
+    PyObject *const text = name ? PyUnicode_FromFormat("<function %U>", name) : NULL;
+    Py_XDECREF(name);
+    return text;
+}
+
+static PyMethodDef direct_methods[] = {{"__reduce__", direct_reduce, METH_NOARGS, NULL}, {NULL, NULL, 0, NULL}};
+static PyMemberDef direct_members[] = {
+    {"__dictoffset__", T_PYSSIZET, offsetof(Direct, attributes), READONLY, NULL},
+    {"__weaklistoffset__", T_PYSSIZET, offsetof(Direct, weak), READONLY, NULL},
+    {NULL, 0, 0, 0, NULL},
+};
+static PyGetSetDef direct_fields[] = {
+    {"__dict__", PyObject_GenericGetDict, PyObject_GenericSetDict, NULL, NULL},
+    {NULL, NULL, NULL, NULL, NULL},
+};
+static PyType_Slot direct_slots[] = {
+    {Py_tp_new, direct_new}, {Py_tp_call, direct_call}, {Py_tp_repr, direct_repr}, {Py_tp_descr_get, direct_get},
+    {Py_tp_methods, direct_methods}, {Py_tp_members, direct_members}, {Py_tp_getset, direct_fields}, {0, NULL},
+};
+static PyType_Spec direct_spec = {"generated._kernels.Direct", sizeof(Direct), 0, Py_TPFLAGS_DEFAULT, direct_slots};
+
+/* DIGEST of the source; Direct, a type; LEVELS: level -> (form, tier -> kernel -> ufunc), the widest first; UNSAFE: a flag, or None. */
 static int fill(PyObject *module)
 {
     PyObject *levels = PyDict_New();
@@ -281,11 +349,14 @@ static int fill(PyObject *module)
         flag = flag ? flag : unsafe_##LEVEL(); \
     }
     LEVELS(ADD)
-    failed = failed || PyModule_AddObjectRef(module, "LEVELS", levels) ||
+    PyObject *const direct = failed ? NULL : PyType_FromSpec(&direct_spec);
+    doubles = failed ? NULL : PyArray_DescrFromType(NPY_DOUBLE);
+    failed = failed || direct == NULL || PyModule_AddObjectRef(module, "Direct", direct) ||
+             PyModule_AddObjectRef(module, "LEVELS", levels) ||
              PyModule_AddStringConstant(module, "DIGEST", DIGEST) ||
              (flag ? PyModule_AddStringConstant(module, "UNSAFE", flag)
                    : PyModule_AddObjectRef(module, "UNSAFE", Py_None));
-    Py_XDECREF(levels);
+    Py_XDECREF(levels), Py_XDECREF(direct);
     return failed ? -1 : 0;
 }
 

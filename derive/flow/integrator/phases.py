@@ -8,11 +8,13 @@ from derive.flow.integrator.one_lane import (
     INFINITY,
     Lane,
     Lanes,
+    M,
     Note,
     Passed,
     Pending,
     Share,
     Status,
+    V,
     any_lane,
     hypot,
     isnan,
@@ -30,18 +32,32 @@ TIE = 256.0 * EPS  # relative difference up to which two peaks are equal
 CLOSEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero
 
 
-def update_peak(lane: Lane, rate: float, now: float) -> None:
-    """Record the current speed, at a time not before the lane's own, if it is the greatest.
+def update_peak(lane: Lane, rate: float) -> None:
+    """Record the current speed if it is the greatest.
 
     If peaks differ by rounding, the earliest is recorded, so that every processor reports the same peak. A speed that
     has risen from a record at the lane's time is compared exactly.
     """
     rises = lane.peak_time == lane.time
     if lane.omega > where(rises, 1.0, 1.0 + TIE) * abs(lane.peak_omega):
-        lane.peak_time = now
+        lane.peak_time = lane.time
         lane.peak_rotation = lane.rotation + lane.direction * lane.x
         lane.peak_omega = lane.direction * lane.omega
         lane.peak_rate = lane.direction * rate
+
+
+def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
+    """Record a candidate for the greatest speed in the current step if it exceeds the record.
+
+    If the record is not at the beginning of the step, the difference must exceed rounding.
+    """
+    faster = here and speed > abs(s.peak_omega)
+    if any_lane(faster):
+        faster = faster and (s.peak_time == s.time or speed > (1.0 + TIE) * abs(s.peak_omega))
+        s.peak_omega = where(faster, s.direction * speed, s.peak_omega)
+        s.peak_time = where(faster, time, s.peak_time)
+        s.peak_rotation = where(faster, s.rotation + s.direction * x, s.peak_rotation)
+        s.peak_rate = where(faster, s.direction * rate, s.peak_rate)
 
 
 def update_reach(lane: Lane) -> None:
@@ -97,7 +113,7 @@ def start_moving(lane: Lane, rate: float) -> None:
     note(lane, Note.BEGINS)
     if lane.lifted > 0.0:
         note_lift_off(lane)
-    update_peak(lane, rate, lane.time)
+    update_peak(lane, rate)
     lane.pending = Pending.READY
 
 

@@ -1,4 +1,4 @@
-"""Samples of a record that are passed without series.
+"""Samples of a record that are passed without series, by masses at rest and by frozen masses in motion.
 
 If only one piecewise linear function of time changes, net moment and normal force are linear in its value. This applies
 to a mass at rest, and to a moving mass with constant geometry and friction.
@@ -12,23 +12,30 @@ from derive.flow.integrator.one_lane import (
     Lanes,
     M,
     N,
+    Passed,
     Pending,
     S,
+    Status,
     T,
     V,
+    any_lane,
     break_of,
     constant_of,
+    greatest,
     integer,
     maximum,
     minimum,
     number,
     read_samples,
+    sqrt,
     where,
 )
-from derive.flow.integrator.phases import update_peak
+from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
+from derive.flow.integrator.series import normal_force
 from derive.flow.integrator.tables import end_of_piece, pass_break
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
+SIXTH = 1.0 / 6.0
 ROUNDINGS = 2.0**27  # least margin, in roundings of its terms
 
 
@@ -97,54 +104,211 @@ def rest_through(lane: Lane, t: T) -> None:
         stand_before(lane, t, piece, now)
 
 
-# --- in motion -------------------------------------------------------------------------------------------------------
+# --- side by side ----------------------------------------------------------------------------------------------------
 
 
-def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: float, by_load: float) -> bool:
-    """Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
+def path(time: V, omega: V, net: V, change: V) -> V:
+    """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
+    by_change = SIXTH * time * change
+    by_rate = 0.5 * net + by_change
+    mean = omega + time * by_rate
+    return time * mean
 
-    ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began.
+
+def standstill(omega: V, net: V, change: V) -> V:
+    """Return the first time at which a falling speed is zero."""
+    square = net * net
+    decrease = 2.0 * change * omega
+    root = sqrt(maximum(square - decrease, 0.0))
+    twice = 2.0 * omega
+    falling = twice / (root - net)
+    rising = (net + root) / (0.0 - change)
+    return where(net <= 0.0, falling, rising)
+
+
+def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
+    """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
+    last: N = t.pieces - 1
+    following: N = minimum(piece + 1, last)
+    return t.places[following] * per
+
+
+def passes(s: Lanes, t: T, piece: N, per: V, press: V) -> M:
+    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
+    until = end_of(s, t, piece, per)
+    following = end_of(s, t, piece + 1, per)
+    before_last = until < following and following < INFINITY
+    latest = s.end_time * (1.0 - 4.0 * EPS)
+    in_time = until < latest
+    pressed = press > 0.0
+    return before_last and in_time and pressed
+
+
+def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
+    """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
+    lane.x = x
+    lane.omega = omega
+    lane.status = where(omega > 0.0, Status.MOVING, Status.RESTING)
+    lane.steps = 0.0
+    lane.passed = Passed.NOTHING
+    if omega == 0.0:
+        lane.time = lane.rest_since
+        update_reach(lane)
+    advance_origin(lane)
+    edge = break_of(lane, t, piece)
+    now = edge / t.scale
+    stand_before(lane, t, piece, now)
+    pass_break(lane, t)
+    lane.pending = Pending.BEGIN_PHASE
+
+
+def lowest_speed(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> V:
+    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
+    share = net / (net - after)
+    at = length * share
+    gain = at * net
+    extreme = omega + 0.5 * gain
+    mean = omega + 2.0 * SIXTH * gain
+    there = x + at * mean
+    rises = here and net > 0.0
+    keep_faster(s, rises, extreme, now + at, there, 0.0)
+    falls = here and net < 0.0
+    twice = net + after
+    half = 0.5 * length
+    end = omega + half * twice
+    return where(falls, extreme, end)
+
+
+def count_starts(s: Lanes, here: M) -> None:
+    """Count phases that begin down-slope."""
+    back = s.last_way < 0.0
+    s.phases = s.phases + 1.0
+    s.turns = s.turns + where(back, 1.0, 0.0)
+    s.last_way = 1.0
+
+
+def turn(s: Lanes, here: M, now: V, length: V, omega: V, net: V, after: V) -> tuple[V, V]:
+    """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
+    moves = omega > 0.0
+    rise = after - net
+    change = rise / length
+    root = standstill(omega, net, change)
+    stop = where(moves, root, 0.0)
+    share = net / (net - after)
+    zero = share * length
+    start = where(net < 0.0, zero, 0.0)
+    drives_later = after > 0.0 and start >= stop
+    drives = net > 0.0 and not moves
+    starts = drives_later or drives
+    push = maximum(net, 0.0)
+    left = length - start
+    by_change = 0.5 * left * change
+    rate = push + by_change
+    speed = left * rate
+    again = starts and speed <= 0.0
+    to_stop = -2.0 * push / change
+    span = where(again, to_stop, left)
+    since = where(moves, now + stop, s.rest_since)
+    s.rest_since = where(again, now + span, since)
+    count_starts(s, here and starts)
+    nothing = 0.0 * span
+    behind = path(span, nothing, push, change)
+    further = where(starts, behind, 0.0)
+    goes_on = starts and not again
+    end = where(goes_on, speed, 0.0)
+    before = path(stop, omega, net, change)
+    return end, before + further
+
+
+def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
+    """Return the speed at the end of a piece and the path through it."""
+    twice = net + after
+    half = 0.5 * length
+    end: V = omega + half * twice
+    by_rates = net + twice
+    sixth = SIXTH * length
+    mean = omega + sixth * by_rates
+    further: V = length * mean
+    lowest: V = end
+    opposite = net * after
+    crosses = here and opposite < 0.0
+    if any_lane(crosses):
+        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after)
+    moves = omega > 0.0
+    stays = moves and lowest > 0.0
+    drives = net > 0.0 or after > 0.0
+    turns = here and not stays and (moves or drives)
+    end = where(stays, end, 0.0)
+    further = where(stays, further, 0.0)
+    if any_lane(turns):
+        speed, way = turn(s, turns, now, length, omega, net, after)
+        end = where(turns, speed, end)
+        further = where(turns, way, further)
+    return end, further
+
+
+def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight: V) -> None:
+    """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic.
+
+    The net moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record.
+    A lane leaves before a piece in which it may lift.
     """
-    after = lane.drive + by_drive
-    # For one lane `minimum` would be a C library call for each sample of a record.
-    lowest = where(net < after, net, after)
-    slowest = omega + length * where(lowest < 0.0, lowest, 0.0)
-    peaks = net >= 0.0 and after < 0.0 and omega + length * net >= abs(lane.peak_omega)
-    moves = slowest > (1.0 - SURE) * omega and lane.normal0 + by_load > (1.0 - SURE) * abs(lane.normal0)
-    return moves and not peaks
+    per = 1.0 / t.scale
+    last: N = t.pieces - 1
+    piece: N = first
+    now: V = s.time
+    current = t.value + t.inc
+    net: V = base + slope * current
+    value: V = t.value + t.lower
+    omega: V = 0.0
+    x: V = 0.0
+    on: M = here
+    while any_lane(on):
+        until = end_of(s, t, piece, per)
+        length = until - now
+        after = base + slope * value
+        speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+        omega = speed
+        x = x + way
+        now = until
+        net = after
+        piece = piece + 1
+        following: N = minimum(piece + 1, last)
+        height = t.heights[2 * following]
+        value = height * t.scaled_by
+        press = weight + grip * value
+        inside = passes(s, t, piece, per, press)
+        leaves = on and not inside
+        if leaves:
+            end_slide(s, t, piece, x, omega)
+        on = on and inside
 
 
-def glide(lane: Lane, t: T) -> None:
-    """Pass the pieces in which the net moment is linear in time and no event occurs.
+def slide_together(s: Lanes, here: M, t: T) -> M:
+    """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round.
 
-    The rates of net moment and normal force are taken from the preceding step.
+    So the numbers of a lane do not depend on other lanes.
     """
-    rise = t.series[1]
-    if lane.pending == Pending.READY and rise != 0.0 and lane.series.net[2] == 0.0 and lane.lifted == 0.0:
-        slope = lane.series.net[1] / rise
-        grip = 0.0 * slope
-        if lane.has.normal:
-            grip = lane.series.normal[1] / rise
-        piece = integer(t.piece)
-        x = lane.x
-        omega = lane.omega
-        now = lane.time
-        net = lane.drive + slope * t.inc
-        until = t.upper
-        inc = t.lower
-        while passes_quietly(lane, t, piece) and glides_on(lane, omega, until - now, net, slope * inc, grip * inc):
-            length = until - now
-            after = lane.drive + slope * inc
-            x = x + length * (omega + length * (2.0 * net + after) / 6.0)
-            omega = omega + length * (net + after) / 2.0
-            now = until
-            net = after
-            piece = piece + 1
-            until = break_of(lane, t, piece + 1) / t.scale
-            inc = value_at_break(lane, t, piece + 1) - t.value
-        if piece > integer(t.piece):
-            lane.x = x
-            lane.omega = omega
-            update_peak(lane, net, now)
-            stand_before(lane, t, piece, now)
-            pass_break(lane, t)
+    net = s.series.net
+    slope = net[1] / t.rise
+    origin = t.value + t.inc
+    base = net[0] - slope * origin
+    grip: V = 0.0
+    if s.has.normal:
+        grip = s.series.normal[1] / t.rise
+    force = normal_force(s)
+    weight = force - grip * origin
+    straight = net[2] == 0.0
+    linear = here and straight and t.rise != 0.0
+    down_slope = s.one_way > 0.0 and s.direction > 0.0
+    forward = linear and down_slope and s.lifted == 0.0
+    piece: N = greatest(where(forward, t.piece, -1.0))
+    same = t.piece == number(piece)
+    there = forward and same
+    if any_lane(there):
+        per = 1.0 / t.scale
+        ahead = t.value + t.lower
+        press = weight + grip * ahead
+        inside = there and passes(s, t, piece, per, press)
+        slide(s, inside, t, piece, slope, base, grip, weight)
+    return forward and not there

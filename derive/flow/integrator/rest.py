@@ -16,12 +16,13 @@ from derive.flow.integrator.one_lane import (
     lanes_in,
     minimum,
     new_series,
+    none_of,
     number,
     read_samples,
     where,
 )
 from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
-from derive.flow.integrator.records import look_for_quiet, rest_through
+from derive.flow.integrator.records import look_for_quiet, rest_through, slide_together
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.series import expand, radius_of_convergence
 from derive.flow.integrator.step import make_step
@@ -119,18 +120,8 @@ def leave_rest(lane: Lane, limit: float, room: float) -> None:
         pass_breaks(lane)
 
 
-def rest_on(s: Lanes, here: M) -> None:
-    """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
-    limit = next_break(s)
-    room = where(limit < INFINITY, limit - s.time, 1.0)
-    s.stretch = room
-    s.start_ahead = INFINITY
-    s.start_direction = 0.0
-    s.sudden = 0.0
-    s.lift_ahead = INFINITY
-    s.quiet_from = -INFINITY
-    s.quiet_to = INFINITY
-    look_ahead(s, here, room)
+def rest_to_change(s: Lanes, here: M, limit: V, room: V) -> None:
+    """Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too."""
     both = here and s.one_way == 0.0
     if any_lane(both):
         if both:
@@ -145,6 +136,26 @@ def rest_on(s: Lanes, here: M) -> None:
             t.inc = t.inc + increment(t.series, s.highest, s.stretch)
     if here:
         leave_rest(s, limit, room)
+
+
+def rest_on(s: Lanes, here: M) -> None:
+    """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
+    limit = next_break(s)
+    room = where(limit < INFINITY, limit - s.time, 1.0)
+    s.stretch = room
+    s.start_ahead = INFINITY
+    s.start_direction = 0.0
+    s.sudden = 0.0
+    s.lift_ahead = INFINITY
+    s.quiet_from = -INFINITY
+    s.quiet_to = INFINITY
+    look_ahead(s, here, room)
+    later = none_of(s)
+    for t in s.tables:
+        exact: N = s.autonomous == 2 and s.timed == 1 and not s.samples and not s.logged and t.terms == 2
+        if exact and t.kind == Kind.TIME and not t.sine:
+            later = slide_together(s, here, t)
+    rest_to_change(s, here and s.pending == number(Pending.READY) and not later, limit, room)
 
 
 # --- one round -------------------------------------------------------------------------------------------------------

@@ -28,8 +28,7 @@ from derive.flow.integrator.one_lane import (
     read_samples,
     where,
 )
-from derive.flow.integrator.phases import TIE, advance_origin, face, note_lift_off, update_reach
-from derive.flow.integrator.records import glide
+from derive.flow.integrator.phases import advance_origin, face, keep_faster, note_lift_off, update_reach
 from derive.flow.integrator.roots import (
     falling_root,
     first_root,
@@ -111,9 +110,6 @@ def on_limit(lane: Lane, rate: float) -> None:
         end_motion(lane, rate, Status.ENDED)
         return
     pass_breaks(lane)
-    for t in lane.tables:
-        if lane.autonomous == 2 and lane.timed == 1 and not lane.samples and t.terms == 2:
-            glide(lane, t)
 
 
 def settle(lane: Lane, rate: float, at_limit: bool, endless: bool) -> None:
@@ -215,20 +211,6 @@ def find_events(s: Lanes, here: M, top: N) -> None:
     if s.has.normal:
         sign = where(s.lifted > 0.0, -1.0, 1.0)
         find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, s.passed == Passed.LIFT, Event.LIFT_OFF)
-
-
-def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
-    """Record a candidate for the greatest speed in the current step if it exceeds the record.
-
-    If the record is not at the beginning of the step, the difference must exceed rounding.
-    """
-    faster = here and speed > abs(s.peak_omega)
-    if any_lane(faster):
-        faster = faster and (s.peak_time == s.time or speed > (1.0 + TIE) * abs(s.peak_omega))
-        s.peak_omega = where(faster, s.direction * speed, s.peak_omega)
-        s.peak_time = where(faster, time, s.peak_time)
-        s.peak_rotation = where(faster, s.rotation + s.direction * x, s.peak_rotation)
-        s.peak_rate = where(faster, s.direction * rate, s.peak_rate)
 
 
 def choose_step(s: Lanes, here: M, room: V, top: N) -> None:

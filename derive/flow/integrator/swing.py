@@ -35,8 +35,9 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
+from derive.flow.integrator.phases import keep_faster
 from derive.flow.integrator.roots import LAST_STEP, inside_or_middle
-from derive.flow.integrator.step import keep_faster, on_standstill
+from derive.flow.integrator.step import on_standstill
 
 PI = 3.141592653589793
 FARTHEST = 3.14  # greatest rotation of a phase: net moment and normal force have two zeros in a turn

@@ -54,8 +54,8 @@ class Motion(Conversions, Generic[Numbers]):
     @cached_property
     def problem(self) -> Problem:
         """Scene's initial value problem, as integrated."""
-        first_only, limit_rest = self._final[ix.FIRST_ONLY], self._final[ix.LIMIT_REST]
-        return problem_of(self.plan, self.invalid).begin_with(FIRST_ONLY=first_only, LIMIT_REST=limit_rest)
+        cells = {name: self._final[getattr(ix, name)] for name in ("FIRST_ONLY", "LIMIT", "LIMIT_REST")}
+        return problem_of(self.plan, self.invalid).begin_with(**cells)
 
     def _shaped(self, values: Any) -> Any:
         """Return one number per lane in the scene's shape, or a Python number for a single scene."""

@@ -57,7 +57,7 @@ class Problem:
         Function that extends the functions of the rotation.
     near : tuple
         Least margin of a decision at rest, in units of rounding, for which the rounded limit friction suffices, and the
-        function that returns the exact limit friction minus its rounded value for some lanes.
+        function that returns the exact limit friction of some lanes as the next float above and the rest.
     """
 
     recipe: Recipe
@@ -90,17 +90,19 @@ class Problem:
         return self
 
     def refine(self, margins: Floats) -> Any:
-        """Add the rest of the limit friction in lanes that decide close to it; return these lanes.
+        """Use the exact limit friction in lanes that decide close to it; return these lanes.
 
         ``margins`` are the least margins of the decisions at rest in a first solution, in units of rounding.
         """
-        least, limit_rest = self.near
+        least, limit_parts = self.near
         if "LIMIT_REST" in self.start or not margins.size or margins[margins.argmin()] >= least:
             return ()
         (lanes,) = np.nonzero(margins < least)
-        rests = np.zeros(self.lanes)
-        rests[lanes] = limit_rest(lanes)
-        self.begin_with(LIMIT_REST=rests)
+        parts = np.zeros((2, self.lanes))
+        parts[0] = self.start["LIMIT"]
+        parts[:, lanes] = limit_parts(lanes)
+        limits, rests = parts
+        self.begin_with(LIMIT=limits, LIMIT_REST=rests)
         return lanes
 
     @cached_property
@@ -159,9 +161,11 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
 
 def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
     """Return `Problem.near`, for forces that do not change in time and strengths that are not scaled."""
+    arc = plan.scene.arc
+    if arc._limit_parts is None or arc.given is not None or plan.recipe.moving or np.any(strength != 1.0):
+        return 0.0, bool
     least = NEAR if lanes == 1 else min(NEAR, 10.0 / plan.accuracy)
-    rounded_suffices = plan.recipe.moving or np.any(strength != 1.0)
-    return 0.0 if rounded_suffices else least, partial(plan.scene.arc.limit_rest, plan.scene.shape)
+    return least, partial(arc._limit_parts, plan.scene.shape)
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:

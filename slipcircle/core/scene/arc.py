@@ -256,13 +256,10 @@ class Arc(Mass, Generic[Numbers]):
         limit_friction = self.facing * (cosine / sine * ratio)  # (3.21): tan(psi) C_theta/C_r
         return limit_friction, static, polar_per_inertia
 
-    def limit_rest(self, shape: Shape, lanes: Any) -> Any:
-        """Return the exact limit friction minus its rounded value, 0 if coefficients are given, for some lanes."""
-        if self.given is not None:
-            return 0.0
-        limit = np.abs(self.moment_coefficients.limit_friction)
-        columns = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (self.theta_1, self.theta_2, limit)]
-        return np.array([*map(lazy_import("decimals").limit_rest, *columns)])
+    def _limit_parts(self, shape: Shape, lanes: Any) -> Any:
+        """Return the exact limit friction of some lanes as the next float above and the rest, (2, lanes)."""
+        ends = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (self.theta_1, self.theta_2)]
+        return np.array([*map(lazy_import("decimals").limit_parts, *ends)]).T
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:

@@ -127,6 +127,7 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
+    _limit_parts: Any = None  # optional method: the exact limit friction of some lanes in two parts
     in_standing_water: Any = False
     rotation_range: Any = (-math.pi / 6, math.pi / 6)
 
@@ -167,10 +168,6 @@ class Mass:
         ``shape`` is the shape of the scene's lanes.
         """
         return {}, None
-
-    def limit_rest(self, shape: Shape, lanes: Any) -> Any:
-        """Return the exact limit friction minus its rounded value, 0 where unknown, for some lanes of a shape."""
-        return 0.0
 
     @property
     def quantities(self) -> dict[str, Parameter]:

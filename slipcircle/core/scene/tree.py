@@ -208,7 +208,9 @@ def _with_parts(node: Any, new: Values, known: Parts) -> Any:
         both = " and ".join(f"{{shaking.{name}}}" for name in new if name in _DETERMINED)
         raise InputError("", [f"{both} exclude each other: one is the other times the record's peak; vary one"])
     kept = {name: value for name, value in node.items() if _DETERMINED.get(name) not in new}
-    return kept | {name or known[""][1].name: value for name, value in new.items()}
+    _, anonymous = known.get("", (None, None))
+    own_name = getattr(anonymous, "name", "")  # of the constant in a law; a soil may have no name
+    return kept | {name or own_name: value for name, value in new.items()}
 
 
 def replace_unchecked(instance: Any, values: Values) -> Any:

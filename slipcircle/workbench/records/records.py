@@ -155,37 +155,6 @@ class Record(Series):
     read = staticmethod(read_record)
 
 
-def read_pore_pressure(
-    path: PathName,
-    *,
-    units: str | None = None,
-    column: int | str | None = None,
-    columns: str | Sequence[str] = (),
-    step: float | None = None,
-    start: float | None = None,
-    gaps: Literal["refuse", "linear"] = "refuse",
-) -> dict[str, Series]:
-    """Read a pore pressure record as a parameter of the effect: ``{"pressure": ...}`` in Pa or ``{"ratio": ...}``.
-
-    The first value applies before the record, the last value after it. Files are tables as for `read_record`.
-
-    Parameters
-    ----------
-    path : str or path-like
-    units : {"Pa", "kPa", "MPa", "ratio"}, optional
-        Required if the file does not state it. A ratio is r_u, pore pressure over the static normal stress.
-    column, columns, step, start, gaps
-        Arguments of `read_record`, with the role "pressure".
-
-    Raises
-    ------
-    ValueError
-        If the file cannot be read. The message gives the file, the line, the value, the allowed values, and the remedy.
-    """
-    samples, _ = read_record_samples(PORE_PRESSURE, path, Options(columns, column, step, units, start, gaps))
-    return pressure_of(samples, str(path))
-
-
 def pressure_of(samples: RecordSamples, name: str) -> dict[str, Series]:
     """Return the pore pressures of a file as parameters of the effect."""
     is_ratio = samples.units == "ratio"
