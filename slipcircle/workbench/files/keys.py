@@ -68,7 +68,10 @@ class Key(Parameter):
         return replace(self, key=self.name, written=self.unit, per_unit=1.0)
 
     def in_unit(self, key: str, unit: str, ratio: float) -> "Key":
-        """Return the declaration of the number for another key, whose unit is ``ratio`` times the unit of this key."""
+        """Return the declaration of the number for another key, whose unit is `ratio` times the unit of this key.
+
+        `key` and `unit` are the name and the unit of the new key.
+        """
         return replace(self, key=key, written=unit, per_unit=self.per_unit * ratio)
 
     def to_si(self, values: Any) -> Any:
@@ -231,7 +234,10 @@ _GIVEN = [Parameter(n, "", *b[:2], f"{n.replace('_', ' ')}, dimensionless", n, k
 
 
 def _number(key: Key, written: str = "", tangent: bool = False) -> Key:
-    """Return the declaration of the key of a number or a list, with the bounds in the file's unit in words."""
+    """Return the declaration of the key of a number or a list, with the bounds in the file's unit in words.
+
+    `written` is the unit of the key, and with `tangent` the key is an angle.
+    """
     key = replace(key, written=written, tangent=tangent)
     words = _bounds_in_words(key)
     one, many = (" ".join(filter(None, [of, words, written and f"({written})"])) for of in _NUMBERS)

@@ -93,7 +93,7 @@ def number_in(scene: Any, path: str) -> Key:
 
 
 def listed(keys: Collection[str]) -> str:
-    """Return keys as a comma-separated text, with all coordinates of points replaced by one rule."""
+    """Return keys of a scene file as a comma-separated text, with all coordinates of points replaced by one rule."""
     plain = [k for k in keys if not k.startswith(_POINTS)]
     return ", ".join([*plain, *([_RULE] if len(plain) < len(keys) else [])])
 
@@ -116,7 +116,7 @@ class Uncertain:
         return distribution_of(self.given) if isinstance(self.given, Mapping) else self.given
 
     def drawn(self, p: Any) -> Any:
-        """Return the quantiles at probabilities ``p``, in the number's unit."""
+        """Return the quantiles at probabilities `p` between 0 and 1, in the number's unit and the shape of `p`."""
         found = self.distribution
         return (found.ppf if hasattr(found, "ppf") else found.icdf)(p)
 
