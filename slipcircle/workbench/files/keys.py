@@ -147,7 +147,10 @@ class Key(Parameter):
 
 
 def worded(name: str, help: str, allowed: str = "text", kind: str = "text", optional: bool = True) -> Key:
-    """Return the declaration of a key that is not a number."""
+    """Return the declaration of a key that is not a number.
+
+    `allowed` describes the allowed values for messages, and `kind` is a kind of `Key`.
+    """
     return Key(name, help=help, key=name, optional=optional, kind=kind, allowed=allowed)
 
 
@@ -303,7 +306,7 @@ def table_of(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key
 
 
 def _laws(laws: Iterable[Law], title: str = "friction law") -> dict[str, Table]:
-    """Return a table for each law, by the name of the law."""
+    """Return a table for each law, by the name of the law. `title` describes the key `law`."""
     by_name = {law.name: law for law in laws}
     found = {}
     for name, law in by_name.items():

@@ -56,7 +56,7 @@ def by_key(scene: Any) -> dict[str, Key]:
 
 
 def in_output_unit(number: Key) -> Key:
-    """Return a number with its key in the unit of output, such as ``cohesion.cohesion_psf``."""
+    """Return a number with its key in the unit chosen for output, such as `cohesion.cohesion_psf`."""
     factor, unit = printed(number.unit)
     if factor == 1.0:
         return number
@@ -71,7 +71,10 @@ def by_name(scene: Any) -> dict[str, Key]:
 
 
 def number_in(scene: Any, path: str) -> Key:
-    """Return the declaration of a number of a scene by its key or name, also of a number without a value."""
+    """Return the declaration of a number of a scene by its key or name, also of a number without a value.
+
+    `path` is "friction.angle_deg" or "friction.coefficient", for example.
+    """
     known = by_key(scene)
     path = str(path)
     only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]

@@ -114,7 +114,10 @@ def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, s
 
 
 def _sheet(text: str) -> tuple[Points, str]:
-    """Return the points of a spreadsheet and the unit that its header states."""
+    """Return the points of a spreadsheet and the unit that its header states, "" without one.
+
+    `text` is the content of the file.
+    """
     rows, separator = _rows(text)
     either = "|".join(_COLUMNS.values())
     named = (k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row))

@@ -147,7 +147,7 @@ def _with_tables(text: str, tables: Mapping[str, Values]) -> str:
 
 
 def units_of_files(names: Iterable[str]) -> set[str]:
-    """Return the units of output that scene files choose."""
+    """Return the systems of units of output that scene files choose, in capitals."""
     contents = (_content(source, str(source)) for source in map(find, names))
     tables = (content.get("output") for content in contents)
     return {str(table.get("units", "")).upper() for table in tables if isinstance(table, dict)} & {*SYSTEMS}

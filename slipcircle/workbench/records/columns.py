@@ -43,7 +43,7 @@ def _says(text: str, words: str) -> bool:
 
 
 def is_vertical(component: str) -> bool:
-    """Return whether the name of a component or column marks it as vertical."""
+    """Return whether the name of a component or column, such as "UD" or "acc_Z", marks it as vertical."""
     return _says(component, _VERTICAL)
 
 

@@ -115,7 +115,7 @@ def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> li
 
 
 def choice(names: Iterable[tuple[int, str]]) -> str:
-    """Return numbers and names of columns for a message."""
+    """Return pairs of number and name of columns as a text for a message, such as "1 (NS), 2 (EW)"."""
     shown = [f"{place} ({name})" if name else str(place) for place, name in names]
     return ", ".join(shown)
 

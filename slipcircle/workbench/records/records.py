@@ -92,7 +92,10 @@ def read_record(
 
 
 def shaking_of(samples: RecordSamples, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
-    """Return the accelerations of a file as shaking. The arguments are those of `read_record`."""
+    """Return the accelerations of a file as shaking.
+
+    `name` is the name of the file, and the other arguments are those of `read_record`.
+    """
     if holds not in ("ground", "driving"):
         choice = '"ground" (acceleration of the ground) or "driving" (its opposite)'
         raise ValueError(f"holds = {holds!r}: must be {choice}")

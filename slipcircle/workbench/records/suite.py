@@ -326,7 +326,10 @@ def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
 
 
 def _entries(file: Path, vertical: str | None, reading: Values) -> Iterator[Entry | Unread]:
-    """Yield the records of a file, and its unused columns."""
+    """Yield the records of a file, and its unused columns.
+
+    `vertical` is the pattern of `read_suite`, and `reading` are the arguments of `_shaking`.
+    """
     channels = contents(ACCELERATION, str(file), file, reading["options"])
     read = [channel for channel in channels if channel.samples]
     several = len(read) > 1
@@ -347,7 +350,10 @@ def _entries(file: Path, vertical: str | None, reading: Values) -> Iterator[Entr
 
 
 def _read(file: str, channel: int, **reading: Any) -> Series:
-    """Return the samples of a record, read again."""
+    """Return the samples of a record, read again.
+
+    `channel` is its index in the file, from 0, and `reading` the arguments of `_shaking`.
+    """
     channels = contents(ACCELERATION, file, Path(file), reading["options"])
     return _shaking(file, channels[channel], **reading)[0]
 
