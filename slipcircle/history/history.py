@@ -131,7 +131,10 @@ class History:
         return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).reshape(-1)
 
     def _read(self, problem: Problem, flat_times: Floats) -> Floats:
-        """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes)."""
+        """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes).
+
+        The times are one-dimensional and in any order. All results are dimensionless, the rotation in rad.
+        """
         increasing = np.argsort(flat_times, kind="stable")
         rows = read(problem, self._dimensionless(flat_times[increasing]))
         states = np.empty_like(rows)

@@ -329,7 +329,12 @@ class LayeredSection(LayeredNumbers):
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape
     ) -> tuple[Tables, Farther | None]:
-        """Return the functions of the rotation of the soils, as far as the mass is likely to move."""
+        """Return the functions of the rotation of the soils, as far as the mass is likely to move.
+
+        They are tables by name, and a function that extends them. `effects` and `friction` belong to the scene, whose
+        lanes have the given shape. `upslope` states whether the mass may move above its initial position, and
+        `tolerance` is a relative error.
+        """
         functions = {}
         for effect, terms in effects.items():
             for name, term in terms.items():
@@ -354,7 +359,10 @@ class LayeredSection(LayeredNumbers):
 
 
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
-    """Return whether two sections have the same boundaries, crack, surcharges, and datums of growing cohesion."""
+    """Return whether two sections have the same boundaries, crack, surcharges, and datums of growing cohesion.
+
+    Tops and cracks must be identical objects.
+    """
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
     same_tops = all(map(operator.is_, one.tops, other.tops))

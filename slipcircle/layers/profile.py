@@ -215,7 +215,11 @@ def _developed(values: Floats) -> ArrayTriple:
 def _integrands(
     strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
 ) -> Floats:
-    """Return the integrands at nodes times half the widths of pieces, (integrals, columns, nodes, pieces, circles)."""
+    """Return the integrands at nodes times half the widths of pieces, (integrals, columns, nodes, pieces, circles).
+
+    The pieces extend from `first` to `last` in rad, (pieces, circles), and lie in the strips with the indices `strip`.
+    The weights below surfaces are (columns, surfaces, circles).
+    """
     half = (last - first) / 2
     beta = first + half * _FROM_FIRST
     x = np.sin(beta)
@@ -250,7 +254,11 @@ def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> N
 def _add_loads(
     total: Floats, loads: Sequence[Sequence[Floats]], circle: Integers, x: Floats, y: Floats, weights: Floats
 ) -> None:
-    """Add the weights of surcharges on the ground at (x, y), each with its left and its right end."""
+    """Add the weights of surcharges on the ground at (x, y), each with its left and its right end.
+
+    `total` has the integrals as first axis and is changed. `circle` are the indices of the circles, and lengths are
+    over R.
+    """
     remaining = iter(weights)
     for ends in loads:
         first, last = (end[circle, 0] for end in ends)

@@ -141,7 +141,8 @@ def _base(tops: Floats, arc: Floats) -> Integers:
 def _with_ends(base: Integers, has_width: Flags, tops: Sequence[Floats], ends: Sequence[Vectors]) -> Integers:
     """Return the layers at the arc in strips and beyond both ends, (circles, strips + 2).
 
-    Strips without width have the layer beyond the right end. `ends` are the left and the right end of the arcs.
+    Strips without width, where `has_width` is false, have the layer beyond the right end. `base` are the layers in the
+    strips, (circles, strips), and `ends` the left and the right end of the arcs.
     """
     first, last = ends
     beyond_left = _layer_at_end(tops, first, _ON_ARC)

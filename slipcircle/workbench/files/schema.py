@@ -100,6 +100,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
 
 
 def _object(properties: Values, title: str, required: Texts) -> ValueDict:
+    """Return the schema of an object with the given properties and no others, and the names of required properties."""
     return {
         "type": "object",
         "title": title,

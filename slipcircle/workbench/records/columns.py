@@ -39,6 +39,7 @@ def _words(text: str) -> list[str]:
 
 
 def _says(text: str, words: str) -> bool:
+    """Return whether any word of a text matches a regular expression completely."""
     return any(re.fullmatch(words, word) for word in _words(text))
 
 

@@ -108,6 +108,8 @@ _KIK_NET = dict(zip("123456", ("NS1", "EW1", "UD1", "NS2", "EW2", "UD2"), strict
 def header_of(name: str, text: str) -> Header | None:
     """Return the header at the beginning of a file in a known format; None for a table.
 
+    `name` is the name of the file for messages, and `text` its content.
+
     Raises
     ------
     ValueError

@@ -81,6 +81,8 @@ class Channel(NamedTuple):
 def contents(quantity: RecordedQuantity, name: str, path: Path, options: Options) -> list[Channel]:
     """Return the channels of a file, or the columns other than times and skipped columns.
 
+    `quantity` is acceleration or pore pressure, and `name` the name of the file for messages.
+
     Raises
     ------
     ValueError
