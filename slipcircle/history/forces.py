@@ -72,7 +72,10 @@ class Forces:
     # --- in any states -----------------------------------------------------------------------------------------------
 
     def outputs(self, states: States) -> ArrayDict:
-        """Return the registers of `OUTPUTS`: total and effective normal force over Theta*, and friction as entered."""
+        """Return the registers of `OUTPUTS`: total and effective normal force over Theta*, and friction as entered.
+
+        Each array has one value per state.
+        """
         places = [self._with_outputs.program.roles[name] for name in OUTPUTS]
         parts = []
         for part in states.parts():

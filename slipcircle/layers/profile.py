@@ -57,7 +57,10 @@ class Part(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals)."""
+        """Return the integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals).
+
+        Directions are in rad from straight below the centre, positive to the right.
+        """
         pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
@@ -201,7 +204,8 @@ def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats)
 def _developed(values: Floats) -> ArrayTriple:
     """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
-    The head is the greater of the first two coefficients, the tail the greater of the last two.
+    The values at nodes are (integrals, columns, nodes, pieces, circles). The head is the greater of the first two
+    coefficients, the tail the greater of the last two, each (pieces, circles).
     """
     *axes, pieces, circles = values.shape
     developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)

@@ -235,7 +235,8 @@ def arc_crossings(line: Floats) -> Floats:
 def line_crossings(one: Floats, other: Floats) -> Floats:
     """Return x where the edges of two lines (n or 1, V, 2) cross, (n, E1 E2), or x of a vertex without crossing.
 
-    The vertex is the second of the first line: the first one may be far outside, where a line is continued.
+    E1 and E2 are the numbers of edges. The vertex is the second of the first line: the first one may be far outside,
+    where a line is continued.
     """
     points = Vectors.of(one)
     others = Vectors.of(other)

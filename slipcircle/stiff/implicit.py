@@ -96,7 +96,7 @@ class _Implicit(integrator.Lanes):
 
     @property
     def status(self) -> float:
-        """Status of the lane."""
+        """Status of the lane, a number of `generated.layout` such as `MOVING`."""
         return float(self.cells[ix.STATUS, 0])
 
     def advance(self) -> None:

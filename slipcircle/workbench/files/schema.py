@@ -111,7 +111,7 @@ def _object(properties: Values, title: str, required: Texts) -> ValueDict:
 
 
 def _schema_of_key(key: Key) -> ValueDict:
-    """Return the schema of a key; a number may be uncertain unless it is fixed."""
+    """Return the schema of a key by its kind; a number may be uncertain unless it is fixed."""
     number: ValueDict = {"type": "number"} | {_LIMITS[k]: v for k, v in key.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}

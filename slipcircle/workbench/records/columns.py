@@ -54,6 +54,7 @@ def is_direction(text: str) -> bool:
 
 
 def _is_time(name: str) -> bool:
+    """Return whether the first word of a name marks a column of times."""
     first, *_ = _words(name)
     return re.fullmatch(_TIME, first) is not None
 
