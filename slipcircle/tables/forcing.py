@@ -104,7 +104,6 @@ def _water(given: Parameters) -> ValueDict:
 
 
 def _as_series(given: Parameters) -> ValueDict:
-    """Return the shaking parameters with k_h(t) and k_v(t), from a function of time or the parameters of a pulse."""
     if "record" in given:
         raise InputError("", [_IN_FILES.format("horizontal")])
     ways = [way for way in _FITTING if way in given]

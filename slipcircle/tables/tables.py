@@ -219,7 +219,6 @@ def of_time(function: Series | LaneSeries | Pulse) -> Data:
 
 
 def _of_pulse(pulse: Pulse) -> Data:
-    """Return the pieces of a pulse as a function of time in s, zero before its start and after its end."""
     amplitude = pulse.amplitude
     if pulse._phase:
         rate = pulse._phase / pulse.duration
