@@ -79,7 +79,6 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _cut(self) -> Cut:
-        """Parts of the ground inside the circles, with lengths over R."""
         return circles.cut(*self._circle)
 
     @cached_property
