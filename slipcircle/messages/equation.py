@@ -79,7 +79,6 @@ class Equation:
 
     @property
     def _balance_in_words(self) -> str:
-        """Balance of momentum as text, "symbol = formula"."""
         return f"{self.balance.symbol} = {self.balance.formula}"
 
     @property
@@ -136,7 +135,6 @@ class Equation:
         return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
     def _repr_latex_(self) -> str:
-        """Return the equation in LaTeX for notebooks."""
         return f"$\\displaystyle {self.latex}$"
 
     def to_dict(self) -> ValueDict:
