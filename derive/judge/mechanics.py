@@ -46,14 +46,17 @@ DEPTH = simplify(R * LEVER / (2 * alpha))  # f (2.12)
 
 
 def basis(x: Expr, y: Expr) -> Pair:
-    """Return the components of a Cartesian vector along e_r and e_theta."""
+    """Return the components along e_r and e_theta of a vector with the Cartesian components x and y."""
     c = cos(theta)
     s = sin(theta)
     return simplify(x * c + y * s), simplify(y * c - x * s)
 
 
 def rate(order: int) -> Pair:
-    """Return the polar components of a time derivative of the position r e_r, with d(theta)/dt = omega (1.2)."""
+    """Return the polar components of a time derivative of the position r e_r, with d(theta)/dt = omega (1.2).
+
+    ``order`` is the order of the derivative, 1 or 2.
+    """
     moving = Function("theta")(t)
     known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
     position = (r * cos(moving), r * sin(moving))
@@ -86,7 +89,10 @@ def _direction(angle: Expr) -> Matrix:
 
 
 def moment_of(radius: Expr, force: Pair) -> Expr:
-    """Return the moment about K of a force in polar components. Its radial part has no lever."""
+    """Return the moment about the centre K of a force in polar components, at this radius.
+
+    Its radial part has no lever.
+    """
     return radius * force[1]
 
 
@@ -96,7 +102,10 @@ def along_bisector(force: Pair) -> Expr:
 
 
 def end(start: Symbol) -> Expr:
-    """Return the polar angle of an end (1.2), with a separate integration variable."""
+    """Return the polar angle of an end of the arc (1.2) at the time t, from its angle at the start.
+
+    The variable of integration is separate.
+    """
     return start + Integral(omega_of(r), (r, 0, t))
 
 
@@ -137,12 +146,12 @@ def body_star(f: Expr, low: Expr = CHORD, high: Expr = Integer(1)) -> Expr:
 
 
 def body(f: Expr) -> Expr:
-    """Return the double integral in r."""
+    """Return the double integral of f dr dtheta over the mass, from the chord to the arc."""
     return body_star(f, R * CHORD, R)
 
 
 def scaled(f: Expr) -> Expr:
-    """Return `body` after the substitution r = R r*."""
+    """Return `body` of f after the substitution r = R r*."""
     return body_star(f.subs(r, R * r) * R)
 
 
@@ -157,7 +166,7 @@ def radial() -> Expr:
 
 
 def step(equation: str) -> Expr:
-    """Return a derived form of the balance for a turning mass."""
+    """Return a derived form of the balance by its equation number, such as "3.8", for a turning mass."""
     return dynamics.balance()[equation].subs({dynamics.j_r: j_r, dynamics.j_theta: j_theta})
 
 
@@ -177,7 +186,7 @@ def lever() -> Expr:
 
 @cache
 def motion(name: str) -> Expr:
-    """Return the derived motion from rest under constant a and b."""
+    """Return the derived motion from rest under constant a and b: the ``name`` of a function in `dynamics.solution`."""
     from_rest = simplify(dynamics.solution()[name].subs(omega_0, 0))
     return from_rest.subs(Symbol("k", positive=True), sqrt(a * b))
 
@@ -207,7 +216,7 @@ def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
 
 @cache
 def names() -> dict[str, Any]:
-    """Return the notation of the transcribed forms."""
+    """Return the notation of the transcribed forms: symbols, functions and forms by name."""
     symbols = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
     symbols += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
     notation = {x.name: x for x in symbols}

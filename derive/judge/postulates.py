@@ -41,24 +41,24 @@ class State:
         return moment("radial_weight", psi=self.psi) + moment("polar_moment") * self.omega**2
 
     def normal(self, u: Any) -> mpf:
-        """Return the stress at u."""
+        """Return the normal stress over rho g R at u, rad from the bisector."""
         if self.stress:
             return self.stress(u)
         return self.total / (2 * HALF)
 
 
 def sum_of(f: Along) -> mpf:
-    """Return the integral along the arc."""
+    """Return the integral of f(u) along the arc over the angle u in rad."""
     return quad(f, [-HALF, 0, HALF])
 
 
 def columns(u: mpf) -> mpf:
-    """Return the stress at rest if all radial columns were independent."""
+    """Return the normal stress over rho g R at u at rest, if all radial columns were independent."""
     return cos(DIP - u) * (1 - (cos(HALF) / cos(u)) ** 2) / 2
 
 
 def along_bisector(u: mpf) -> mpf:
-    """Return the uniform stress at rest by the balance of forces along the bisector.
+    """Return the uniform normal stress over rho g R at rest, by the balance of forces along the bisector.
 
     Its resultant is 2 R sin(alpha) sigma, the shear is odd in u, and the weight is the segment's.
     """
@@ -100,6 +100,7 @@ def _centripetal_share(as_printed: bool = False) -> mpf:
 
 
 def _changes(name: str) -> Callable[[State], mpf]:
+    """Return the function of a state that computes the relative change of a moment by the state's dip."""
     return lambda x: moment(name, psi=x.psi) / moment(name) - 1
 
 

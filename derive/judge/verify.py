@@ -123,7 +123,7 @@ def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
 
 
 def _homogeneous(form: Expr, dimension: str) -> bool:
-    """Return whether a form has the dimension, from the factor by which scaled units multiply it."""
+    """Return whether a form has a dimension, such as "L/T**2", from its factor when units are scaled."""
     form = form.replace(Integral, lambda f, *limits: f * Mul(*(x for x, *_ in limits)))  # as its integrand dx
     units = {x: Symbol(f"unit_{x}", positive=True) for x in "MLT"}
     factors = {name: parse_expr(text, local_dict=units) for name, text in DIMENSIONS.items()}
@@ -142,7 +142,7 @@ def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
 
 
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
-    """Return whether transcribed forms equal the derived forms after substitution of the postulates."""
+    """Return whether transcribed forms equal the derived forms after the postulates are put into these."""
     printed = m.read(forms)
     derived = _derived(claim)
     replaced = [pair for x in postulates for pair in x.put]
@@ -168,6 +168,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
 
 @cache
 def _derived(claim: Claim) -> tuple[Expr, ...]:
+    """Return the forms that the transcription of a claim must equal."""
     forms = claim.definition()
     return tuple(forms) if isinstance(forms, (tuple, list)) else (forms,)
 
@@ -221,6 +222,7 @@ def _number(claim: Claim) -> Judgement:
 
 
 def _bounds(claim: Claim) -> Iterator[mp.mpf]:
+    """Yield the least and the greatest value that a claim allows."""
     return (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
 
 
@@ -259,7 +261,7 @@ def _range(claim: Claim) -> Judgement:
 
 
 def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
-    """Return verdict and words of the first cause whose value fits."""
+    """Return verdict and words of the first cause whose value ``fits``, or that the cause was not found."""
     for cause in claim.causes:
         if cause.value:
             value = cause.value()
@@ -308,7 +310,7 @@ def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | 
 
 
 def _names(claim: Claim) -> bool:
-    """Return whether a claim declared as a definition introduces a new quantity."""
+    """Return whether a claim declared as a definition introduces a new quantity, which no earlier claim contains."""
     name = re.compile(rf"(?<!\w){re.escape(claim.printed.partition(' = ')[0])}(?![\w*])")
     earlier = takewhile(lambda x: x.id != claim.id, CLAIMS)
     return claim.kind == "definition" and not any(name.search(x.printed) for x in earlier)
@@ -349,7 +351,7 @@ def _brackets(appendix: Appendix) -> str:
 
 
 def _digits(value: Any) -> str:
-    """Return seven significant digits."""
+    """Return a number as text with seven significant digits."""
     return str(mp.nstr(mp.mpf(value), 7, strip_zeros=False, min_fixed=-5, max_fixed=9))
 
 

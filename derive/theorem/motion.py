@@ -55,7 +55,11 @@ class Theorem:
 
 
 def moment(statement: str, alpha: arb) -> arb:
-    """Return a moment of an arc up to a half disc. It increases with the angle, as its integrand is positive."""
+    """Return a moment of an arc up to a half disc, with half the opening angle alpha in rad.
+
+    ``statement`` is its integrand, such as "r^2 cos u". A moment increases with the angle, as the integrand is
+    positive.
+    """
     if alpha < arb.pi() / 2:
         return value((statement,), alpha)
     return value((statement,), alpha.lower()).union(limit((statement,)))
@@ -172,7 +176,7 @@ def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
 
 
 def _numbers(slide: Slide, stands: list[Standstill]) -> dict[str, arb]:
-    """Return the numbers of the whole motion in SI units; run-out and rotation are the greatest.
+    """Return the numbers of the whole motion by name in SI units; run-out and rotation are the greatest.
 
     The place of rest is added if the mass swings back, and the place of the peak if its swing is certain.
     """
