@@ -17,6 +17,8 @@ SMOOTH = 8  # number of shortest steps over which values are a cubic plus noise
 def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
     """Return values for h = 0 in powers of h^first_power, and their errors: three times the last change, plus noise.
 
+    The column contains values at the steps h, h/2, h/4, ... along its last axis, and `noise` their absolute errors.
+
     The last change is the greatest difference from both neighbours in the preceding column and from the next entry in
     the same column, which rarely agree by chance. No value at shorter steps may differ by more than its noise.
     """

@@ -93,7 +93,10 @@ def neighbour_derivatives(
 
 
 def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
-    """Return whether the derivative of some outcome with respect to a number needs another ladder."""
+    """Return whether the derivative of some outcome with respect to a number needs another ladder.
+
+    `found` has the derivative of each outcome, and `goal` the error at which each needs no further ladder.
+    """
     for one, most in zip(found, goal, strict=True):
         is_near = one.errors <= most
         if not is_near or one.kinds == JUMP:
@@ -107,7 +110,8 @@ def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
 def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> ArrayPair:
     """Return outcomes of the motion, (outcomes, numbers, 1), and of neighbours, (outcomes, numbers, sides, rungs).
 
-    Numbers of a section's shape have a separate ensemble, since each of its lanes needs a section.
+    `steps` are the changes of the numbers in SI units, (numbers, 1, rungs), and the sides are below and above. Numbers
+    of a section's shape have a separate ensemble, since each of its lanes needs a section.
     """
     is_shape = np.array([_is_shape(scene, number) for number in numbers])
     parts = [np.flatnonzero(is_shape), np.flatnonzero(~is_shape)]
@@ -134,7 +138,11 @@ def _is_shape(scene: Scene[float], number: Free) -> bool:
 
 
 def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], offsets: Floats) -> Floats:
-    """Return outcomes of the scene and of its neighbours, in which each number has other values, as rows."""
+    """Return outcomes of the scene and of its neighbours, in which each number has other values, as rows.
+
+    `offsets` are the changes of each number in SI units, (numbers, sides, rungs). The first column belongs to the scene
+    itself.
+    """
     arrays = {}
     for k, number in enumerate(numbers):
         change = np.zeros_like(offsets)
@@ -156,7 +164,8 @@ def _judged(
 ) -> tuple[list[list[Derivatives]], list[list[float]]]:
     """Return derivatives by one ladder, (numbers, outcomes), and the errors at which they need no further ladder.
 
-    ``off`` is the relative error common to all outcomes.
+    `here` and `beside` are the outcomes of `_solved`. The steps are (numbers, 1, rungs) and the scales (numbers, 1, 1).
+    `off` is the relative error common to all outcomes.
     """
     largest = _largest(here, beside)
     scatter = noise_of(beside) + ROUNDING * largest[..., None]
@@ -184,7 +193,10 @@ def _judged(
 
 
 def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
-    """Return the errors at which derivatives need no further ladder, (numbers, outcomes), at least their rounding."""
+    """Return the errors at which derivatives need no further ladder, (numbers, outcomes), at least their rounding.
+
+    `size` are the greatest effects of `_greatest`, and `largest` the sizes of outcomes of `_largest`.
+    """
     longest = steps[..., 0]
     longest_of_next = longest * 2.0**-RUNGS
     from_rounding = ROUNDING * largest / longest_of_next
@@ -213,7 +225,10 @@ def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
 
 
 def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floats:
-    """Return the jumps of outcomes on each side, 0 where they are continuous or unknown."""
+    """Return the jumps of outcomes on each side, (outcomes, numbers, sides), 0 where they are continuous or unknown.
+
+    `beside` and its noise have a last axis of steps, and `largest` are the sizes of the outcomes.
+    """
     limits, errors = extrapolated(beside, noise, 1)
     gaps = limits - here
     smallest = np.maximum(errors, ACCURACY * largest)
@@ -222,7 +237,10 @@ def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floa
 
 
 def _slopes(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
-    """Return one-sided derivatives and their errors."""
+    """Return one-sided derivatives and their errors, each (outcomes, numbers, sides).
+
+    `beside` and its noise have a last axis of steps.
+    """
     shorter = steps[..., 1:]
     farther = beside[..., :-1]
     nearer = beside[..., 1:]
@@ -232,7 +250,10 @@ def _slopes(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
 
 
 def _central(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
-    """Return central differences and their errors."""
+    """Return central differences and their errors, each (outcomes, numbers).
+
+    `beside` and its noise are (outcomes, numbers, sides, rungs).
+    """
     step = steps[:, 0]
     below, above = np.moveaxis(beside, 2, 0)
     rise = above - below
@@ -244,9 +265,11 @@ def _central(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
 def _of_one(
     slopes: Floats, errors: Floats, jumps: Floats, central: float, of_central: float, is_end: Flags, shortest: float
 ) -> Derivatives:
-    """Return the derivative of one outcome with respect to one number; ``is_end`` marks sides without a scene.
+    """Return the derivative of one outcome with respect to one number.
 
-    A jump that could be a kink within the longer steps remains unresolved.
+    Slopes, their errors and jumps are pairs for the sides below and above. `central` and `of_central` are the central
+    difference and its error. `is_end` marks sides without a scene, and `shortest` is the shortest step. A jump that
+    could be a kink within the longer steps remains unresolved.
     """
     is_known = np.isfinite(errors)
     has_jump = jumps != 0.0
@@ -283,7 +306,10 @@ def _of_one(
 
 
 def _nearer(before: Derivatives, new: Derivatives) -> Derivatives:
-    """Return the combination of two ladders, unresolved if they contradict each other, as with stairs of rounding."""
+    """Return the combination of two ladders, unresolved if they contradict each other, as with stairs of rounding.
+
+    Both are derivatives of the same outcome, `new` from the shorter steps.
+    """
     if before.kinds == UNRESOLVED:
         return new
     surer = before if before.errors <= new.errors else new

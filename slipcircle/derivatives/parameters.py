@@ -69,7 +69,10 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
 
 
 def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free]:
-    """Return selected numbers of a single scene by name, with values and scales."""
+    """Return selected numbers of a single scene by name, with values and scales.
+
+    `names` are paths such as "friction.peak".
+    """
     possible = possible_parameters(scene)
     free = dict[str, Free]()
     for name in names:
@@ -88,7 +91,10 @@ def _rests_at_zero(name: str) -> bool:
 
 
 def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
-    """Return the scale of a number as a power of 2, so that steps are exact."""
+    """Return the scale of a number as a power of 2, so that steps are exact.
+
+    `name` is its path, `parameter` its declaration, and the value is in SI units.
+    """
     radius = float(arc.radius)
     gravity = float(arc.gravity)
     usual = {
@@ -142,7 +148,10 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
 
 
 def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
-    """Return selected lanes of a scene, by an index of its shape or of its lanes in one row. Nothing is checked."""
+    """Return selected lanes of a scene, by an index of its shape, or of its lanes in one row if `flat`.
+
+    Nothing is checked. A lane is a member of an ensemble.
+    """
 
     def of_lanes(value: Any) -> Any:
         if not np.ndim(value):

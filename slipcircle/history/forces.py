@@ -30,7 +30,10 @@ class Balance(NamedTuple):
 
     @classmethod
     def of(cls, program: Program, cells: Floats) -> Self:
-        """Return the balance at the beginning of phases."""
+        """Return the balance at the beginning of phases.
+
+        `cells` are the variables of the program, one column per lane.
+        """
         names = ("cell_driving", "cell_resisting", "cell_normal0")
         return cls(*(cells[program.roles[name]] for name in names))
 
@@ -47,7 +50,7 @@ def energy_unit(mass: Mass) -> Any:
 
 
 def with_outputs(problem: Problem, outputs: Names) -> Problem:
-    """Return the same lanes with a program that also computes the given outputs."""
+    """Return the same lanes with a program that also computes the given outputs, such as `OUTPUTS`."""
     return _with_program(problem, build_program(problem.recipe, outputs))
 
 
@@ -79,7 +82,10 @@ class Forces:
         return outputs | {"mu": outputs["mu"] / self._strength(states.lane)}
 
     def _strength(self, lanes: Any) -> Any:
-        """Return the factor by which friction in the program exceeds friction as entered."""
+        """Return the factor by which friction in the program exceeds friction as entered.
+
+        It is a number, or an array for the given indices of lanes.
+        """
         factor = self.problem.start["strength_factor"]
         if np.ndim(factor):
             return factor[lanes]
@@ -102,7 +108,7 @@ class Forces:
         return Balance.of(program, cells), cells[program.roles["cell_mu"]]
 
     def kept_cohesion(self, states: States) -> Floats:
-        """Return the share of the cohesion at rest that slip has left; 1 without cohesion."""
+        """Return the share of the cohesion at rest that slip has left, one value per state; 1 without cohesion."""
         unslipped = [np.zeros_like(values) for values in states.further]
         fresh = states._replace(further=unslipped)
         slipped, _ = self._at_rest(states)
@@ -129,7 +135,10 @@ class Forces:
         return np.fmax(self._holding(at_rest, 1.0), self._holding(at_rest, -1.0))
 
     def _holding(self, at_rest: States, side: float) -> Floats:
-        """Return the friction required in one direction, NaN without contact or where the mass cannot start."""
+        """Return the friction required in one direction, NaN without contact or where the mass cannot start.
+
+        `side` is the direction, 1 down-slope or -1 up-slope, and the result has one value per state.
+        """
         program = self._with_outputs.program
         cells, _ = begin(self._with_outputs, at_rest, side)
         forces = Balance.of(program, cells)
@@ -175,7 +184,10 @@ class Forces:
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
     def _statics(self, problem: Problem, which: slice) -> ArrayDict:
-        """Return `statics` of some lanes of a problem whose steady shaking is 0."""
+        """Return `statics` of some lanes of a problem whose steady shaking is 0.
+
+        `which` is the slice of these lanes.
+        """
         program = problem.program
         tables = problem.tables(which)
         cells = problem.cells(which)

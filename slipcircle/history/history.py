@@ -186,7 +186,10 @@ class History:
         return Stresses(of_weight + self._by_state(time, load), effective)
 
     def _water_load(self, rotation: Any) -> Any:
-        """Return the mean normal stress at rotations (rad) from the weight of free water above the mass, Pa."""
+        """Return the mean normal stress at rotations (rad) from the weight of free water above the mass, Pa.
+
+        The result has the shape of the rotations.
+        """
         section: Any = self.plan.scene.arc
         if not section.in_standing_water:
             return np.zeros_like(rotation)
@@ -197,7 +200,10 @@ class History:
         return pressure - lift
 
     def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
-        """Return the mean normal stress of each lane in a state at its end, Pa."""
+        """Return the mean normal stress of each lane in one state, such as the state at its end, Pa.
+
+        Time is in s, rotation in rad, and omega dimensionless.
+        """
         at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
         states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
         pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])

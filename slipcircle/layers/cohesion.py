@@ -26,12 +26,12 @@ class SoilCohesion:
 
     @cached_property
     def peak(self) -> Floats:
-        """Cohesion at the start."""
+        """Cohesion of each soil at the start, Pa, (soils, lanes)."""
         return self.section.of_soils("peak_cohesion")
 
     @cached_property
     def growth(self) -> Floats:
-        """Increase of the cohesion with depth."""
+        """Increase of the cohesion of each soil with depth, Pa/m, (soils, lanes)."""
         return self.section.of_soils("cohesion_gradient")
 
     @cached_property
@@ -44,7 +44,7 @@ class SoilCohesion:
 
     @cached_property
     def lasting(self) -> ArrayPair:
-        """Cohesion that does not change with slip, and its growth with depth."""
+        """Cohesion that does not change with slip, Pa, and its growth with depth, Pa/m, each (soils, lanes)."""
         if not self._share_one_law:
             constant = [[float(law is None)] for law in self._laws]
             share = np.array(constant)

@@ -74,7 +74,7 @@ class LayeredNumbers(CrackedSection):
         return found | {"crack": (crack if np.any(crack) else None, depth)}
 
     def with_parts(self, changed: Values) -> Any:
-        """Return the section with other parts. Nothing is checked."""
+        """Return the section with other parts, `changed` by the names of `parts`. Nothing is checked."""
         fields = {name: changed[name] for name in changed if "." not in name}
         soils = fields.pop("soils", self.soils_by_name)
         layers = []
@@ -95,7 +95,7 @@ class LayeredNumbers(CrackedSection):
         return [[name for name in numbers(self) if name.endswith(f".{strength}.length")] for strength in shared]
 
     def together(self, values: Values) -> Values:
-        """Return other values of numbers with the slip lengths that soils share."""
+        """Return values of numbers by name, in which a slip length that soils share is set for all of them."""
         for lengths in self._shared_lengths:
             given = [values[name] for name in lengths if name in values]
             values = dict.fromkeys(lengths if given else (), *given[:1]) | dict(values)
@@ -116,7 +116,11 @@ class LayeredNumbers(CrackedSection):
 
 
 def _moved(top: Any, height: Any) -> Any:
-    """Return the top of a layer at another height. A line moves as a whole, so that its first point has this height."""
+    """Return the top of a layer at another height in m.
+
+    A line moves as a whole, so that its first point has this height. The top is None, a height or points (..., V, 2),
+    and without a height it is unchanged.
+    """
     if height is None or np.ndim(top) < 2:
         return top if height is None else height
     line = np.asarray(top)
@@ -125,7 +129,10 @@ def _moved(top: Any, height: Any) -> Any:
 
 
 def _scaled(load: Load, greatest: Any) -> Load:
-    """Return a surcharge with another pressure at its greater end, and proportional pressure at the other end."""
+    """Return a surcharge with another pressure at its greater end, and proportional pressure at the other end.
+
+    The greatest pressure is in Pa, and None leaves the surcharge unchanged.
+    """
     if greatest is None:
         return load
     first, last, left, right = load

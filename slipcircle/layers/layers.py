@@ -166,7 +166,7 @@ class LayeredSection(LayeredNumbers):
         return depths
 
     def of_soils(self, name: str) -> Floats:
-        """Return a number of each soil, (soils, lanes)."""
+        """Return an attribute of each `Soil` by its name, such as "unit_weight", (soils, lanes)."""
         numbers = [getattr(soil, name) for soil in self.soils]
         return self._by_lane(numbers)
 
@@ -230,7 +230,10 @@ class LayeredSection(LayeredNumbers):
         return profile_of(self._strips, *self._columns)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
-        """Return integrals of the head of the water level over arcs in space, (..., circles)."""
+        """Return integrals of the head of the water level over arcs in space, (..., circles).
+
+        `low` and `high` are directions of the ends in rad, positive to the right.
+        """
         return self._water.integral(low, high)
 
     # --- weights -----------------------------------------------------------------------------------------------------
@@ -318,7 +321,7 @@ class LayeredSection(LayeredNumbers):
         return {**effects, **terms}
 
     def effects_of_means(self, effects: Effects) -> Effects:
-        """Return the effects with only the mean of the pore pressures of the soils."""
+        """Return the effects with only the mean of the pore pressures of the soils, by the names of the effects."""
         needs = Needs("rotation" in effects)
         shared = {name: effects[name] for name in effects if not name.startswith(("soil_", "softening_"))}
         return {**shared, "layered_strength": self.arc_strength.mean_lift(needs)}

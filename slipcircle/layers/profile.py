@@ -76,7 +76,10 @@ class Part(NamedTuple):
         return up_to.reshape(*beta.shape, columns, integrals)
 
     def combined(self, weights: Floats) -> "Part":
-        """Return the load in a single column, the sum of all columns with weights, (columns, circles)."""
+        """Return the load in a single column, the sum of all columns with weights, (columns, circles).
+
+        Only the first `PRESSING` integrals are retained.
+        """
         before = np.einsum("kcsi,sc->kci", self.before[..., :PRESSING], weights)
         series = np.einsum("kcsit,sc->kcit", self.series[..., :PRESSING, :], weights)
         return Part(self.edges, before[:, :, None], series[:, :, None])
@@ -97,7 +100,10 @@ class Profile(NamedTuple):
     parts: Sequence[Part]
 
     def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
+        """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles).
+
+        Directions are in rad from straight below the centre, positive to the right.
+        """
         _, _, columns, integrals, _ = self.parts[0].series.shape
         every = np.empty((integrals, columns, *beta.shape))
         first = 0
@@ -168,7 +174,11 @@ def _order(piece: _Piece) -> float:
 
 
 def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> list[_Piece]:
-    """Return pieces in which the series have converged: strips, or parts of them."""
+    """Return pieces in which the series have converged: strips, or parts of them.
+
+    `edges` are directions of the edges of the strips in rad, (strips + 1, circles), and `circle` the indices of these
+    circles.
+    """
     first = edges[:-1]
     last = edges[1:]
     strip = np.arange(len(first))
@@ -228,7 +238,10 @@ def _integrands(
 
 
 def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> None:
-    """Add weighted integrals by their numbers."""
+    """Add weighted integrals to `total`.
+
+    `rows` are pairs of the index of an integral and its values, all with the same weight.
+    """
     for integral, row in rows:
         weighted = row * weight
         total[integral] += weighted
@@ -249,7 +262,10 @@ def _add_loads(
 
 
 def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
-    """Return the integrals over y from the arc to a height h above it, by number, which `_complete` completes."""
+    """Yield the integrals over y from the arc to a height h above it, by index, which `_complete` completes.
+
+    `c` is the cosine of the direction, and lengths are over R.
+    """
     chord = 2.0 * c - h
     gap = h * chord  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
@@ -265,7 +281,10 @@ def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
 
 
 def _complete(total: Floats, x: Floats, c: Floats) -> None:
-    """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once."""
+    """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once.
+
+    `total` has the integrals as first axis and is changed. `x` and `c` are sine and cosine of the directions.
+    """
     radial_y, radial_x, polar, head, area, inertia, moment_x, _ = total
     radial_x *= x
     polar += x * radial_x

@@ -232,7 +232,10 @@ def top_of(foreland: Soil, layers: Layers) -> Any:
 
 
 def datum_mistakes(foreland: Soil | None, layers: Layers) -> Texts:
-    """Return a message if the cohesion of the foreland grows with depth and its soil has not one top."""
+    """Return a message if the cohesion of the foreland grows with depth below an ambiguous or missing top.
+
+    The top of the foreland's soil is known if all layers of this soil have the same top.
+    """
     if foreland is None or foreland.datum is not None or not np.any(foreland.cohesion_gradient):
         return []
     tops = _tops(foreland, layers)
@@ -243,7 +246,7 @@ def datum_mistakes(foreland: Soil | None, layers: Layers) -> Texts:
 
 
 def _load_mistakes(k: int, load: Any) -> Texts:
-    """Return messages about a surcharge, counted from 0."""
+    """Return messages about a surcharge (x1, x2, q1, q2) in m and Pa. `k` is its index, counted from 0."""
     words = f"surcharge[{k}] = {shown(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
         return [words]
@@ -259,7 +262,7 @@ def _load_mistakes(k: int, load: Any) -> Texts:
 
 
 def _top_mistakes(k: int, top: Any) -> Texts:
-    """Return messages about the top of a layer, counted from 0 at the ground."""
+    """Return messages about the top of a layer. `k` is the index of the layer, counted from 0 at the ground."""
     if k == 0:
         words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
         if top is None:
@@ -274,7 +277,10 @@ def _top_mistakes(k: int, top: Any) -> Texts:
 
 
 def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
-    """Return whether soils share a law of slip and its length, or have constant friction or cohesion."""
+    """Return whether soils share a law of slip and its length, or have constant friction or cohesion.
+
+    `strength` is "friction" or "cohesion".
+    """
     laws = set()
     for soil in soils:
         law = getattr(soil, strength)

@@ -28,7 +28,11 @@ _DIRECT = ("space", "heads", "growth", "standing", "displaced")  # parts other t
 
 
 class Stretches(NamedTuple):
-    """Changes of the soil at the base along the arc: (circles, J) directions, and the soils before and after."""
+    """Changes of the soil at the base along the arc: (circles, J) directions, and the soils before and after.
+
+    Directions are in rad from straight below the centre, positive down-slope. Soils are indices of
+    `LayeredSection.soils`, `first` and `last` of shape (circles,).
+    """
 
     joint: Floats
     before: Integers
@@ -48,7 +52,10 @@ class StretchIntegrals:
 
     @cached_property
     def stretches(self) -> Stretches:
-        """Changes of the soil at the base, including both ends of the arc. Beyond the exit lies the foreland."""
+        """Places along the arc where the soil at the base changes, including both ends of the arc.
+
+        The soil beyond the exit is the foreland, if there is one.
+        """
         section = self.section
         strips = section._strips
         faces_right = section._facing[:, None] > 0.0
@@ -74,7 +81,7 @@ class StretchIntegrals:
 
     @cached_property
     def span(self) -> ArrayPair:
-        """Directions of the entry and of the exit, (circles,)."""
+        """Directions of the entry and of the exit in rad, positive down-slope, (circles,)."""
         span = self.section._span
         return span
 
@@ -141,7 +148,10 @@ class StretchIntegrals:
         return np.moveaxis(every, 1, 2)
 
     def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
-        """Return parts by name. All weights are computed together."""
+        """Return parts by name, each (parts, M, circles), after rotations (M, circles) in rad.
+
+        All weights are computed together.
+        """
         every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
             # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
@@ -166,7 +176,10 @@ class StretchIntegrals:
         return np.stack([*in_space, end, start])
 
     def heads(self, rotation: Floats) -> Floats:
-        """Return integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
+        """Return integrals of the head of the water level from the entry to these directions, (J + 2, M, circles).
+
+        The directions in space are joints, exit and entry after rotations (M, circles) in rad.
+        """
         there = self.section._facing * self.space(rotation)
         *_, entry = there
         left = np.minimum(entry, there)
@@ -264,7 +277,10 @@ class StretchIntegrals:
 
 
 def _differences(there: Floats, mass: Floats) -> Floats:
-    """Return rotations that bring directions of the mass to directions in space, (circles, N M)."""
+    """Return rotations that bring directions of the mass to directions in space, (circles, N M).
+
+    Directions in space are (circles, N) and directions of the mass (circles, M), in rad.
+    """
     of_place = there[:, :, None]
     of_mass = mass[:, None, :]
     rotations = of_place - of_mass

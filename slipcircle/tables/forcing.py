@@ -43,7 +43,11 @@ def resolved(name: str, given: Parameters) -> ValueDict:
 
 
 def factor(effect: str, given: Parameters, name: str) -> Any:
-    """Return the factor of a parameter of a resolved effect. Shaking has an amplitude, a scale or a peak."""
+    """Return the factor of a parameter of a resolved effect.
+
+    Shaking has an amplitude, a scale or a peak. `effect` and `name` are the names of the effect and of its parameter,
+    such as "horizontal".
+    """
     if effect != "shaking":
         return 1.0
     if isinstance(given.get(name), Pulse):

@@ -16,7 +16,7 @@ PULSES = ("rectangular", "half-sine", "triangular", "sine")
 def bad_sample(time: Floats, values: Floats) -> tuple[int, str] | None:
     """Return the index of the first invalid sample and a message about it, or None.
 
-    Samples must be finite, and times must increase.
+    Samples must be finite, and times, in s, must increase. The index counts from 0.
     """
     for what, unit, of in (("time", " s", time), ("value", "", values)):
         (bad,) = np.nonzero(~np.isfinite(of))
