@@ -137,7 +137,7 @@ THIN = "thin arc: alpha, and its cube, from a difference of two angles"
 
 
 def _kernels() -> Iterator[HardCase]:
-    """Yield cases of each function of alpha: thin arcs, underflowing arcs, and infinite artanh."""
+    """Yield cases of each function of alpha and of both ends: thin arcs, underflowing arcs, and infinite artanh."""
     of_base = ((1e-8, CUBE), (1e-4, CUBE), (1e-103, DENORMAL))
     of_quotient = ((1e-200, UNDER), (5e-324, UNDER), (1e-6, CUBE))
     points = dict.fromkeys(closed_forms(), of_base) | dict.fromkeys((q.name for q in QUOTIENTS), of_quotient)

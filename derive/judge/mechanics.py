@@ -84,7 +84,7 @@ def reaction() -> Pair:
 
 
 def _direction(angle: Expr) -> Matrix:
-    """Return the unit vector at a polar angle."""
+    """Return the unit vector (cos, sin) at a polar angle."""
     return Matrix([cos(angle), sin(angle)])
 
 
@@ -97,7 +97,7 @@ def moment_of(radius: Expr, force: Pair) -> Expr:
 
 
 def along_bisector(force: Pair) -> Expr:
-    """Return the component of a force along the bisector of the arc, at u = theta - theta_m from it."""
+    """Return the component along the arc's bisector of a force in polar components, u = theta - theta_m from it."""
     return force[0] * cos(u) - force[1] * sin(u)
 
 
@@ -137,7 +137,10 @@ def deepest() -> Expr:
 
 
 def body_star(f: Expr, low: Expr = CHORD, high: Expr = Integer(1)) -> Expr:
-    """Return the double integral from the chord to the arc in r* = r/R, with constants outside."""
+    """Return the double integral of f from the chord to the arc in r* = r/R, with constants outside.
+
+    The limits ``low`` and ``high`` are those of r*, and theta extends from theta_1 to theta_2.
+    """
     result = Integer(0)
     for term in Add.make_args(expand(f)):
         constant, rest = term.as_independent(r, theta)
@@ -171,14 +174,14 @@ def step(equation: str) -> Expr:
 
 
 def momentum() -> Pair:
-    """Return both sides of (3.8), over ell rho."""
+    """Return both sides of (3.8), over ell rho: the rate of angular momentum, and the moment."""
     left = step("3.8 left") / (ell * rho)
     right = step("3.8") / (ell * rho)
     return expand(left), expand(right)
 
 
 def lever() -> Expr:
-    """Return the factor of mu sigma* in (3.8) over ell rho g R^3."""
+    """Return the factor of mu sigma* in (3.8) over ell rho g R^3, which is lambda (3.14)."""
     _, right = momentum()
     resistance = -right.coeff(sigma_mean) / (g * R**3)
     return simplify(resistance / mu * rho * g * DEPTH)
@@ -207,7 +210,10 @@ def dimensional() -> dict[str, Expr]:
 
 
 def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
-    """Return a motion, the first term of its expansion in time, and the order of the second term."""
+    """Return a motion, the first term of its expansion in time, and the order of the second term.
+
+    ``motion`` is an expression in t.
+    """
     expansion = sp.series(motion, t, 0, 6).removeO()
     terms = sorted(Add.make_args(expansion), key=lambda x: degree(x, t))
     first, second = terms[:2]
@@ -238,5 +244,5 @@ def names() -> dict[str, Any]:
 
 @cache
 def read(forms: str) -> tuple[Expr, ...]:
-    """Return transcribed forms, separated by semicolons."""
+    """Return transcribed forms, separated by semicolons, as expressions in the symbols of `names`."""
     return tuple(parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))

@@ -90,12 +90,12 @@ class Postulate:
 
 
 def _of_uniform(stress: Along) -> mpf:
-    """Return the relative excess of a stress in the middle of the arc over the uniform stress."""
+    """Return the relative excess of a stress in the middle of the arc over the uniform stress at rest."""
     return stress(mpf(0)) / State().normal(0) - 1
 
 
 def _centripetal_share(as_printed: bool = False) -> mpf:
-    """Return the centripetal stress over the static stress after 30 s of (3.20)."""
+    """Return the centripetal over the static stress after 30 s of (3.20), on request with the paper's inputs."""
     return State(omega=reached("omega*", as_printed)).total / State().total - 1
 
 

@@ -58,7 +58,7 @@ with workdps(50):  # radians: theta_1, half the opening angle, psi, the dip of t
 
 @cache
 def derivation(name: str) -> Derivation:
-    """Return the derivation of a moment."""
+    """Return the derivation of the moment with this name in `MOMENTS`."""
     return derive(next(m for m in MOMENTS if m.name == name))
 
 
@@ -154,6 +154,6 @@ def both(name: str) -> list[mpf]:
 
 
 def turned(name: str, rotation: mpf | None = None) -> mpf:
-    """Return the relative change of a moment by a rotation, in rad; by default the paper's own rotation after 30 s."""
+    """Return the relative change of the moment ``name`` by a rotation in rad, by default the paper's own after 30 s."""
     phi = reached("phi", as_printed=True) if rotation is None else rotation
     return moment(name, psi=DIP - phi) / moment(name) - 1

@@ -118,12 +118,15 @@ def theorem(slide: Callable[[], Slide], digits: int = 20, efforts: Sequence[int]
 
 
 def about(x: arb) -> str:
-    """Return the first digits of a ball that are certain, at most six."""
+    """Return the certain digits of a ball as a decimal, at most six of them."""
     return str(x.str(6, radius=False))
 
 
 def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
-    """Return the status of the motion, and add statements and numbers to the proof as they are decided."""
+    """Return the status of the motion, and add statements and numbers to the proof as they are decided.
+
+    ``tolerance`` bounds the relative remainder of each step in time.
+    """
     swing = first_swing(slide)
     still = arb(0)
     normal = swing.normal(still, still)
@@ -148,7 +151,10 @@ def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
 
 
 def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
-    """Enclose swings until the mass stays at rest, and return the status."""
+    """Enclose swings until the mass stays at rest, and return the status.
+
+    Statements and numbers are added to the proof, and ``tolerance`` bounds the relative remainder of each step in time.
+    """
     stands: list[Standstill] = []
     still = arb(0)
     while swing.acceleration(still, still) > 0:

@@ -131,7 +131,7 @@ class Division(NamedTuple):
     quantities: dict[str, Interval]
 
     def halves(self) -> Iterator[dict[str, Interval]]:
-        """Yield the halves of the part, divided where this narrows the coefficients of the motion most."""
+        """Yield the halves of the part by name, divided where this narrows the coefficients of the motion most."""
 
         def spread(name: str) -> float:
             low, high = self.quantities[name]
@@ -150,6 +150,8 @@ class Division(NamedTuple):
 
 def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[Theorem, float]:
     """Return the theorem on all decided parts of uncertain inputs, and the share of the undecided parts.
+
+    ``whole`` has the intervals of the inputs by name, and ``switches`` are the fields rotation and centripetal.
 
     The largest part is halved until it is decided and its share is at most `FINE`, or until ``parts`` parts are judged.
     """

@@ -90,7 +90,7 @@ class Standstill(NamedTuple):
 
 
 def until(length: arb) -> arb:
-    """Return the ball that covers [0, length]."""
+    """Return the ball that covers [0, length], as a time."""
     return length * arb(0.5, 0.5)
 
 
@@ -128,7 +128,7 @@ def step(swing: Swing, x: arb, omega: arb, length: arb, tolerance: arb) -> Step:
 
 
 def zero(f: arb_poly, length: arb) -> arb:
-    """Return a ball around the single zero of a decreasing function on [0, length], by Newton's method."""
+    """Return a ball around the single zero of a decreasing polynomial on [0, length], by Newton's method."""
     slope = f.derivative()
     found = until(length)
     for _ in range(ctx.prec):
@@ -176,7 +176,10 @@ LESS = ("press", "polar", "cohesion", "residual", "drop")  # lesser ones
 
 
 def between(swing: Swing, tolerance: arb) -> Standstill:
-    """Return the next standstill for uncertain coefficients, with rest and peak between those of the extreme swings."""
+    """Return the next standstill for uncertain coefficients, with rest and peak between those of extreme swings.
+
+    ``tolerance`` bounds the relative remainder of each step.
+    """
     stand = standstill(swing, tolerance)
     if all(x.rad() < tolerance for x in swing):
         return stand
@@ -197,6 +200,8 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
 
 def decided(part: Step, rises: bool) -> tuple[arb, bool]:
     """Return the longest of a step's length and its halves with certain signs, and whether it contains the event.
+
+    ``rises`` is whether the mass accelerates at the beginning of the step.
 
     While the mass accelerates, omega' > 0 and the event is the zero of omega'. Then omega' < 0 and the event is the
     zero of omega.
