@@ -132,7 +132,7 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
 
 
 def _is_shape(scene: Scene[float], number: Free) -> bool:
-    """Return whether a number belongs to a section's shape."""
+    """Return whether a number belongs to a section's shape, such as a coordinate of the ground or the radius."""
     is_section = "ground" in scene.arc.quantities
     return is_section and number.name.startswith(SHAPE)
 

@@ -119,7 +119,10 @@ def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
 
 
 def parameter_value(scene: Scene, name: str) -> float | None:
-    """Return the value of a number of a scene in SI units, or None if it has no value."""
+    """Return the value of a number of a scene in SI units by its path, or None if it has no value.
+
+    The path is a name such as "friction.peak".
+    """
     leaf = possible_parameters(scene).get(name)
     if leaf is None or leaf.value is None:
         return None

@@ -99,7 +99,10 @@ class Forces:
         return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
 
     def _at_rest(self, states: States) -> tuple[Balance, Floats]:
-        """Return the balance in the direction of the drive and the friction of a mass at rest in some states."""
+        """Return the balance in the direction of the drive and the friction of a mass at rest in some states.
+
+        The balance has one value per state. The friction coefficient includes the strength factor of the start.
+        """
         program = self._with_outputs.program
         at_rest = states._replace(omega=np.zeros(states.lane.size))
         cells, _ = begin(self._with_outputs, at_rest, 1.0)
@@ -119,7 +122,7 @@ class Forces:
         return np.where(is_some, left / np.where(is_some, whole, 1.0), 1.0)
 
     def strengths(self, states: States) -> ArrayPair:
-        """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
+        """Return the mobilised shear strength and the strength required at rest, over Theta*, one value per state."""
         (driving, resisting, _), _ = self._at_rest(states)
         moving = self.outputs(states)
         friction = moving["mu"] * moving["normal"]

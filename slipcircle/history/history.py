@@ -106,7 +106,7 @@ class History:
         return state_of(self.plan.scene, every_time, rotation, omega, rate, lambda: self._stresses(time).total)
 
     def _checked(self, times: ArrayLike) -> Floats:
-        """Return times as an array, after checking that no lane still moves at a time beyond its end."""
+        """Return times in s as an array. Raise an error if some lane still moves at a time beyond its end."""
         faults = mistakes({"times": times}, {"times": ALLOWED_TIMES})
         raise_all("Motion.at", faults)
         time = np.asarray(times, float)

@@ -29,7 +29,7 @@ class States(NamedTuple):
     lane: Any
 
     def parts(self) -> Iterator["States"]:
-        """Yield the states in blocks."""
+        """Yield the states in blocks of at most `BLOCK` states."""
         for first in range(0, max(self.lane.size, 1), BLOCK):
             which = slice(first, first + BLOCK)
             further = None if self.further is None else [values[which] for values in self.further]

@@ -73,7 +73,10 @@ def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
 
 
 def least_friction(friction: Any) -> float:
-    """Return the least coefficient of a law, without its law of speed, over all lanes."""
+    """Return the least coefficient of a friction law, without its law of speed, over all lanes and any slip.
+
+    The law has a number, an array or a list as coefficient, or peak and residual strength.
+    """
     _, given = law_parts(friction)[0]
     names = {"coefficient", "peak", "residual"} & given.keys()
     least = [np.min(given[name]) for name in names]

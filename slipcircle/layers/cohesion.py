@@ -56,7 +56,10 @@ class SoilCohesion:
 
     @cached_property
     def softening(self) -> dict[str, Term]:
-        """Terms that change with slip, by the numbers of their laws in the program."""
+        """Terms that change with slip, by the numbers of their laws in the program.
+
+        A term has a law, and the cohesion and the growth with depth that it multiplies, (soils, lanes).
+        """
         laws = [law for law in self._laws if law is not None]
         if not laws:
             return {}
@@ -68,7 +71,10 @@ class SoilCohesion:
         return {OF_COHESION: (over_peak, self.peak - cohesion, self.growth - growth)}
 
     def _by_soil(self) -> dict[str, Term]:
-        """Return a term for each soil whose cohesion changes, where the law is in Pa."""
+        """Return a term for each soil whose cohesion changes, where the law gives the cohesion in Pa.
+
+        The factors of a law are 1 for its soil and 0 for the others.
+        """
         soils = self.section.soils
         divisor = np.where(self.peak == 0.0, 1.0, self.peak)
         terms = {}

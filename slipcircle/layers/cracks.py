@@ -91,7 +91,10 @@ class CrackedSection(Section):
         return *chosen, held
 
     def _crack_errors(self) -> Iterator[Fault]:
-        """Yield the error of masses that are thinner everywhere than their crack is deep."""
+        """Yield one fault, the lanes whose mass is thinner everywhere than their crack is deep.
+
+        A fault is a mask of lanes (members of an ensemble) and a function that describes a lane by its index.
+        """
 
         def sentence(k: int) -> str:
             depth = np.broadcast_to(self.crack, self.shape).flat[k]
@@ -100,7 +103,10 @@ class CrackedSection(Section):
         yield np.isnan(self._crack_place), sentence
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Yield the errors of invalid sections and of sections that cannot move."""
+        """Yield the faults of invalid sections and of sections that cannot move.
+
+        A fault is a mask of lanes (members of an ensemble) and a function that describes a lane by its index.
+        """
         if self._is_cracked:
             yield from self._uncracked.geometry_errors()
             yield from self._crack_errors()

@@ -53,7 +53,7 @@ class Depths(NamedTuple):
 
     @property
     def kinks(self) -> Floats:
-        """Directions at which a cumulative integral has kinks, (circles, kinks)."""
+        """Directions in rad, positive down-slope, at which a cumulative integral has kinks, (circles, kinks)."""
         of_line = self.heights.kinks * self.facing[:, None]
         return np.concatenate([of_line, np.stack([self.first, self.last], axis=1)], axis=1)
 

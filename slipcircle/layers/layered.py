@@ -70,12 +70,12 @@ class RotationTables(NamedTuple):
 
     @property
     def circles(self) -> int:
-        """Number of circles of the lanes."""
+        """Number of circles: 1 for all lanes (members of an ensemble), or one per lane."""
         return self.section.arc_strength.rotation_kinks.shape[1]
 
     @property
     def names(self) -> Texts:
-        """Names of the geometric parts whose sums are the functions."""
+        """Names of the geometric parts from which the functions are summed, without repetition."""
         names = dict[str, None]()
         for function in self.functions.values():
             names |= dict.fromkeys(function.coefficients)
@@ -169,7 +169,7 @@ class RotationTables(NamedTuple):
 
 
 def _lanes(function: OfRotation) -> int:
-    """Return the number of lanes in which a function differs."""
+    """Return the number of lanes in which a function differs, 1 for a function that all lanes share."""
     return max(values.shape[1] for values in function.coefficients.values())
 
 

@@ -53,7 +53,10 @@ class LayeredNumbers(CrackedSection):
         return {soil.name: soil for soil in self.soils}
 
     def cohesion_laws(self, cohesion: Values) -> tuple[Law, ...]:
-        """Return the laws by which the cohesion of the soils changes with slip."""
+        """Return the laws by which the cohesion of the soils changes with slip.
+
+        The argument, the cohesion of a scene, is not used.
+        """
         return self.arc_strength.cohesion_laws
 
     def parts(self) -> Parts:
@@ -90,7 +93,7 @@ class LayeredNumbers(CrackedSection):
 
     @property
     def _shared_lengths(self) -> list[list[str]]:
-        """Names of the slip lengths that soils share, of friction and of cohesion."""
+        """Names of the slip lengths that soils share, a list each for friction and cohesion with one law."""
         shared = [strength for strength in ("friction", "cohesion") if share_one_law(self.soils, strength)]
         return [[name for name in numbers(self) if name.endswith(f".{strength}.length")] for strength in shared]
 
@@ -102,7 +105,7 @@ class LayeredNumbers(CrackedSection):
         return values
 
     def numbers_without_effect(self) -> list[str]:
-        """Return lengths determined by the first soil's length, and growths of cohesion that are 0."""
+        """Return the names of lengths determined by the first soil's length, and of growths of cohesion that are 0."""
         left_out = [name for lengths in self._shared_lengths for name in lengths[1:]]
         for soil in self.soils:
             if soil.datum is None and not np.any(soil.cohesion_gradient):

@@ -97,7 +97,7 @@ class LayeredSection(LayeredNumbers):
 
     @property
     def _overhang(self) -> Fault:
-        """Error of arcs that extend above the centre of their circle."""
+        """Fault of arcs that extend above the centre of their circle: a mask of lanes, and the message."""
         first, last = self._angles
         steepest = np.maximum(-first, last)
         above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
@@ -149,7 +149,7 @@ class LayeredSection(LayeredNumbers):
 
     @property
     def datums(self) -> list[Any]:
-        """Heights or lines below which the cohesion of the soils grows, None for the ground."""
+        """Heights in m or lines below which the cohesion of each of the `soils` grows, None for the ground."""
         tops = [None, *self.tops]
         if self.foreland is not None:
             tops.append(top_of(self.foreland, self.layers))
@@ -299,7 +299,7 @@ class LayeredSection(LayeredNumbers):
         return self.arc_strength.friction
 
     def mistakes(self, friction: Any, effects: Effects) -> Texts:
-        """Return messages, including about inputs given both by the scene and by its soils."""
+        """Return messages about friction and effects, also about inputs given both by the scene and by its soils."""
         of_soils = "is given by the soils of a layered section; leave it out"
         found = super().mistakes(friction, effects)
         found += [f"effects.{name}: {of_soils}" for name in self.own_effects if name in effects]
@@ -308,7 +308,7 @@ class LayeredSection(LayeredNumbers):
         return found
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """Return effects with the strengths of the soils. Inertia terms require the centripetal effect."""
+        """Return effects by name with the strengths of the soils. Inertia terms require the centripetal effect."""
         strength = self.arc_strength
         needs = Needs("rotation" in effects, "shaking" in effects)
         terms = {"layered_strength": strength.terms(needs)}

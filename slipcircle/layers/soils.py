@@ -136,12 +136,12 @@ class Soil:
 
     @property
     def peak_cohesion(self) -> Any:
-        """Cohesion at the start."""
+        """Cohesion at the start, Pa."""
         return cohesion_at_rest(self.cohesion)
 
     @property
     def residual_cohesion(self) -> Any:
-        """Cohesion after much slip, for a table or a function its initial value."""
+        """Cohesion after much slip, Pa, for a table or a function its initial value."""
         law = cohesion_law(self.cohesion)
         if law is None:
             return self.peak_cohesion
@@ -222,12 +222,12 @@ def _is_layer(pair: Any) -> bool:
 
 
 def _tops(soil: Soil, layers: Layers) -> list[Any]:
-    """Return the tops of the layers of one soil."""
+    """Return the tops of the layers of one soil: None, heights in m, or points of a line."""
     return [top for other, top in layers if other.name == soil.name]
 
 
 def top_of(foreland: Soil, layers: Layers) -> Any:
-    """Return the top of the layer of the soil of the foreland, None for the ground or without a layer."""
+    """Return the top of the first layer of the soil of the foreland, None for the ground or without a layer."""
     return next(iter(_tops(foreland, layers)), None)
 
 

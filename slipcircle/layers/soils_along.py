@@ -147,7 +147,7 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:
-    """Return the mean pressure of the water level between two directions, Pa."""
+    """Return the mean pressure of the water level between two directions in rad, Pa; 0 without a level."""
     if section.level is None:
         return 0.0
     (facing,) = section._facing

@@ -57,7 +57,10 @@ def displaced(section: Any, rotation: Floats, directions: Floats) -> ArrayPair:
 
 
 def _surface(section: Any, circle: int) -> Floats:
-    """Return the ground relative to the centre of a circle, over R, with x down-slope."""
+    """Return the ground relative to the centre of a circle, over R, with x down-slope, (V, 2).
+
+    `circle` is the index.
+    """
     ground, centre, radius = section._circle
     way = int(section._facing[circle])
     over_radius = (ground[circle % len(ground)] - centre[circle]) / radius[circle]
@@ -105,7 +108,7 @@ def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
 
 
 def _reach(height: Any) -> Any:
-    """Return the direction at which the arc passes a height over R relative to the centre."""
+    """Return the direction, rad in [0, pi], at which the arc passes a height over R relative to the centre."""
     cosine = np.clip(-height, -1.0, 1.0)
     return np.arccos(cosine)
 
@@ -147,7 +150,7 @@ class _Integrals:
 
     @property
     def moment(self) -> Floats:
-        """Moment about the centre, (M,)."""
+        """Moment of the displaced water about the centre, over R^3 and positive down-slope, (M,)."""
         level = self.level
         moment_y = self.rows[MOMENT_Y] * level.sine
         moment_x = self.rows[AREA] * level.cosine

@@ -234,7 +234,7 @@ class StretchIntegrals:
 
     @cached_property
     def rotation_kinks(self) -> Floats:
-        """Rotations at which one of these functions is not smooth, (kinks, circles), sorted."""
+        """Rotations in rad at which one of these functions is not smooth, (kinks, circles), sorted."""
         section = self.section
         ends = np.stack(self.span, axis=1)
         joints = self.stretches.joint

@@ -258,7 +258,7 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
 
 
 def _within_edge(share: Floats) -> Flags:
-    """Return whether a point lies between the ends of an edge, from its relative position."""
+    """Return whether a point lies between the ends of an edge, from its position, 0 at the start and 1 at the end."""
     after_start = share > 0.0
     before_end = share < 1.0
     return after_start & before_end

@@ -236,7 +236,7 @@ def _caught(problem: Problem, which: Integers, final: Floats) -> tuple[Any, Floa
 
 
 def _ahead(now: Now) -> Ahead:
-    """Return the first equilibrium in the direction of travel."""
+    """Return the first equilibrium in the direction of travel of each lane, as rotation from its present position."""
     count = now.lanes.size
     low = np.zeros(count)
     high = np.full(count, np.pi)

@@ -326,7 +326,7 @@ class _Implicit(integrator.Lanes):
         return end, first
 
     def _first_time(self, event: Event, step: Step, now: Present) -> float:
-        """Return the time of the first event of a kind within a step, infinity without an event."""
+        """Return the time of the first event of a kind within a step from `now`, infinity without an event."""
 
         def margin(time: float) -> float:
             registers = self._within(step, now, time).registers

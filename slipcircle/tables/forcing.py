@@ -59,7 +59,10 @@ def factor(effect: str, given: Parameters, name: str) -> Any:
 
 
 def record_numbers(shaking: Parameters) -> ValueDict:
-    """Return scale and peak of shaking by a record. Either determines the other."""
+    """Return scale and peak, over gravity, of shaking by a record; empty for other shaking.
+
+    Either number determines the other.
+    """
     record = shaking["horizontal"]
     if not isinstance(record, Series):
         return {}

@@ -93,7 +93,7 @@ class Series:
 
     @property
     def greatest(self) -> float:
-        """Greatest absolute value."""
+        """Greatest absolute value, in the unit of the values."""
         return float(np.max(np.abs(self.values)))
 
     def scaled(self, factor: float) -> "Series":

@@ -196,7 +196,7 @@ def _held_lines(places: Floats, values: Floats) -> Data:
 
 
 def of_time(function: Series | LaneSeries | Pulse) -> Data:
-    """Return the pieces of a function of time, or of one function per lane."""
+    """Return the pieces of a function of time in s, or of one function per lane. A lane is a member of an ensemble."""
     if isinstance(function, LaneSeries):
         # Functions of time one after the other, each followed by a piece that begins at infinity.
         tables = [of_time(series) for series in function.series]

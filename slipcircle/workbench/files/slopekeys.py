@@ -208,7 +208,7 @@ _SLIP = table_of(
 
 
 def _plausible(table: Table) -> Table:
-    """Return a table of cohesion with the bounds that apply to soils."""
+    """Return a table of cohesion with the upper bound of a soil's cohesion for its keys in kPa."""
     keys = {
         name: replace(key, upper=_MOST_COHESION) if name.endswith("_kPa") else key for name, key in table.keys.items()
     }

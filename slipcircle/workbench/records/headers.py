@@ -127,7 +127,10 @@ def header_of(name: str, text: str) -> Header | None:
 
 
 def _header(found: re.Match[str] | None, units: str) -> Header | None:
-    """Return the header of a format from the fields of its expression, or None without samples and step."""
+    """Return the header of a format from the fields of its expression, or None without samples and step.
+
+    `found` is the match of the expression, and `units` the default unit.
+    """
     fields = {key: text.strip() for key, text in found.groupdict("").items()} if found else {}
     numbers = defaultdict(float)
     for key, text in fields.items():

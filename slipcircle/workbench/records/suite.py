@@ -287,7 +287,10 @@ def read_suite(
 
 
 def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> tuple[list[Entry], list[Unread]]:
-    """Return the records of files, the first of which remain in memory, and the unused files and columns."""
+    """Return the records of files, the first of which remain in memory, and the unused files and columns.
+
+    `vertical` is the pattern of `read_suite`, and `reading` are the arguments of `_shaking` for every file.
+    """
     entries = []
     unread = []
     remaining = _KEPT
@@ -306,7 +309,7 @@ def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> t
 
 
 def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None) -> None:
-    """Reject a unit or a step that all files contradict."""
+    """Raise an error if all files contradict a given unit or step. The step is in s."""
     units = [entry.unit for entry in entries]
     steps = [f"{entry.step:.3g}" for entry in entries]
     for name, given, stated in (("units", unit, units), ("step", step and f"{step:.3g}", steps)):
@@ -315,7 +318,7 @@ def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None
 
 
 def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
-    """Return the message about missing horizontal records."""
+    """Return the message that `paths` contain no horizontal record, with the first of the reasons."""
     shown = "".join(f"; {reason}" for reason in reasons[:_SHOWN])
     more = f"; and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""
     where = ", ".join(map(str, paths))
@@ -323,7 +326,10 @@ def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
 
 
 def _entries(file: Path, vertical: str | None, reading: Values) -> Iterator[Entry | Unread]:
-    """Yield the records of a file, and its unused columns."""
+    """Yield the records of a file, and its unused columns.
+
+    `vertical` is the pattern of `read_suite`, and `reading` are the arguments of `_shaking`.
+    """
     channels = contents(ACCELERATION, str(file), file, reading["options"])
     read = [channel for channel in channels if channel.samples]
     several = len(read) > 1
@@ -344,7 +350,10 @@ def _entries(file: Path, vertical: str | None, reading: Values) -> Iterator[Entr
 
 
 def _read(file: str, channel: int, **reading: Any) -> Series:
-    """Return the samples of a record, read again."""
+    """Return the samples of a record, read again.
+
+    `channel` is its index in the file, from 0, and `reading` the arguments of `_shaking`.
+    """
     channels = contents(ACCELERATION, file, Path(file), reading["options"])
     return _shaking(file, channels[channel], **reading)[0]
 
