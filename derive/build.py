@@ -45,7 +45,7 @@ class NoBinaryError(Exception):
 
 
 def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
-    """Compile the C source of a module beside it, unless its binary is up to date."""
+    """Compile the C source of a module beside it, unless its binary is up to date, and return the binary's path."""
     source = folder / f"{name}.c"
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")
@@ -88,7 +88,7 @@ def is_made_of(binary: Path, source: str) -> bool:
 
 
 def has_binary_alone(name: str, source: str, folder: Path = FOLDER) -> bool:
-    """Return whether a binary exists without its C text, as in a wheel."""
+    """Return whether a binary of the C text ``source`` exists without that text's file, as in a wheel."""
     binary = imported_binary(folder, name.removesuffix(".c"))
     missing = name.endswith(".c") and not (folder / name).is_file()
     return missing and binary.is_file() and is_made_of(binary, source)
@@ -103,7 +103,11 @@ def parts(name: str, machine: str) -> Parts:
 
 
 def make(source: Path, target: Path, compiler: list[str], parts: Parts, link: Sequence[str]) -> None:
-    """Compile the objects of a module, link them, and delete other files that the linker leaves."""
+    """Compile the objects of a module, link them, and delete other files that the linker leaves.
+
+    ``parts`` has the flags of each object, ``compiler`` is a command with common flags, and ``link`` has the flags of
+    the linker.
+    """
     with tempfile.TemporaryDirectory() as folder:
         objects = [str(Path(folder) / f"{k}.o") for k in range(len(parts))]
         linked = Path(folder) / target.name
@@ -116,7 +120,7 @@ def make(source: Path, target: Path, compiler: list[str], parts: Parts, link: Se
 
 
 def _fault(done: subprocess.CompletedProcess[str]) -> str:
-    """Return the first error that a command printed, or its status."""
+    """Return the first error that a command printed, or its first line, or its status."""
     lines = done.stderr.splitlines()
     errors = [line for line in lines if "rror" in line]
     return next(iter(errors or lines), f"nothing is written, status {done.returncode}")

@@ -67,6 +67,7 @@ STEEPEST = 10.0  # coefficient
 
 
 def _units(by_name: Mapping[str, str]) -> dict[Symbol, Expr]:
+    """Return dimensions by symbol, from units by names; blanks separate the names."""
     return {Symbol(name, real=True): of_unit(unit) for names, unit in by_name.items() for name in names.split()}
 
 
@@ -89,7 +90,7 @@ def _place(e: Declaration, what: str) -> str:
 
 
 def refuse(e: Declaration, what: str, found: object, allowed: str) -> NoReturn:
-    """Raise `ProofError` with the field of a declaration, the value found and the values allowed."""
+    """Raise `ProofError` with the place ``what`` in a declaration, the value found and the values allowed."""
     raise ProofError(_place(e, what), found, allowed)
 
 
@@ -127,7 +128,11 @@ def check_alone(e: Law | Effect) -> None:
 
 
 def _check_fields(e: Declaration, of: Declaration | Parameter, where: str = "") -> None:
-    """Check that each field, including those of parameters, has its type, and that no text is blank."""
+    """Check that each field, including those of parameters, has its type, and that no text is blank.
+
+    The fields are those of ``of``, the declaration ``e`` itself or one of its parameters, which ``where`` names in an
+    error.
+    """
     for f in fields(of):
         value = getattr(of, f.name)
         blank = isinstance(value, str) and not value.strip() and (value or f.name in ("help", "symbol"))
@@ -140,7 +145,7 @@ def _check_fields(e: Declaration, of: Declaration | Parameter, where: str = "") 
 
 
 def _fits(value: object, kind: Any) -> bool:
-    """Return whether a value has the type of a field. Expressions are checked later."""
+    """Return whether a value has the type ``kind``, the annotation of a field. Expressions are checked later."""
     if get_origin(kind) is UnionType:
         return any(_fits(value, x) for x in get_args(kind))
     if get_origin(kind) is not tuple:
@@ -153,6 +158,7 @@ def _fits(value: object, kind: Any) -> bool:
 
 
 def _check_source(e: Declaration) -> None:
+    """Check that an equation is in the paper, and that a declaration has an equation or a source, not both."""
     if e.equation and not PAPER.fullmatch(e.equation):
         refuse(e, "equation", repr(e.equation), "an equation of the paper, 1.1 to 4.5, or source= instead")
     if e.equation and e.source:
@@ -160,7 +166,10 @@ def _check_source(e: Declaration) -> None:
 
 
 def _check_name(e: Declaration, what: str, name: str, taken: set[str]) -> None:
-    """Check that a name is valid in Python and in scene files, and new; add it to the names in use."""
+    """Check that a name is valid in Python and in scene files, and not in ``taken``, to which it is added.
+
+    ``what`` names the field of the declaration in an error.
+    """
     if not re.fullmatch("[a-z][a-z0-9_]*", name):
         refuse(e, what, repr(name), "small letters, digits and _, a letter first")
     if keyword.iskeyword(name) or name in taken:
@@ -170,7 +179,10 @@ def _check_name(e: Declaration, what: str, name: str, taken: set[str]) -> None:
 
 
 def _check_symbols(effect: Effect, taken: set[str]) -> None:
-    """Check that a symbol denotes one number of a program, of a single effect and not of the balance."""
+    """Check that a symbol denotes one number of a program, of a single effect and not of the balance.
+
+    ``taken`` are the names in use, to which those of the effect are added.
+    """
     for x in (*effect.symbols, *effect.states):
         name = str(x)
         names = {name, f"{name}_0", f"d{name}"}
@@ -182,7 +194,10 @@ def _check_symbols(effect: Effect, taken: set[str]) -> None:
 
 
 def _check_parameters(e: Law | Effect, units: Collection[str]) -> dict[Symbol, Parameter]:
-    """Check names, kinds, bounds, units and keys, and return parameters by the symbols of their names."""
+    """Check names, kinds, bounds, units and keys, and return parameters by the symbols of their names.
+
+    ``units`` are the allowed ones.
+    """
     taken = {*KEYS.split()}
     in_formula: Sequence[str] = NUMBERS
     if isinstance(e, Law):
@@ -216,7 +231,10 @@ def _fault_of_key(p: Parameter, taken: set[str]) -> str:
 
 
 def _check_formula(e: Declaration, what: str, formula: Expr, units: Units) -> set[Symbol]:
-    """Check the functions and symbols of a formula that must be dimensionless, and return its symbols."""
+    """Check the functions and symbols of a formula that must be dimensionless, and return its symbols.
+
+    ``what`` names the formula in an error, and ``units`` are the dimensions of the symbols allowed in it.
+    """
     if not isinstance(formula, Expr) or formula.has(I, nan, oo, zoo):
         refuse(e, what, repr(formula), "an expression of SymPy in real numbers")
     for function in sorted(formula.atoms(Function), key=str):
@@ -259,7 +277,7 @@ def _check_law(law: Law) -> list[str]:
 
 
 def _check_kinks(law: Law, formula: Expr, by_symbol: Mapping[Symbol, Parameter]) -> None:
-    """Check that minima and maxima are of polynomials and change branch at one parameter."""
+    """Check that minima and maxima are of polynomials of the slip and change branch at one parameter."""
     for function in sorted(formula.atoms(Min, Max), key=str):
         if [x.is_polynomial(SLIP) for x in function.args] != [True, True]:
             refuse(law, "coefficient", function, "min and max of two polynomials of the slip")
@@ -283,7 +301,7 @@ def _box(law: Law, by_symbol: Mapping[Symbol, Parameter]) -> dict[Symbol, domain
 
 
 def _range(p: Parameter) -> domain.Ends:
-    """Return the plausible range of a parameter."""
+    """Return the plausible range of a parameter, (least, greatest), within its bounds."""
     least = 0.01 if p.lower == 0.0 else max(p.lower, -STEEPEST) + 1e-300  # above an open bound; 0 may be included
     return least, max(least, min(p.upper, STEEPEST))
 

@@ -53,7 +53,7 @@ SIZES = """
 
 
 def headers(folder: Path) -> Path:
-    """Return the folder of Python and NumPy headers for all platforms, and the import library of Windows."""
+    """Fill a folder with the headers of Python and NumPy for all platforms and Windows' import library; return it."""
     import numpy as np
 
     shutil.copytree(sysconfig.get_path("include"), folder)
@@ -71,7 +71,7 @@ def headers(folder: Path) -> Path:
 
 
 def binaries(folder: Path) -> None:
-    """Compile the modules for all platforms, each into a folder of the platform's name."""
+    """Compile the modules for all platforms, each into a subfolder of the folder with the platform's name."""
     common = headers(folder / "headers")
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = []
@@ -83,7 +83,10 @@ def binaries(folder: Path) -> None:
 
 
 def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
-    """Compile a module for a platform."""
+    """Compile the module ``name`` for one platform into a folder, and return the path of the binary.
+
+    ``triple`` is the platform's name for Zig, and ``headers`` the folder that `headers` returns.
+    """
     target = folder / f"{name}{'.pyd' if 'windows' in triple else '.abi3.so'}"
     compiler = [*ZIG, "cc", "-target", triple, "-mcpu=baseline", *FLAGS, *ZIG_FLAGS[name], *STABLE, f"-I{headers}"]
     link = ["-shared", "-s"]
@@ -97,7 +100,10 @@ def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
 
 
 def distributions(folder: Path) -> list[Path]:
-    """Return the wheel of each platform with its binaries, and the source distribution."""
+    """Return the paths of the wheel of each platform and of the source distribution, written into a folder.
+
+    The folder contains the binaries, as `binaries` leaves them.
+    """
     from hatchling.builders.sdist import SdistBuilder
     from hatchling.builders.wheel import WheelBuilder
 

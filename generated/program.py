@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 85e424aa9bf298524226551e50faf7af1abac83d75032893d05b0bd2fa587c15
+# sha256 of the text below: 0ba1cf14ec55cee751436612d7bb1a3a46d85eff04e5536dc361dcd23199456f
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -111,7 +111,10 @@ class Definitions:
 
 
 def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> Definitions:
-    """Return the definitions of a recipe's effects and laws, and of ``further`` fragments."""
+    """Return the definitions of a recipe's effects and laws, and of ``further`` fragments.
+
+    ``fragments`` returns the fragments of a name; ``further`` are names, such as energy.
+    """
     effects, _, moving, absent = recipe
     made = Definitions()
     slip_factor = _include_laws(made, recipe, fragments)
@@ -155,7 +158,11 @@ def _include_laws(made: Definitions, recipe: Recipe, fragments: Lookup) -> str:
 
 
 def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = (), friction: str = "mu") -> None:
-    """Include a fragment's definitions; ``friction`` is the quantity to which it adds a friction coefficient."""
+    """Include a fragment's definitions in ``made``.
+
+    ``moving`` are the tables that are functions, not single numbers, and ``friction`` is the quantity to which the
+    fragment adds a friction coefficient.
+    """
     for kind, result, *arguments in fragment.scalar:
         made.cells[result] = (kind, *arguments)
     for operation in fragment.series:
@@ -189,7 +196,7 @@ def _on_series(kind: Any, *names: Any) -> Computed:
 
 
 def _define_functions_of_time(made: Definitions, moving: Names) -> None:
-    """Define each parameter that changes with time by its initial value and its increment, a ramp."""
+    """Define each parameter in ``moving``, which changes with time, by its initial value and its increment, a ramp."""
     known = [table.name for table in made.tables]
     for symbol in moving:
         made.cells[symbol] = ("set", f"{symbol}.VALUE")
@@ -201,7 +208,7 @@ def _define_functions_of_time(made: Definitions, moving: Names) -> None:
 
 
 def _define_quantity(made: Definitions, quantity: str) -> None:
-    """Define a quantity as a sum over fragments: initial value, size of its terms, and increment."""
+    """Define a quantity q as sums over fragments: the cells ``q_0`` and ``q_size``, and the register ``dq``."""
     addends = made.addends.get(quantity, [])
     _define_sum(made, f"{quantity}_0", [base for base, _, _ in addends])
     _define_sum(made, f"{quantity}_size", [size for _, size, _ in addends])
@@ -211,7 +218,7 @@ def _define_quantity(made: Definitions, quantity: str) -> None:
 
 
 def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
-    """Define a cell as the sum of other cells, added in order."""
+    """Define the cell ``name`` as the sum of the cells ``addends``, added in order."""
     total = ZERO
     for k, addend in enumerate(addends):
         part = f"{name}.{k}"
@@ -268,7 +275,7 @@ class Linked(NamedTuple):
 
 
 def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked:
-    """Return the operations that compute the integrator's input, and further registers, from given cells."""
+    """Return the operations that compute the integrator's input, and the registers ``asked``, from given cells."""
     arguments = [table.argument for table in definitions.tables]
     read = dict.fromkeys((*definitions.states, *definitions.states.values(), *EVENTS, *arguments, *asked))
     linker = Linker(definitions, given)
@@ -321,7 +328,7 @@ class Linker:
     # --- cells -------------------------------------------------------------------------------------------------------
 
     def cell(self, name: str) -> str:
-        """Return the cell for a name, computed if necessary."""
+        """Return the name of the cell that contains the number ``name``, after adding operations that compute it."""
         if name.startswith("="):
             return name
         if name not in self._cells:
@@ -331,7 +338,7 @@ class Linker:
         return self._cells[name]
 
     def _result(self, kind: str, operands: list[str], name: str = "") -> str:
-        """Return the cell of an operation's result, an existing cell or a new one."""
+        """Return the cell of an operation's result: an operand, an existing cell, or a new cell called ``name``."""
         known = _simplified(kind, operands)
         if known is not None:
             return known
@@ -391,7 +398,7 @@ class Linker:
         return self._registers[name]
 
     def event(self, register: str | None) -> str | None:
-        """Return a register whose roots are events, or None if it is constant during a phase."""
+        """Return a register whose roots are events, or None if it is None or constant during a phase."""
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
@@ -413,7 +420,7 @@ class Linker:
         return cells
 
     def zero(self, name: str) -> str:
-        """Return a register that contains zero."""
+        """Return a register that contains zero; it is called ``name`` if there is none yet."""
         (zero,) = self.series.setdefault(OnSeries("lin", (), (ZERO,)), (name,))
         return zero
 
@@ -433,7 +440,10 @@ class Linker:
         return result
 
     def _flat(self, operation: OnSeries, factor: str) -> Iterator[tuple[str, str]]:
-        """Yield a sum's nonzero terms times a factor. A sum used only by sums is replaced by its terms."""
+        """Yield the nonzero terms of a sum as pairs (factor, register), each times the cell ``factor``.
+
+        A sum used only by sums is replaced by its terms.
+        """
         for cell, register in zip(operation.cells[1:], operation.registers, strict=True):
             scaled = self._result("mul", [factor, self.cell(cell)])
             if scaled == ZERO or self._is_zero(register):
@@ -447,7 +457,7 @@ class Linker:
 
 
 def _simplified(kind: str, operands: list[str]) -> str | None:
-    """Return the cell that equals the result of an operation on cells, or None if it must be computed."""
+    """Return the cell that equals the result of an operation on these operands, or None if it must be computed."""
     first, last = operands[0], operands[-1]
     match kind:
         case "set":
@@ -622,6 +632,8 @@ LAW_OF_EFFECT = {"soil_friction": "soil_mu", "softening_cohesion": "cohesion_law
 def fragments_of(known: Mapping[str, Fragment], name: str, turns: bool) -> list[Fragment]:
     """Return the fragments of an effect or a law, of one soil if its name contains a number.
 
+    The fragments ``known`` are shared by all soils, and ``turns`` is whether the mass rotates.
+
     The effect ``soil_friction#0`` includes the weight of its soil.
     """
     shared_name, mark, soil = name.partition(OF_SOIL)
@@ -639,7 +651,7 @@ def fragments_of(known: Mapping[str, Fragment], name: str, turns: bool) -> list[
 
 
 def _numbered(known: Mapping[str, Fragment], shared_name: str, number: str) -> Fragment:
-    """Return a fragment with the names of one soil: ``dsoil_mu#0``."""
+    """Return the shared fragment of a name with the names of one soil: ``dsoil_mu#0`` for the number ``#0``."""
     of_one_soil = set(LAW_OF_EFFECT.values())
     for effect in LAW_OF_EFFECT:
         of_one_soil.update(known[effect].inputs, (table for table, *_ in known[effect].tables))

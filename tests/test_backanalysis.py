@@ -19,7 +19,7 @@ from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs.json_records import record
 from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
-from slipcircle.workbench.studies.roots import solve_exact
+from slipcircle.workbench.studies.roots import bracket_candidates, solve_exact
 from slipcircle.workbench.studies.standstill import standstills
 from tests.campaigns.round_trips import outcome
 
@@ -440,3 +440,10 @@ def test_roots_of_outcomes_with_rounding(noise: float, first: float) -> None:
     problem: Any = SimpleNamespace(targets=[1.0], ranges=[np.linspace(first, 2.0, 8)], outcomes=outcomes)
     (root,) = solve_exact(problem)
     assert root == pytest.approx(1.0, abs=2e-12)
+
+
+def test_brackets_of_roots_span_one_section_at_a_passage_and_two_at_an_extremum() -> None:
+    x = np.arange(6.0)[None]
+    misfit = np.array([[4.0, 1.0, 4.0, 9.0, -1.0, -9.0]])  # a minimum at 1, a passage from 3 to 4
+    (row, first), (_, last) = bracket_candidates(x, misfit, np.zeros(x.shape), 1.0)
+    assert {*zip(row.tolist(), first.tolist(), last.tolist(), strict=True)} == {(0, 3, 4), (0, 0, 2)}

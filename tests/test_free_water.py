@@ -433,3 +433,11 @@ def test_a_page_of_a_slope_with_free_water_starts_by_bishop() -> None:
     slope = Slope([[-24, 20], [0, 20], [40, 0], [60, 0]], 2e3, 0.32, 19e3, level=[[-24, 14], [0, 12], [30, 5], [60, 5]])
     scene = critical(slope).scene(["rotation"])
     assert [one.number.name for one in default_sliders(scene)]
+
+
+def test_a_pond_stands_at_an_exit_without_a_water_level() -> None:
+    ground = [(-60.0, 20.0), (0.0, 20.0), (40.0, 0.0), (80.0, 0.0), (90.0, 5.0), (120.0, 5.0)]
+    shores = 40.0 - 2.0 * 3.0, 80.0 + 2.0 * 3.0, 3.0  # y = 3 on slopes of 1 in 2
+    section = Section(ground, (30, 45), 48.0, 19e3, ponds=[shores])
+    assert section.standing_level == (3.0 - 45.0) / 48.0
+    assert section.in_standing_water

@@ -5,13 +5,14 @@ By series goes what has a second function of time: vertical shaking of zero.
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from generated import layout
+from generated import integrator, layout
 from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.tables import LaneSeries, Series
 from tests.campaigns import long_records
@@ -273,3 +274,13 @@ def test_steps_are_counted_since_the_last_break(effects: dict[str, Any]) -> None
     assert motion.slips > 500
     assert motion._final[layout.STEPS] < 20
     assert long_records.nanoseconds(1_000, 1) > 0.0
+
+
+def test_a_push_that_ends_within_a_piece() -> None:
+    """Protect the speed, path and time of a stop where a mass at rest is driven at first: v = 0.3 t - 0.3 t^2."""
+    lane: Any = SimpleNamespace(cells=np.zeros((len(layout.CELLS), 1)))
+    now, length, omega, net, after = (np.array([x]) for x in (5.0, 2.0, 0.0, 0.3, -0.9))
+    with np.errstate(all="ignore"):
+        speed, path = integrator.turn(lane, np.array([True]), now, length, omega, net, after)
+    found = [speed[0], path[0], lane.cells[layout.REST_SINCE, 0], lane.cells[layout.PHASES, 0]]
+    assert found == pytest.approx([0.0, 0.05, 6.0, 1.0], abs=1e-15)

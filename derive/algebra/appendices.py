@@ -95,7 +95,7 @@ def repairs(appendix: Appendix) -> tuple[Repair, ...]:
 
 
 def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
-    """Return the printed text, corrected except at the places in ``leave``."""
+    """Return the printed text of an appendix, corrected except at the places in ``leave``."""
     text = appendix.printed
     for repair in reversed(repairs(appendix)):
         if repair not in leave:
@@ -135,6 +135,7 @@ _ENDS = {theta_1: theta_m - alpha, theta_2: theta_m + alpha}
 
 
 def _require(holds: bool, claim: str) -> None:
+    """Raise `ProofError` with the claim if it does not hold."""
     if not holds:
         raise ProofError(claim, holds, True)
 

@@ -55,10 +55,10 @@ def logs_to_artanh(expression: Expr) -> Expr:
 
 
 def antiderivative(integrand: Expr, x: Symbol, half_width: str = "1") -> Expr:
-    """Return SymPy's antiderivative, real and zero at x = 0, after proving it.
+    """Return SymPy's antiderivative in x, real and zero at x = 0, after proving it.
 
-    Its derivative is proved to be the integrand, and it is shown to be continuous for |x| up to a half-width: SymPy
-    may return antiderivatives that jump inside the interval of integration.
+    Its derivative is proved to be the integrand, and it is shown to be continuous for |x| up to a half-width (decimal):
+    SymPy may return antiderivatives that jump inside the interval of integration.
     """
     result = Integer(0)
     for term in Add.make_args(expand(integrand)):
@@ -77,7 +77,10 @@ def antiderivative(integrand: Expr, x: Symbol, half_width: str = "1") -> Expr:
 
 
 def _check_continuity(primitive: Expr, integrand: Expr, x: Symbol, half_width: str) -> None:
-    """Compare each increment of an antiderivative over a grid with the quadrature of its integrand."""
+    """Compare each increment of an antiderivative in x over a grid with the quadrature of its integrand.
+
+    The grid extends from minus to plus half the width, a decimal.
+    """
     others = sorted((primitive.free_symbols | integrand.free_symbols) - {x}, key=default_sort_key)
     variables = (x, *others)
     above = lambdify(variables, primitive, "mpmath")
@@ -135,7 +138,7 @@ def recorded(moment: Moment) -> dict[str, Any]:
 
 
 def restore(moment: Moment, record: dict[str, Any]) -> None:
-    """Use a recorded derivation instead of a new one."""
+    """Use a recorded derivation of a moment, the data of `recorded`, instead of a new one."""
 
     def product(*factors: Expr) -> Expr:
         number, *others = factors
@@ -195,7 +198,10 @@ def _gauss(bits: int) -> list[tuple[mpf, mpf]]:
 
 
 def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpf:
-    """Return the original double integral by nested Gauss-Legendre quadrature over the uncentred chord."""
+    """Return the original double integral by nested Gauss-Legendre quadrature over the uncentred chord.
+
+    The weight is a function of r and theta. The arc begins at theta_1 and has half the opening angle alpha, in rad.
+    """
     function = lambdify((r, theta), weight, "mpmath")
     with workdps(digits + 15):
         first = mpf(theta_1_value)
@@ -215,7 +221,10 @@ def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits:
 
 
 def compare(derivation: Derivation, digits: int) -> str:
-    """Return the greatest relative difference between a closed form and quadrature of its definition, as text."""
+    """Return the greatest relative difference between a closed form and quadrature of its definition, as text.
+
+    ``digits`` is the precision of the quadrature, and a difference beyond it raises `ProofError`.
+    """
     moment = derivation.moment
     closed = derivation.closed.subs(PSI, 3 * pi / 2 - theta_1 - alpha)
     function = lambdify((theta_1, alpha), closed, "mpmath")

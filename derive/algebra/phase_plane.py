@@ -54,7 +54,7 @@ def equation() -> tuple[Expr, Expr]:
 
 @cache
 def constant() -> tuple[Expr, ...]:
-    """Return the factors of `BASIS` in E from rest under constant friction, k = q and f = NET."""
+    """Return the factors of `BASIS` in E = omega^2 from rest under constant friction, k = q and f = NET."""
     unknown = symbols("e:4")
     energy = Add(*(factor * function for factor, function in zip(unknown, BASIS, strict=True)))
     residual = Poly(expand(diff(energy, x) + q * energy - 2 * NET), x, exp(-q * x), sin(x), cos(x))
@@ -70,7 +70,7 @@ Problem = dict[Symbol, Expr]  # drive, sine, vers and q of a problem with consta
 
 
 def energy(problem: Problem | None = None) -> Expr:
-    """Return E from rest under constant friction, of a problem or of the symbols."""
+    """Return E = omega^2 from rest as a function of x under constant friction, of a problem or of the symbols."""
     total = Add(*(factor * function for factor, function in zip(constant(), BASIS, strict=True)))
     return total.subs(problem or {}, simultaneous=True)
 

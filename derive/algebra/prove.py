@@ -28,7 +28,10 @@ from derive.check.proof import ProofError
 
 
 def refute(expression: Expr, claim: str) -> None:
-    """Raise `ProofError` if an expression is not zero at one point, before SymPy spends minutes on simplifying it."""
+    """Raise `ProofError` for a claim if an expression, which should vanish, is not zero at one point.
+
+    This precedes SymPy's simplification, which may take minutes.
+    """
     symbols = sorted(expression.free_symbols, key=default_sort_key)
     point = {x: Rational(2 * i + 3, 2 * i + 7) for i, x in enumerate(symbols)}
     value = N(expression, 30, subs=point)
@@ -37,7 +40,7 @@ def refute(expression: Expr, claim: str) -> None:
 
 
 def prove_zero(expression: Expr, claim: str) -> None:
-    """Raise `ProofError` unless SymPy reduces the expression to zero."""
+    """Raise `ProofError` unless SymPy reduces the expression to zero; ``claim`` is the text of the error."""
     refute(expression, claim)
     for reduce in (expand, trig_normal, simplify):
         expression = reduce(expression)
@@ -47,7 +50,10 @@ def prove_zero(expression: Expr, claim: str) -> None:
 
 
 def prove_rational(expression: Expr, claim: str) -> None:
-    """Raise `ProofError` unless an expression is zero as a rational function of its symbols and functions."""
+    """Raise `ProofError` unless an expression is zero as a rational function of its symbols and functions.
+
+    ``claim`` is the text of the error.
+    """
     unknowns = sorted(expression.atoms(Symbol, Function), key=default_sort_key)
     if (unknowns and field(unknowns, QQ)[0].from_expr(expression) != 0) or (not unknowns and expression != 0):
         prove_zero(expression, claim)

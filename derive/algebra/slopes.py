@@ -79,6 +79,7 @@ _TAU = symbols("tau_x tau_y", real=True)
 
 
 def _rho(t: Expr) -> Expr:
+    """Return the distance from the centre of the point at t on an edge's line."""
     return sqrt(_P**2 + t**2)
 
 
@@ -249,7 +250,7 @@ def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
 
 
 def _strip(integrand: Expr, primitive: Expr) -> Expr:
-    """Return the integral over y from the arc to the ground at the given distance, after proving its primitive."""
+    """Return the integral of an integrand over y from the arc to the ground, after proving its primitive."""
     slope = diff(primitive, _Y) + diff(primitive, _RHO) * _Y / _RHO
     prove_zero(slope - integrand, f"{primitive} over a strip")
     at_ground = primitive.subs({_RHO: DISTANCE, _Y: HEIGHT - COSINE}, simultaneous=True)

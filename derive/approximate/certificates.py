@@ -80,7 +80,7 @@ README = [
 
 
 def errors(variant: Variant, alpha: Floats) -> list[float]:
-    """Return errors at these inputs in the variant's unit, relative to the unrounded reference in ball arithmetic."""
+    """Return the errors at inputs alpha, in the variant's unit (relative or ulp), from the unrounded value in balls."""
     computed = variant.program.run(alpha)
     measured = []
     with ctx.workprec(200):  # of which the closed forms lose less than 40 above 2**-12
@@ -95,6 +95,8 @@ def errors(variant: Variant, alpha: Floats) -> list[float]:
 
 def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float, float]:
     """Return the worst input found by a search from the worst boxes of the proof, and its error.
+
+    A box is an interval (lower, upper) of alpha.
 
     Evenly spaced points in each box, then steps of ever fewer ulp around the worst one. Nothing in it is random.
     """
@@ -117,7 +119,7 @@ def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float
 
 
 def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record]:
-    """Return the record of every variant: the known record if its operations and seal are right, or a new one."""
+    """Return the record of every variant: the known one if its operations and seal are right, otherwise a new one."""
     proved = {record["sha256"]: record for record in known if record == seal(record)}
     by_digest = {plain(variant)["sha256"]: variant for variant in variants}
     new = (variant for digest, variant in by_digest.items() if digest not in proved)
@@ -128,7 +130,10 @@ def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record
 
 
 def of_ends(proved: Iterable[Record], certificate: Callable[..., Record] = losses.certificate) -> list[Record]:
-    """Return the records of the functions of both ends, from those of their functions of alpha."""
+    """Return the records of the functions of both ends, from the records ``proved`` of their functions of alpha.
+
+    ``certificate`` computes a record from kernel, definition, tier, form and the record of the function of alpha.
+    """
     parts = {record["sha256"]: record for record in proved}
     certified = []
     for v in variants_of_ends():
@@ -158,6 +163,7 @@ def files(records: Iterable[Record]) -> dict[str, str]:
 
 
 def _file(kernel: str, blocks: Iterable[str]) -> str:
+    """Return the text of a kernel's certificate file from the texts of its records."""
     certificates = ",\n".join(blocks)
     head = f' "kernel": {json.dumps(kernel)},\n "read me": {json.dumps(README)},\n'
     return f'{{\n{head} "certificates": [\n{certificates}\n ]\n}}\n'

@@ -47,7 +47,7 @@ def evaluate(expression: Expr, x: Any) -> Any:
 
 
 def value(closed: Expr, a: arb) -> arb:
-    """Return a closed form at alpha, with additional bits for cancellation."""
+    """Return a closed form at alpha, the ball ``a`` in rad, with additional bits for cancellation."""
     with ctx.workprec(GUARD):
         return arb(evaluate(closed, a)).mid()
 
@@ -82,6 +82,9 @@ def sample(
     function: Function, weight: Callable[[arb, arb], arb], upper: arb, unknowns: int, cluster: int = 1
 ) -> Samples:
     """Return samples of a function on Chebyshev points of [0, upper], with the weight of its error.
+
+    ``weight`` is a function of the point and of the value there. ``unknowns`` is the number of coefficients to fit, to
+    which the number of points is proportional.
 
     With ``cluster`` > 1 the points are crowded further towards 0, where a logarithm is singular.
     """
@@ -138,7 +141,10 @@ def minimax(
 
 
 def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], int] | None) -> list[list[arb]]:
-    """Return the basis functions at each point: 1, x, x**2, ..., followed by -f x, -f x**2, ... or l, l x, ..."""
+    """Return the basis functions at each point: 1, x, x**2, ..., followed by -f x, -f x**2, ... or l, l x, ...
+
+    The degrees ``above`` and ``below`` and the factors ``logs`` are those of `minimax`.
+    """
     if logs:
         factors, last = logs
         first = 0
@@ -159,7 +165,10 @@ def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], 
 def _levelled(
     samples: Samples, basis: list[list[arb]], references: list[int], denominators: list[arb], above: int, below: int
 ) -> tuple[list[arb], arb, list[arb]]:
-    """Return coefficients whose weighted errors alternate with equal size at the references, and the error.
+    """Return coefficients whose weighted errors alternate with equal size at the references, with the error.
+
+    The third result are the denominators at all points. ``references`` are indices of points, and ``denominators``
+    those of the last call.
 
     A rational is levelled with the last denominator in the error's place, which makes the system linear, and again.
     """
@@ -183,13 +192,20 @@ def _levelled(
 
 
 def _errors(samples: Samples, numerators: list[arb], denominators: list[arb]) -> list[arb]:
-    """Return weighted errors at all points, for a rational function from the linear system over its denominator."""
+    """Return the weighted errors of the approximant at all points.
+
+    For a rational function p/q, ``numerators`` are the values of p - f (q - 1), from the linear system, and
+    ``denominators`` the values of q.
+    """
     terms = zip(numerators, samples.values, samples.weights, denominators, strict=True)
     return [(weight * (p - f) / q).mid() for p, f, weight, q in terms]
 
 
 def _exchange(errors: list[arb], references: list[int]) -> list[int]:
-    """Return the largest error of every run of one sign. Surplus runs at the ends are omitted, the smaller first."""
+    """Return the index of the largest error of every run of one sign, or the present references if runs are missing.
+
+    Surplus runs at the ends are omitted, the smaller first. ``errors`` are those at all points.
+    """
     largest = [0]
     for i, error in enumerate(errors):
         last = errors[largest[-1]]

@@ -344,7 +344,7 @@ def variants() -> tuple[Variant, ...]:
 
 
 def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
-    """Return the moments that turn with the bisector, and the limit friction: name, kernel and definition."""
+    """Yield the moments that turn with the bisector, and the limit friction: name, kernel and definition."""
     for moment in MOMENTS:
         if not moment.amplitude:
             continue
@@ -357,7 +357,7 @@ def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
 
 
 def inlined(name: str, steps: Sequence[ends.Step], part: Program | None = None) -> Program:
-    """Return the program whose outputs are these steps, on operations that call a part."""
+    """Return the program of both ends whose outputs are these steps, which may call ``part``, a program of alpha."""
     code = Builder()
     values: list[Value] = []
     for kind, args, value in steps[0].operations:

@@ -42,7 +42,7 @@ Best = tuple[Pieces, ...]
 
 
 def price(kernel: Kernel, shape: Best) -> float:
-    """Return the proved bound between FROM and TO of the best fused tier, and the cost of its operations."""
+    """Return the price of a shape in ulp: the best fused tier's bound from FROM to TO, plus OPERATION per operation."""
     fused = variant(kernel, "best", "fused", shape)
     record = certificates.plain(fused)
     between = list(patches(record, FROM, TO))
@@ -78,7 +78,7 @@ def rises(closed: Expr, seam: float) -> bool:
 
 @cache
 def baseline(closed: Expr, seam: float) -> Far:
-    """Return the baseline with the least estimated rounding error, half an ulp per operation, over ulp(F)."""
+    """Return the baseline beyond a seam with the least estimated rounding error, half an ulp of F per operation."""
     values = []
     for k in range(25):
         x = seam + (HALF_PI - seam) * k / 24
@@ -93,7 +93,10 @@ def baseline(closed: Expr, seam: float) -> Far:
 
 
 def _baselines(values: Sequence[tuple[float, float]], odd: bool) -> Iterator[Far]:
-    """Yield slopes, bends, and lines in steps of 1/128 for the remainder, and the line through the end."""
+    """Yield slopes, bends, and lines in steps of 1/128 for the remainder, and the line through the end.
+
+    ``values`` are pairs (alpha, F), the last one at pi/2. There are no bends if the form is ``odd``.
+    """
     end_value = values[-1][1]
     bends = [0.0] if odd else [k / 8 for k in range(25)]
     for slope in SLOPES:
@@ -151,7 +154,7 @@ def started(kernel: Kernel, seam: float) -> Best:
 
 
 def _least_count(closed: Expr, until: float) -> int:
-    """Return the least number of coefficients near 0 that approximates."""
+    """Return the least number of coefficients that approximates a form on [0, until] within NEGLIGIBLE."""
     for count in range(7, 40):
         samples = shapes.near_samples(closed, until, count, shapes.limit(closed))
         _, _, error = minimax(samples, count - 1)
@@ -161,7 +164,7 @@ def _least_count(closed: Expr, until: float) -> int:
 
 
 def _least_far(closed: Expr, seam: float) -> Far:
-    """Return the preferred baseline with the least degree that approximates, or the greatest tried degree."""
+    """Return the preferred baseline beyond a seam with the least degree within NEGLIGIBLE, or the greatest tried."""
     for degree in range(3, 13):
         far = replace(baseline(closed, seam), degree=degree)
         fit = shapes.far_fit(closed, far, seam)
@@ -254,7 +257,10 @@ def _seams(kernel: Kernel) -> list[float]:
 
 
 def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
-    """Return the first shape that meets its goals and does not decrease at its seam, or one that may decrease."""
+    """Return the first shape that meets its goals and does not decrease at its seam, else the first that meets them.
+
+    The result is None if no shape of the ranking meets its goals.
+    """
     spare = None
     for shape in ranking:
         forms = kept(kernel, "best", shape)
@@ -267,7 +273,7 @@ def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
 
 
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
-    """Return the cheapest polynomial or rational function that meets the goal of its tier."""
+    """Return the tier, and the degrees above and below of the cheapest polynomial or rational within its goal."""
     (closed,) = kernel.closed
     target = goal = TIERS[tier].fused
     tried = sorted(_degrees(), key=_cost)
@@ -290,7 +296,7 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
 
 
 def _degrees() -> Iterator[tuple[int, int]]:
-    """Yield polynomials, and quotients of equal or nearly equal degrees."""
+    """Yield the degrees of numerators and denominators: polynomials, and quotients of equal or nearly equal degrees."""
     for total in range(2, 25):
         yield total, 0
         if total >= 6:

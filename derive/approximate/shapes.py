@@ -198,7 +198,7 @@ def text() -> str:
 
 
 def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
-    """Return F/alpha**3 as a function of alpha**2, scaled to this limit at 0."""
+    """Return F/alpha**3 as a function of alpha**2, times a constant so that its limit at 0 is ``limit_at_0``."""
     factor = number(limit_at_0 / limit(closed))
 
     def function(u: arb) -> arb:
@@ -209,7 +209,7 @@ def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
 
 
 def near_samples(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> Samples:
-    """Return samples of (W - limit)/u on [0, seam] for the least relative error."""
+    """Return samples of (W - limit)/u on [0, seam] for the least relative error, enough for ``count`` coefficients."""
     with ctx.workprec(GUARD):
         upper = number(seam) ** 2
         samples = sample(scaled(closed, limit_at_0), lambda u, f: 1 / f, upper, count)
@@ -226,7 +226,7 @@ def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> tup
 
 @cache
 def logarithm_fit() -> tuple[float, tuple[float, ...]]:
-    """Return ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
+    """Return ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, q <= 1/5, by its coefficients, lowest first."""
 
     def rest(z: arb) -> arb:
         q = z.sqrt()
@@ -244,7 +244,8 @@ def logarithm_fit() -> tuple[float, tuple[float, ...]]:
 def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
     """Return numerator and denominator of F/alpha**3, and their relative error before rounding.
 
-    A polynomial in alpha**2, or a rational in pi**2/4 - alpha**2.
+    Their degrees are ``above`` and ``below``. Without denominator it is a polynomial in alpha**2, otherwise a rational
+    in pi**2/4 - alpha**2. Coefficients are listed lowest first.
     """
     function = scaled(closed, limit(closed))
     with ctx.workprec(GUARD):
@@ -259,7 +260,8 @@ def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], 
 def rounding_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
     """Return numerator and denominator of (W - W(0))/u, and the relative error of F = alpha u W.
 
-    A polynomial in u = alpha**2; or a rational in fl(pi/2)**2 - u, of a multiple of F with W(0) = 1.
+    Their degrees are ``above`` and ``below``. Without denominator it is a polynomial in u = alpha**2, otherwise a
+    rational in fl(pi/2)**2 - u, of a multiple of F with W(0) = 1. Coefficients are listed lowest first.
     """
     limit_at_0 = Fraction(1) if below else limit(closed)
     function = scaled(closed, limit_at_0)
@@ -335,7 +337,7 @@ def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
 
 
 def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> Samples:
-    """Return the samples to fit once Q is fixed."""
+    """Return the samples for R alone, after subtraction of Q, with coefficients ``q``, times ``logs`` at each point."""
     values = []
     with ctx.workprec(GUARD):
         coefficients = [number(c) for c in q]

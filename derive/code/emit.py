@@ -45,7 +45,10 @@ HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
 def filled(name: str, marks: Mapping[str, str] | None = None) -> str:
-    """Return the text of a template with its marks replaced. A mark for lines occupies a line of its own."""
+    """Return the text of the template ``name`` with values in place of its marks.
+
+    A mark for lines occupies its own line.
+    """
     text = (TEMPLATES / name).read_text("utf-8")
     for mark, value in (marks or {}).items():
         line = "\n" * value.endswith("\n")
@@ -141,14 +144,17 @@ def numpydoc(
 
 
 def example(p: Program, place: str, given: Sequence[float]) -> tuple[str, ...]:
-    """Return a call and its printed result, with few enough digits to be equal on every processor."""
+    """Return a call and its printed result, with few enough digits to be equal on every processor.
+
+    ``place`` is the module of the function, and ``given`` its arguments.
+    """
     first = "[0]" * (len(p.outputs) > 1)
     call = f"{p.name}({', '.join(map(str, given))}){first}"
     return (f">>> from {place} import {p.name}", f'>>> print(f"{{{call}:.6f}}")', f"{float(p.run(*given)):.6f}")
 
 
 def function(f: Function, text: PythonText) -> str:
-    """Return a public function: the text of each tier, and its signature and docstring."""
+    """Return the source of a public function: the text of each tier, and its signature and docstring."""
     name = f.program.name
     inputs = f.program.inputs
     parameters = [(x, "array_like", words) for x, words in f.parameters]
@@ -198,7 +204,7 @@ def module(docstring: str, functions: Sequence[Function], parts: Sequence[Progra
 
 
 def stub(functions: Sequence[Function]) -> str:
-    """Return the types of the certified functions as a stub, so that `help` shows no line for a signature."""
+    """Return the types of the certified functions as a stub file, so that `help` shows no line for a signature."""
     code = 'F = TypeVar("F", np.float64, np.float32, np.float16)\n__all__: list[str]\n'
     code += "TEXTS: dict[str, dict[str, Text]]\n"
     for f in functions:
@@ -212,7 +218,7 @@ def stub(functions: Sequence[Function]) -> str:
 
 
 def _overloads(count: int) -> Iterator[tuple[list[str], str, str, str]]:
-    """Yield types of arguments, `out`, `where` and result for numbers, for arrays and numbers, and otherwise."""
+    """Yield types of ``count`` arguments, `out`, `where` and result: for numbers, arrays and numbers, and otherwise."""
     yield ["float"] * count, "None", "bool", "np.float64"
     for k in range(count):
         before = ["float"] * k
@@ -226,7 +232,10 @@ _GIVEN = {"theta_1": 5.0, "theta_2": 6.0, "alpha": 0.5}  # arguments at which th
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: str) -> str:
-    """Return a module of bare formulas, each with its source, without domain, types, checks or warnings."""
+    """Return a module of bare formulas, each a program with its source in the paper, without checks or warnings.
+
+    ``place`` is the name of the module, from which the examples import.
+    """
     documented = []
     for p, source in programs:
         lines = [
@@ -307,6 +316,7 @@ def wrapped(text: str) -> str:
 
 
 def _wrap(line: str) -> list[str]:
+    """Return a line broken into lines of at most 120 columns, after commas and in strings."""
     indent = " " * (len(line) - len(line.lstrip()) + (8 if line.startswith("def") else 4))
     lines = []
     last = ""

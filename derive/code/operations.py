@@ -32,7 +32,7 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
 
 
 def _halves(x: Floats) -> tuple[Floats, Floats]:
-    """Return the Veltkamp splitting of x into a high and a low part whose products are exact."""
+    """Return the Veltkamp splitting of x into a high and a low part; products of such parts are exact."""
     scaled = 134217729.0 * x  # 2**27 + 1
     high = scaled - (scaled - x)
     return high, x - high
@@ -102,11 +102,16 @@ class Operation:
 
 
 def _infix(sign: str, meaning: Callable[..., Any], binds: int, right: int) -> Operation:
+    """Return the operation of a sign between two operands.
+
+    ``binds`` is the precedence of the text, and ``right`` the one that its right operand requires.
+    """
     text = f"{{0}} {sign} {{1}}"
     return Operation(text, text, text, meaning, None, binds, (binds, right))
 
 
 def _call(name: str, symbol: Any, c: str = "", vector: str = "") -> Operation:
+    """Return the operation that calls NumPy's function ``name``; an empty text means that C has none."""
     return Operation(f"{{space}}.{name}({{0}})", c, vector, getattr(np, name), symbol)
 
 

@@ -83,7 +83,10 @@ class Builder:
         self.index: dict[Op, int] = {}
 
     def put(self, kind: str, *operands: Any, value: str | float | None = None) -> "Value":
-        """Return the value of an operation on values and numbers, appended unless it exists."""
+        """Return the value of an operation on values and numbers, appended unless it exists.
+
+        ``value`` is the name of an input or the number of a constant.
+        """
         args = tuple(self.value(x).place for x in operands)
         key = Op(kind, args, value.hex() if isinstance(value, float) else value)  # -0.0 is a key, too
         if key not in self.index:
@@ -98,7 +101,7 @@ class Builder:
         return self.put("const", value=float(x))
 
     def inline(self, p: Program, inputs: Mapping[str, "Value"]) -> list["Value"]:
-        """Append the operations of a program and return its outputs."""
+        """Append the operations of a program and return its outputs; ``inputs`` are values by their names."""
         return walk(p, inputs, lambda op, operands: self.put(op.kind, *operands, value=op.value))
 
 
@@ -133,17 +136,20 @@ class _Lowering(Builder):
         self.done: dict[Basic, Value] = {Symbol(x, real=True): self.put("input", value=x) for x in inputs}
 
     def const(self, value: Expr) -> Value:
+        """Return the constant nearest to an exact number."""
         if value.is_Rational:
             return self.value(int(value.p) / int(value.q))  # correctly rounded by Python
         with mpmath.workprec(300):
             return self.value(mpmath.mpf(N(value, 80)._mpf_))
 
     def add(self, expression: Basic) -> Value:
+        """Return the value of an expression, computed once."""
         if expression not in self.done:
             self.done[expression] = self._add(expression)
         return self.done[expression]
 
     def _add(self, e: Basic) -> Value:
+        """Return the value of an expression after appending its operations."""
         if e.is_Symbol:
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
         if e.is_number and not e.has(Function):
@@ -167,6 +173,7 @@ class _Lowering(Builder):
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
     def _sum(self, e: Add) -> Value:
+        """Return the value of a sum, with subtracted terms last."""
         plus = []
         minus = []
         for x in sorted(e.args, key=default_sort_key):
@@ -182,6 +189,7 @@ class _Lowering(Builder):
         return result
 
     def _product(self, e: Mul) -> Value:
+        """Return the value of a product: numerator over denominator, then powers of symbols one factor at a time."""
         if e.could_extract_minus_sign():
             return -self.add(-e)
         over = []
@@ -212,6 +220,7 @@ class _Lowering(Builder):
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
     def _horner(self, e: Horner) -> Value:
+        """Return the value of a polynomial by Horner's scheme."""
         argument, *coefficients, last = e.args
         x = self.add(argument)
         result = self.const(last)

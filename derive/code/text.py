@@ -74,7 +74,7 @@ class _Text:
                 self._name(i)
 
     def _uses(self) -> Counter[int]:
-        """Return how often each needed value is written, where calls and polynomials are written as such."""
+        """Return how often each needed value is written, by index, where calls and polynomials are written as such."""
         ops = self.program.ops
         uses = Counter(self.program.outputs)
         called = set[Call]()
@@ -93,7 +93,7 @@ class _Text:
         return uses
 
     def _expression(self, i: int) -> tuple[str, int]:
-        """Return the text of a value and its precedence."""
+        """Return the text of a value and its precedence; ``i`` is its index in the program."""
         op = self.program.ops[i]
         if op.kind == "input":
             return str(op.value), 9
@@ -114,6 +114,7 @@ class _Text:
         return self._operation(op), OPERATIONS[op.kind].binds
 
     def _arguments(self, call: Call) -> str:
+        """Return the arguments of a call as text."""
         return ", ".join([*(self.text[a][0] for a in call.arguments), *self.language.passed])
 
     def _several(self, call: Call) -> None:
@@ -128,7 +129,7 @@ class _Text:
         self.lines.append(self.language.several.format(**parts, places=", ".join(f"&{x}" for x in names)))
 
     def _polynomial(self, x: int, coefficients: Sequence[float]) -> str:
-        """Return a polynomial by its coefficients, after naming its argument."""
+        """Return the text of a polynomial in value ``x`` with these coefficients, lowest first, after naming ``x``."""
         if not self.text[x][0].isidentifier():
             self._name(x)
         numbers = ", ".join(self.language.number(c) for c in coefficients)
@@ -148,7 +149,7 @@ class _Text:
         return str(template.format(*operands, space=self.language.space))
 
     def _new_name(self, i: int) -> str:
-        """Return a new name for a value: p1, p2, ... for polynomials and t1, t2, ... for other values."""
+        """Return a new name for value ``i``: p1, p2, ... for polynomials and t1, t2, ... for other values."""
         name = self.names.get(i)
         if not name:
             letter = "p" if i in self.polynomials else "t"
@@ -163,7 +164,7 @@ class _Text:
         return name
 
     def _name(self, i: int) -> None:
-        """Give a value a name and a statement."""
+        """Give value ``i`` a name and a statement."""
         text = self.text[i][0]
         name = self._new_name(i)
         line = self.language.statement.format(name=name, text=text)
@@ -175,7 +176,7 @@ class _Text:
 
 
 def _known(program: Program) -> dict[int, str]:
-    """Return the conventional names of values in a kernel of alpha."""
+    """Return the conventional names of values in a kernel of alpha, by the value's index."""
     ops = program.ops
     names: dict[int, str] = {}
     for i, op in enumerate(ops):
@@ -231,7 +232,10 @@ def seam(program: Program) -> tuple[float, int, int] | None:
 
 
 def _integers(program: Program) -> dict[int, int]:
-    """Return values that are rounded to integers by adding and subtracting a large constant, with their arguments."""
+    """Return the index of each value that is rounded to an integer by a large constant, with the index of its argument.
+
+    The constant is added and subtracted.
+    """
     ops = program.ops
     rounded = {}
     for i, op in enumerate(ops):
@@ -247,7 +251,10 @@ def _integers(program: Program) -> dict[int, int]:
 
 
 def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list[float]] | None:
-    """Return argument and coefficients if a value is Horner's scheme whose steps are used only by the next step."""
+    """Return argument and coefficients if value ``i`` is Horner's scheme whose steps are used only by the next step.
+
+    ``uses`` are the numbers of operations that use each value. The coefficients are listed lowest first.
+    """
     ops = program.ops
     coefficients = []
     x = None
@@ -273,7 +280,7 @@ def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list
 
 
 def _calls(program: Program, parts: Sequence[Part]) -> dict[int, Call]:
-    """Return the calls of parts by their results. If several parts match, the first is used."""
+    """Return the calls of parts by the indices of their results. If several parts match, the first is used."""
     calls: dict[int, Call] = {}
     places = {op: i for i, op in enumerate(program.ops)}
     for i in range(len(program.ops)):
@@ -285,7 +292,10 @@ def _calls(program: Program, parts: Sequence[Part]) -> dict[int, Call]:
 
 
 def _call(program: Program, places: Mapping[Op, int], i: int, part: Part) -> Call | None:
-    """Return the call of a part whose first result is value i of the program, if all its results are values."""
+    """Return the call of a part whose first result is value i of the program, or None if a result is not a value.
+
+    ``places`` are the indices of the program's operations.
+    """
     bound: dict[int, int] = {}  # which value of the program each value of the part is
 
     def same(i: int, k: int) -> bool:
@@ -312,7 +322,10 @@ def _call(program: Program, places: Mapping[Op, int], i: int, part: Part) -> Cal
 
 
 def statements(program: Program, language: Language, parts: Sequence[Part] = ()) -> tuple[list[str], list[str]]:
-    """Return the statements that compute a program, and the text of each output."""
+    """Return the statements that compute a program, and the text of each output.
+
+    Values that one of ``parts`` computes are written as a call of its function.
+    """
     writer = _Text(program, language, parts)
     return writer.lines, [writer.text[i][0] for i in program.outputs]
 
@@ -325,7 +338,7 @@ class Reader:
     builder: Builder = field(default_factory=Builder)
 
     def check(self, program: Program, name: str, text: str) -> None:
-        """Raise `ProofError` unless a Python function performs exactly the operations of the program."""
+        """Raise `ProofError` unless the Python function ``name`` in a text performs exactly these operations."""
         exec(text, self.scope)
         inputs = {x: self.builder.put("input", value=x) for x in program.inputs}
         results = self.scope[name](*inputs.values())

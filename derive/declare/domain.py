@@ -23,6 +23,8 @@ _ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos",
 def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
     """Return where an expression has a pole, is complex or negative, and where it is undecided; otherwise empty texts.
 
+    ``domain`` has the least and greatest value of each symbol.
+
     Where that is not decided it is searched at the ends of all symbols in which it is linear: there it is least.
     """
     wrong, undecided = _search(e, domain)
@@ -40,7 +42,7 @@ def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
 
 
 def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
-    """Return the same from a limited number of boxes.
+    """Return the place of a fault and an undecided place, as `fault` does, from a limited number of boxes.
 
     Those that may hold a pole come first, and one that is small and may still hold it does. Of the others those come
     first that are large.
@@ -73,6 +75,7 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
 
 
 def _width(low: float, high: float) -> float:
+    """Return the width of an interval, over the size of its lower end where that exceeds 1."""
     return (high - low) / max(1.0, abs(low))
 
 

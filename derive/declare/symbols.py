@@ -13,7 +13,7 @@ a, b, omega_0, t = sp.symbols("a b omega_0 t", real=True)  # d(omega)/dt = a - b
 
 
 def in_words(form: sp.Expr) -> str:
-    """Return a form as readable text, with powers as ^, products as a blank, and ``x_star`` as x*."""
+    """Return a formula as readable text, with powers as ^, products as a blank, and ``x_star`` as x*."""
     text = str(sp.sstr(form))
     text = text.replace("**", "^")
     text = text.replace("*", " ")

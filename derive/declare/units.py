@@ -16,13 +16,13 @@ Units = Mapping[Symbol, Expr]
 
 @cache
 def of_unit(unit: str) -> Expr:
-    """Return the dimension of a declared unit, where factors after the stroke are denominators, J/m^3 K."""
+    """Return the dimension of a declared unit, such as J/m^3 K; factors after the stroke are denominators."""
     above, _, below = unit.replace("^", "**").replace(" ", "*").partition("/")
     return sympify(f"({above or 1})/({below or 1})", locals=_UNITS)
 
 
 def shown(dimension: Expr) -> str:
-    """Return a dimension in words."""
+    """Return a dimension as text; a number has the text "numbers"."""
     return "numbers" if dimension == 1 else str(dimension).replace("**", "^")
 
 

@@ -11,7 +11,10 @@ from derive.flow.integrator import swing
 
 
 def factors(*problem: Any) -> list[Expr]:
-    """Return the factors of E, and q, that the integrator computes from drive, sine, vers and q."""
+    """Return the four factors of `BASIS` in E = omega^2, and q, as the integrator computes them.
+
+    ``problem`` consists of drive, sine, vers and q, see `derive.algebra.phase_plane`.
+    """
     e: list[Any] = [0] * 5
     swing.factors(e, *problem)
     return e

@@ -101,7 +101,7 @@ _LATEX = {
 
 
 def term(quantity: str, e: Expr, by_soil: bool = False) -> Term:
-    """Return a term from its expression, with the symbols of one of several soils if ``by_soil``."""
+    """Return a term of a quantity from its expression ``e``, with the symbols of one of several soils on request."""
     slopes = {THETA * DRIVING_MOMENT_SLOPE: Symbol("J_theta'"), THETA * NORMAL_LOAD_SLOPE: Symbol("J_r'")}
     effective = Symbol("max(0, sigma - u)")
     shown = e.subs(slopes | {OMEGA_2: OMEGA**2, EFFECTIVE: effective})
@@ -128,7 +128,10 @@ SOILS: Terms = (("u_i", Symbol("p_i")), ("T", LAMBDA * Symbol("sum l_i c_i")))
 
 
 def position(rotates: bool) -> Terms:
-    """Return the components of the weight after a rotation, q(psi_0 - phi) = q cos phi - q' sin phi, or initially."""
+    """Return the components of the weight by name after a rotation phi, or without ``rotates`` at the start.
+
+    A component is q(psi_0 - phi) = q cos phi - q' sin phi.
+    """
     start = {}
     for q, name in COMPONENTS.items():
         bare = name.rstrip("'")

@@ -71,7 +71,7 @@ ODD = {DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE, SOIL_S
 
 
 def seen(q: Symbol) -> Symbol:
-    """Return a component of the weight at the start of the phase, with its sign in the direction of travel."""
+    """Return the cell of a component of the weight at the start of the phase, signed in the direction of travel."""
     return cell(f"{q}_0")
 
 
@@ -99,7 +99,7 @@ def position() -> dict[Symbol, tuple[Expr, Increment]]:
 
 
 def scaled(e: Expr) -> Expr:
-    """Return a moment over Theta* in terms of the position and the parameters alone."""
+    """Return a moment divided by Theta*, in terms of the position and the parameters alone."""
     over_theta = {
         J_THETA: THETA * DRIVING_MOMENT,
         J_R: THETA * NORMAL_LOAD,
@@ -140,7 +140,7 @@ def odd(effect: Effect) -> set[Symbol]:
 
 
 def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
-    """Return whether only the drive changes sign if these parameters do."""
+    """Return whether only the driving moment changes sign if the symbols ``chosen`` and `ODD` do."""
     mirror = {x: -x for x in ODD.union(chosen)}
     for quantity, e in quantities(effect).items():
         mirrored = -e if quantity == "driving" else e
@@ -150,7 +150,7 @@ def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
 
 
 def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
-    """Return base and increment, by symbol, of quantities that may change during a phase."""
+    """Return base and increment, by symbol, of what may change during a phase; without an effect, for a law."""
     speed = (ZERO, series("omega"))
     variables = position()
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
@@ -173,7 +173,10 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
 
 
 def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
-    """Return the increment of a table's piece, a polynomial of a register, at full degree with all powers at once."""
+    """Return the increment of a table's piece, a polynomial of a register.
+
+    At full degree ``low`` has all powers at once.
+    """
     coefficients = [cell(f"{table}.Q{power}") for power in range(1, degree + 1)]
     if degree < DEGREE:
         return {(argument,) * power: c for power, c in enumerate(coefficients, 1)}

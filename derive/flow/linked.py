@@ -78,7 +78,10 @@ def since(parameter: str) -> Symbol:
 
 
 def rates(program: Program, known: Cells) -> dict[str, Expr]:
-    """Return the rates of the states of a program at a moment, and its normal force if that varies during a phase."""
+    """Return the rates of the states of a program at a moment, and its normal force if that varies during a phase.
+
+    ``known`` are cells at the start of the phase by name.
+    """
     cells = cells_of(program, known)
     values = registers_of(program, cells)
     found = {}
@@ -91,7 +94,7 @@ def rates(program: Program, known: Cells) -> dict[str, Expr]:
 
 
 def cells_of(program: Program, known: Cells) -> list[Any]:
-    """Return the values of all cells where a phase begins; a cell that is not known is a symbol."""
+    """Return the values of all cells at the start of a phase. A cell that is not in ``known`` is a symbol."""
     cells: list[Any] = [known.get(name, positive(name)) for name in program.cells]
     for name, value in program.constants.items():
         cells[program.places[name]] = Rational(value)
@@ -102,7 +105,7 @@ def cells_of(program: Program, known: Cells) -> list[Any]:
 
 
 def registers_of(program: Program, cells: Sequence[Any]) -> list[Expr]:
-    """Return the values of all registers at a moment."""
+    """Return the values of all registers at a moment of a phase with these cells."""
     values = [ZERO] * len(program.registers)
     for cell, register, _ in program.states:
         values[register] = now(program.cells[cell])
@@ -121,7 +124,10 @@ def registers_of(program: Program, cells: Sequence[Any]) -> list[Expr]:
 
 
 def operate(operation: Operation, places: Sequence[int], values: list[Expr], cells: Sequence[Any]) -> None:
-    """Set the results of an operation on series, each by its meaning."""
+    """Set the results of an operation on series in ``values``, those of all registers, each by its meaning.
+
+    ``places`` are the numbers of its results, registers and cells.
+    """
     names = (*operation.results, *operation.arguments, *operation.numbers)
     place = dict(zip(names, places, strict=True))
     known = {x: values[place[x]] for x in operation.arguments}
@@ -163,7 +169,7 @@ def outcomes(e: Expr) -> Iterator[Expr]:
 
 
 def piece(table: str, degree: int, argument: Expr) -> Expr:
-    """Return the polynomial of a table's piece."""
+    """Return the polynomial of a table's piece at an argument, with symbols as coefficients."""
     terms = [positive(f"{table}.VALUE")]
     for k in range(1, degree + 1):
         coefficient = positive(f"{table}.Q{k}")
@@ -172,7 +178,7 @@ def piece(table: str, degree: int, argument: Expr) -> Expr:
 
 
 def friction(law: Law, slip: Expr) -> Expr:
-    """Return the friction coefficient of a law, for a piecewise law the polynomial of the current piece."""
+    """Return the friction coefficient of a law after a slip over the radius, for a table the current polynomial."""
     if law.coefficient is not None and not law.kinks:
         names = {Symbol(p.name, real=True): positive(f"{law.name}.{p.name}") for p in law.parameters}
         coefficient = without_tanh(law.coefficient).xreplace(names | {SLIP: slip, SPEED: now("omega")})
@@ -187,7 +193,7 @@ def friction(law: Law, slip: Expr) -> Expr:
 
 
 def numbered(symbol: Symbol, number: str) -> Symbol:
-    """Return the symbol of a quantity of one soil."""
+    """Return the symbol of a quantity of one soil, to whose name its number is appended: ``soil_mu#0``."""
     return Symbol(f"{symbol}{number}", real=True)
 
 
@@ -208,7 +214,7 @@ def effect_of(law: Law) -> Effect:
 
 
 def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol, Expr]:
-    """Return the parameters of effects at a moment; those that are ``moving`` change along the motion."""
+    """Return the parameters of effects at a moment by symbol. Those named in ``moving`` change along the motion."""
     values: dict[Symbol, Expr] = {K_H: ZERO, K_V: ZERO}
     for x, p in chain.from_iterable(effect.symbols.items() for effect in effects):
         name = str(x)
@@ -222,7 +228,7 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
 
 
 def components(laws: Sequence[Law], phi: Expr) -> dict[Symbol, Expr]:
-    """Return the components of the weight after a rotation, also of each soil with a law."""
+    """Return the components of the weight by symbol after a rotation phi, also of each soil with a law."""
     values = {}
     for number in ("", *map(soil_of, laws)):
         names = {x: numbered(x, number) for x in BY_PSI}

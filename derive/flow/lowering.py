@@ -27,12 +27,12 @@ KNOWN = "sums, products, powers, exp, log, sin, cos and tanh, and min and max th
 
 
 def cell(name: str) -> Symbol:
-    """Return the symbol of a number."""
+    """Return the symbol of a cell, a number known at the start of a phase."""
     return Symbol(name, real=True)
 
 
 def series(name: str, coefficient: Expr = ONE) -> Increment:
-    """Return the increment contained in a register."""
+    """Return the increment that is a coefficient times the register ``name``."""
     return {(name,): coefficient}
 
 
@@ -42,7 +42,7 @@ def varying(name: str) -> tuple[Expr, Increment]:
 
 
 def total(*terms: tuple[Expr, Increment]) -> Increment:
-    """Return the sum of numbers times increments."""
+    """Return the sum of increments, each multiplied by its factor, without terms that are zero."""
     coefficients: dict[tuple[str, ...], Expr] = defaultdict(lambda: ZERO)
     for factor, increment in terms:
         for product, coefficient in increment.items():
@@ -97,7 +97,7 @@ class Lowering:
     count: int = 0
 
     def split(self, e: Expr) -> tuple[Expr, Increment]:
-        """Return base and increment of an expression."""
+        """Return the base of an expression, its value at the start of the phase, and its increment since then."""
         if e in self.moving:
             return self.moving[e]
         if e.has(tanh):
@@ -114,6 +114,7 @@ class Lowering:
         return self.function(e)
 
     def _sum(self, terms: Iterable[Expr]) -> tuple[Expr, Increment]:
+        """Return base and increment of the sum of these terms."""
         bases = []
         increments = []
         for term in terms:
@@ -154,7 +155,10 @@ class Lowering:
         raise ProofError(f"{self.name}: operation on series", e, KNOWN)
 
     def apply(self, operation: str, increment: Increment, factor: Expr, *numbers: Expr) -> Increment:
-        """Return a factor times the last result of an operation on an increment, 0 if the increment is 0."""
+        """Return a factor times the last result of an operation on an increment, 0 if the increment is 0.
+
+        ``numbers`` are further operands that do not change during the phase, such as an exponent.
+        """
         z = self.register(increment)
         self.count += 1
         name = f"{self.name}.{operation}{self.count}"
@@ -163,7 +167,7 @@ class Lowering:
         return series(results[-1], factor)
 
     def turn(self, increment: Increment, sine: Expr, versine: Expr) -> Increment:
-        """Return factors times sine and versine (1 - cos) of an increment."""
+        """Return ``sine`` times the sine plus ``versine`` times the versine (1 - cos) of an increment."""
         x = self.register(increment)
         results = f"sin({x})", f"vers({x})"
         self.operate("turn", results, x)
@@ -171,7 +175,10 @@ class Lowering:
         return total((sine, sine_of_x), (versine, versine_of_x))
 
     def operate(self, operation: str, results: Iterable[str], z: str, *numbers: str) -> None:
-        """Append an operation on the register z, preceded by t dz/dt if the operation needs it."""
+        """Append an operation on the register z, preceded by t dz/dt if the operation needs it.
+
+        ``results`` are the registers of its results and ``numbers`` its cells.
+        """
         arguments = [z]
         if Q in OPERATIONS[operation].arguments:
             arguments.insert(0, f"{z}.times")
@@ -179,12 +186,12 @@ class Lowering:
         self.put(operation, *results, *arguments, *numbers)
 
     def put(self, *operation: object) -> None:
-        """Append an operation on series unless it exists."""
+        """Append an operation on series, its kind and its operands by name, unless it exists."""
         if operation not in self.series:
             self.series.append(operation)
 
     def register(self, increment: Increment, name: str = "") -> str:
-        """Return the register that contains an increment."""
+        """Return the register that contains an increment, a new one called ``name`` if that is given."""
         if not name:
             if list(increment.values()) == [1]:
                 return self.product(*increment)
@@ -210,7 +217,7 @@ class Lowering:
         return result
 
     def sum(self, increment: Increment) -> tuple[tuple[str, str], ...]:
-        """Return an increment as a sum of cells times registers."""
+        """Return an increment as a sum of pairs (cell, register), each a product."""
         terms = []
         for registers, coefficient in increment.items():
             number = self.cell(coefficient)
@@ -218,7 +225,7 @@ class Lowering:
         return tuple(terms)
 
     def cell(self, e: Expr, name: str = "") -> str:
-        """Return the cell that contains a number known at the start of a phase."""
+        """Return the cell that contains ``e``, a number known at the start of a phase, called ``name`` if given."""
         if not name:
             if e.is_Symbol:
                 return str(e)
@@ -241,7 +248,9 @@ class Lowering:
         return base_cell, size_cell, self.sum(increment)
 
     def base(self, e: Expr, direct: Expr) -> tuple[Expr, Expr]:
-        """Return a base and the size of its terms. If it depends on slip, the more accurate of two forms is used.
+        """Return a base of the term ``e`` and the size of its terms; ``direct`` is its value at the phase's start.
+
+        If it depends on slip, the more accurate of two forms is used.
 
         The forms are the formula at the start of the phase, and the formula without slip plus the increment since then.
         """

@@ -1,4 +1,4 @@
-"""Texts of `generated/flow.py`, fragments as data, and of `generated/program.py`, their linker."""
+"""Return the text of `generated/flow.py`: fragments of these effects and laws, and the equation of motion."""
 
 import ast
 import inspect
@@ -34,7 +34,11 @@ def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) 
 
 
 def _pieces(law: Law) -> str:
-    """Return scale, breaks and polynomials of a law as Python."""
+    """Return the pieces of a law with a kink as Python source: the scale of the slip, breaks and polynomials.
+
+    The scale is the name of the parameter at which the branch changes. Breaks are multiples of it, and the coefficients
+    of a polynomial of the distance from its break, over the scale, are listed lowest first.
+    """
     breaks, polynomials = pieces(law)
     names: set[str] = set()
     rows = []
@@ -49,6 +53,7 @@ def _pieces(law: Law) -> str:
 
 
 def _fragment(f: Fragment) -> str:
+    """Return the source of a fragment, with one operation or term per line."""
     lines = []
     for name, value in f._asdict().items():
         if name in ("scalar", "series") and value:
@@ -68,6 +73,7 @@ def linker_module() -> str:
 
 
 def _without_imports(part: ModuleType) -> str:
+    """Return the source of a module after its last ``from`` import."""
     source = inspect.getsource(part)
     *_, last = (x for x in ast.parse(source).body if isinstance(x, ast.ImportFrom))
     body = source.splitlines()[last.end_lineno :]

@@ -39,6 +39,7 @@ POWER = Symbol("power", real=True)
 
 
 def _sum(term: Expr, first: int = 1, last: Expr = n) -> Expr:
+    """Return the sum of a term over k from ``first`` to ``last``."""
     return Sum(term, (k, first, last))
 
 
@@ -135,7 +136,7 @@ def prove(order: int = 6) -> list[str]:
 
 
 def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, ...]]:
-    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results.
+    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results, up to order ``highest``.
 
     The coefficients of a series about a moment t satisfy da_i/dt = (i + 1) a_(i+1). The same is true for a function f
     of it, whose coefficient i + 1 is therefore df_i/dt/(i + 1).
@@ -167,7 +168,7 @@ def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, .
 
 
 def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
-    """Return an expression with its coefficients substituted."""
+    """Return an expression with values in place of the coefficients of series, a[i]."""
     named = {}
     for x in e.atoms(Indexed):
         named[x] = coefficients[x.base][int(x.indices[0])]
@@ -182,7 +183,10 @@ def number(name: str, cells: Mapping[str, Any]) -> Any:
 
 
 def numbers(rows: Iterable[Sequence[str]], known: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the cells that operations on numbers compute from known cells."""
+    """Return the values of all cells by name: the known ones, and the results of operations.
+
+    A row is the kind of an operation, its result and its operands, by name.
+    """
     cells = dict(known)
     for kind, name, *operands in rows:
         values = [number(x, cells) for x in operands]

@@ -114,7 +114,7 @@ class Text:
     constants: dict[str, Any] = field(default_factory=lambda: {x: getattr(one_lane, x) for x in GIVEN})
 
     def read(self, source: str, path: str) -> None:
-        """Add a module."""
+        """Add the functions and constants of a module from its source text. ``path`` names it in error messages."""
         for node in ast.parse(source).body:
             match node:
                 case ast.FunctionDef(args=ast.arguments(args=arguments), returns=returns):
@@ -129,11 +129,11 @@ class Text:
                     refuse(path, node, "a module has imports, constants and functions")
 
     def names_of(self, function: Function) -> set[str]:
-        """Return the functions of the text that a function calls."""
+        """Return the names of the functions of the text that a function calls."""
         return {x.id for x in ast.walk(function.node) if isinstance(x, ast.Name) and x.id in self.functions}
 
     def iterates(self, name: str) -> bool:
-        """Return whether a function, or a function that it calls, iterates until its lanes are finished."""
+        """Return whether the function called ``name``, or one that it calls, iterates until its lanes are finished."""
         function = self.functions[name]
         if any(isinstance(x, ast.While) and "any_lane" in ast.unparse(x.test) for x in ast.walk(function.node)):
             return True
@@ -141,12 +141,16 @@ class Text:
 
 
 def refuse(path: str, node: ast.AST, why: str) -> NoReturn:
-    """Raise an error that names the file and the line."""
+    """Raise a `GrammarError` with the file, the line and the source of ``node``. ``why`` is the rule that it breaks."""
     raise GrammarError(f"{path}, line {getattr(node, 'lineno', 0)}: {why}: {ast.unparse(node).splitlines()[0]}")
 
 
 def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
-    """Return the kind named by an annotation, PAIR for two results."""
+    """Return the kind that the annotation ``e`` names, one of the values of `ANNOTATIONS`, or PAIR for two results.
+
+    ``path`` and ``node``, the statement or function, give the place in an error message. Without annotation it is an
+    error.
+    """
     match e:
         case ast.Name(id=name) if name in ANNOTATIONS:
             return ANNOTATIONS[name]
@@ -158,7 +162,7 @@ def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
 
 
 def integrator() -> Text:
-    """Return the text of the integrator."""
+    """Return the text of the integrator: the parsed functions and constants of `derive.flow.integrator`."""
     text = Text()
     for name in TEXT:
         path = FOLDER / f"{name}.py"

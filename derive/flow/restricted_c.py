@@ -109,22 +109,22 @@ class C(Writer):
     forms = FORMS
 
     def let(self, name: str, kind: str, value: Value, new: bool) -> str:
-        """Return the statement that assigns a value to a name."""
+        """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
         if value.text in ("new_series()", "numbers()"):
             return f"V {name}[STRIDE];" if kind == "S" else f"double {name}[STRIDE];"
         declared = f"{TYPES[kind]} ".replace("* ", "*") if new else ""
         return f"{declared}{name} = {self.as_kind(value, kind)};"
 
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of a block for each lane where a mask is true."""
+        """Yield the lines of the statements ``body`` for each lane where ``mask``, an expression in C, is true."""
         yield from self.block(f"EACH(lane, bits({mask}))", body)
 
     def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
-        """Yield the lines of a loop on a truth value of one lane."""
+        """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
         yield from self.block(self.say("while", bare(test.text)), s.body)
 
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
-        """Yield the lines of an ``if`` on a truth value of one lane, which may leave the function."""
+        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane, which may return."""
         yield from self.block(self.say("if", bare(test.text)), s.body)
 
     def lines(self) -> Iterator[str]:
@@ -152,7 +152,7 @@ class C(Writer):
 
 
 def functions(text: Text) -> str:
-    """Return all functions, preceded by constants."""
+    """Return the C source of all functions of the restricted text, preceded by its constants."""
     lines = []
     for x, value in text.constants.items():
         if isinstance(value, tuple):

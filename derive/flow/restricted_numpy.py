@@ -113,19 +113,22 @@ class NumPy(Writer):
         self.ifs = 0
 
     def let(self, name: str, kind: str, value: Value, new: bool) -> str:
-        """Return the statement that assigns a value to a name."""
+        """Return the statement that assigns a value to a name of this kind.
+
+        It has an annotation if ``new`` and needed.
+        """
         declared = f": {TYPES[kind]}" if new and value.kind in ("K", "N") and kind != "N" else ""
         held = value.text.startswith(("c[", f"{self.state}.registers[")) and value.kind == "V"
         held = held or value.text.partition("[")[0] in (x for x, k in self.kinds.items() if k == "A")
         return f"{name}{declared} = {value.text}{'.copy()' if held else ''}"
 
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of a block for each lane where a mask is true."""
+        """Yield the lines of the statements ``body`` for each lane where ``mask``, a NumPy expression, is true."""
         yield f"i = np.flatnonzero({mask})"
         yield from self.block("if i.size", body)
 
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
-        """Yield the lines of an ``if`` on a truth value of one lane, which may leave the function."""
+        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane, which may return."""
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
@@ -146,7 +149,7 @@ class NumPy(Writer):
             yield f"{known} = {kept}"
 
     def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
-        """Yield the lines of a loop on a truth value of one lane."""
+        """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
@@ -167,7 +170,7 @@ class NumPy(Writer):
         yield f"{', '.join(names)} = {', '.join(kept)}"
 
     def _known_after(self, s: ast.stmt) -> list[str]:
-        """Return the index, and the values of its lanes that are used after a statement."""
+        """Return ``i``, the index of lanes, and the names of values by lane used in the statement ``s`` or later."""
         used = set()
         for x in ast.walk(self.function.node):
             if isinstance(x, ast.Name) and x.lineno >= s.lineno:
@@ -179,6 +182,7 @@ class NumPy(Writer):
         return ast.unparse(ast.parse("\n".join(self._lines())))
 
     def _lines(self) -> Iterator[str]:
+        """Yield the lines of the function's source, before formatting."""
         f = self.function
         body = list(self.body(f.node.body))
         parameters = []
@@ -196,7 +200,7 @@ class NumPy(Writer):
 
 
 def functions(text: Text) -> str:
-    """Return all functions, preceded by constants."""
+    """Return the NumPy source of all functions of the restricted text, preceded by its constants."""
     lines = [f"{x} = {value!r}" for x, value in text.constants.items() if x != "INFINITY"]
     lines.append("INFINITY = np.inf")
     functions = (NumPy(text, f).source() for f in text.functions.values())

@@ -91,7 +91,7 @@ def _{code}(r: Floats, c: Floats, n: int, {parameters}) -> None:
 
 
 def _sums(o: Operation) -> list[_Sum]:
-    """Return the sums in an operation's step."""
+    """Return the sums in the steps of an operation's results."""
     sums = []
     totals = {total for e in o.step for total in e.atoms(Sum)}
     for i, total in enumerate(sorted(totals, key=str)):
@@ -110,7 +110,10 @@ def _sums(o: Operation) -> list[_Sum]:
 
 
 def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ()) -> tuple[list[str], list[str]]:
-    """Return statements, and the text of each form. Coefficients are inputs by their text, and 1/n is `by_n`."""
+    """Return statements in a language that compute the forms, and the text of each form.
+
+    Coefficients of series are inputs by their text, 1/n is `by_n`, and ``sums`` are replaced by their names.
+    """
     names: dict[Expr, str] = {s.total: s.name for s in sums}
     names[1 / n] = "by_n"
     plain = []
@@ -141,7 +144,7 @@ def _body(o: Operation, target: _Target) -> tuple[list[str], list[str]]:
 
 
 def _newest(s: _Sum, target: _Target) -> Iterator[str]:
-    """Yield the terms of a sum that are added last."""
+    """Yield the statements that add the terms k = 0 and k = n of a sum last, none if the target has none for them."""
     if target.newest:
         for at_k, rest in (("0", "n"),) if s.symmetric else (("0", "n"), ("n", "0")):
             if at_k in (s.first, s.last):
@@ -157,6 +160,7 @@ def _read(o: Operation) -> list[IndexedBase]:
 
 
 def _means(o: Operation) -> str:
+    """Return the meanings of an operation's results as text, ``result = formula`` for each."""
     return ", ".join(f"{x} = {m}" for x, m in zip(o.results, o.means, strict=True))
 
 
@@ -165,7 +169,7 @@ def _indented(lines: Iterable[str], by: int) -> str:
 
 
 def _loop(sums: Sequence[_Sum]) -> list[str]:
-    """Return the loop of all sums of an operation in C."""
+    """Return the lines of C with the loop of all sums of an operation, none without sums."""
     if not sums:
         return []
     parts = (PARTS.format(**s._asdict()) for s in sums)
@@ -175,6 +179,7 @@ def _loop(sums: Sequence[_Sum]) -> list[str]:
 
 
 def _c_case(o: Operation) -> str:
+    """Return the case of an operation in the C function that interprets operations on series."""
     operands = (*o.results, *o.arguments, *o.numbers)
     places = {x: i for i, x in enumerate(operands, 1)}
     names = [f"V *restrict {x} = r + at[{places[x]}];" for x in o.results]
@@ -192,7 +197,7 @@ def _c_case(o: Operation) -> str:
 
 
 def c() -> dict[str, str]:
-    """Return codes, operands and cases of the operations on series and on cells."""
+    """Return codes, operands and cases of the operations on series and cells as C text, by marks of the template."""
     codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in CELLS])
     enums = (f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
     named = [(1, 0), (1, 1)]
@@ -219,6 +224,7 @@ def c() -> dict[str, str]:
 
 
 def _numpy_function(o: Operation) -> str:
+    """Return the source of the NumPy function that performs an operation on series."""
     series = [*o.results, *_read(o)]
     parameters = (*o.results, *o.arguments, *o.numbers)
     start, step = _body(o, NUMPY)

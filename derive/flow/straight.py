@@ -50,7 +50,10 @@ def programs() -> Iterator[Program]:
 
 
 def operation(kind: str, *places: Any) -> list[str]:
-    """Return an operation of a program as C reads it, with CELL for each cell or missing cell."""
+    """Return an operation of a program as C reads it: a list of C expressions, with CELL for each cell or missing cell.
+
+    ``places`` are the numbers of its results, registers and cells, as in `Program.series`.
+    """
     if kind == "ramp":
         return ["RAMP", f"{places[0]} * STRIDE", "CELL"]
     if kind == "lin":

@@ -45,7 +45,7 @@ class Writer:
         self.state = next((x for x, kind in function.parameters.items() if kind in ("LANES", "LANE")), "")
 
     def say(self, what: str, name: str = "", **parts: str) -> str:
-        """Return a form with its marks replaced."""
+        """Return the form ``what.name``, or else ``what``, with ``name`` and the other parts in place of its marks."""
         form = self.forms.get(f"{what}.{name}") or self.forms[what]
         at = self.forms["at"] if self.lane else ""
         return form.format(x=name, X=name.upper(), s=self.state, at=at, **parts)
@@ -55,11 +55,11 @@ class Writer:
         refuse(self.function.path, node, why)
 
     def _here(self, kind: str) -> str:
-        """Return a kind for one lane or for all lanes."""
+        """Return a kind, or while the text concerns one lane the kind of one of its elements: F for V, B for M."""
         return OF_ONE_LANE.get(kind, kind) if self.lane else kind
 
     def as_kind(self, value: Value, kind: str) -> str:
-        """Return the text of a value where a value of some kind is expected."""
+        """Return the text of a value where ``kind`` is expected. Numbers of all lanes are broadcast to V, I or B."""
         text = bare(value.text)
         if kind in "VIB" and value.kind in ("K", "N"):
             return self.say(f"broadcast.{kind}", text)
@@ -128,6 +128,7 @@ class Writer:
         return f"({joint})"
 
     def _name(self, name: str, e: ast.expr) -> Value:
+        """Return the text and the kind of a variable or constant. ``e`` is its place in error messages."""
         if kind := self.kinds.get(name):
             here = self._here(kind)
             text = name if here == kind else self.say("of_lane", name)
@@ -150,6 +151,7 @@ class Writer:
         return Value(self.say(what, name, of=of), self._here(kind))
 
     def _element(self, e: ast.Subscript) -> Value:
+        """Return the text and the kind of an element of a constant, a series or an array."""
         index = bare(self.value(e.slice).text)
         match e.value:
             case ast.Name(id=name) if name in self.all.constants:
@@ -164,6 +166,7 @@ class Writer:
         return Value(f"{series.text}[{index}]", "F")
 
     def _call(self, name: str, values: Sequence[Value], e: ast.Call) -> Value:
+        """Return the text and the kind of a call of a function or primitive. ``e`` is its place in error messages."""
         function = self.all.functions.get(name)
         if name not in PRIMITIVES and not function:
             self.refuse(e, f"there is no function {name}")
@@ -181,7 +184,7 @@ class Writer:
         return Value(form.format(*texts, s=self.state, series=series, **operands), kind)
 
     def _kind_of_call(self, name: str, values: Sequence[Value]) -> str:
-        """Return the kind of the result of a call."""
+        """Return the kind of the result of calling the function or primitive ``name`` with these values."""
         if name in self.all.functions:
             kind = self.all.functions[name].returns
         elif name == "where":
@@ -202,7 +205,7 @@ class Writer:
     # Statements.
 
     def body(self, statements: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of a block."""
+        """Yield the lines of a block of statements in the target language."""
         end = self.forms["end"]
         for s in statements:
             match s:
@@ -231,7 +234,10 @@ class Writer:
                     self.refuse(s, "this statement is not in the grammar of the integrator")
 
     def block(self, head: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of a statement with a body, whose names are known only there."""
+        """Yield ``head``, the indented lines of ``body``, and what closes it.
+
+        Names assigned in the body are known only there.
+        """
         known = dict(self.kinds)
         opened, closed = self.forms["open"], self.forms["close"]
         yield head + opened
@@ -241,6 +247,7 @@ class Writer:
         self.kinds = {x: kind for x, kind in self.kinds.items() if x in known}
 
     def _assign(self, s: ast.stmt) -> Iterator[str]:
+        """Yield the lines of an assignment."""
         match s:
             case ast.Assign(targets=[ast.Tuple(elts=[ast.Name(id=a), ast.Name(id=b)])], value=value):
                 yield from self.say("let_pair", self.value(value).text, a=a, b=b).split("\n")
@@ -261,6 +268,10 @@ class Writer:
                 self.refuse(s, "this assignment is not in the grammar of the integrator")
 
     def _let(self, name: str, value: Value, s: ast.stmt, kind: str = "") -> Iterator[str]:
+        """Yield the line that assigns a value to a name.
+
+        Without ``kind`` the name keeps its kind or has the value's.
+        """
         new = name not in self.kinds
         if not kind:
             kind = self.kinds.get(name, value.kind)
@@ -270,6 +281,7 @@ class Writer:
         yield self.let(name, kind, value, new)
 
     def _count(self, way: str, first: Value, last: Value, s: ast.For) -> Iterator[str]:
+        """Yield the lines of a loop over integers from ``first`` to ``last``, both included. ``way`` is up or down."""
         if not {first.kind, last.kind} <= {"N"}:
             self.refuse(s, "a loop counts between integers that all lanes share")
         name = ast.unparse(s.target)
@@ -278,6 +290,7 @@ class Writer:
         yield from self.block(head, s.body)
 
     def _if(self, s: ast.If) -> Iterator[str]:
+        """Yield the lines of an ``if`` that is shared by all lanes, or decided by each."""
         if isinstance(s.test, ast.BoolOp) and isinstance(s.test.op, ast.And):
             first, *others = s.test.values
             shared = self.value(first)
@@ -331,24 +344,27 @@ class Writer:
     # Language-specific methods.
 
     def let(self, name: str, kind: str, value: Value, new: bool) -> str:
-        """Return the statement that assigns a value to a name."""
+        """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
         raise NotImplementedError
 
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of a block for each lane where a mask is true."""
+        """Yield the lines of the statements ``body`` for each lane where ``mask``, a text, is true."""
         raise NotImplementedError
 
     def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
-        """Yield the lines of a loop on a truth value of one lane."""
+        """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
         raise NotImplementedError
 
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
-        """Yield the lines of an ``if`` on a truth value of one lane, which may leave the function."""
+        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane.
+
+        ``leaves`` if it returns.
+        """
         raise NotImplementedError
 
 
 def joined(values: Sequence[Value], order: str = "VFIKN") -> str:
-    """Return the kind of a combination of values: the first kind in an order that occurs."""
+    """Return the kind of a combination of values: the first letter of ``order`` that is the kind of one of them."""
     return next(k for k in order if any(v.kind == k for v in values))
 
 

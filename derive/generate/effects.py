@@ -39,6 +39,7 @@ def module() -> str:
 
 
 def _effect(e: Effect | Law) -> str:
+    """Return the source of an effect or a law."""
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
     more = f", {e.turns!r}, {e.any_of!r}, {formulas(e)!r}" if isinstance(e, Effect) else ""

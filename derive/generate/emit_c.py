@@ -84,7 +84,7 @@ class CText:
         return f"INLINE void {name}({arguments})\n{{\n{start}}}\n"
 
     def functions(self, name: str, program: Program) -> str:
-        """Return the inline functions of a program, one for each of its pieces, and its kind of loop."""
+        """Return the inline functions of a program, one for each of its pieces, and its kind of loop as a macro."""
         pieces = seam(program)
         if not pieces:
             return f"{self.body(name, program)}#define {name}_KIND whole\n"
@@ -105,7 +105,10 @@ class CText:
 
 
 def pattern(limit: float, number: str, included: bool = True) -> str:
-    """Return the bits of the largest double or float that does not exceed a positive limit, or that is below it."""
+    """Return the bits of the largest ``number``, double or float, that does not exceed a positive limit.
+
+    Without ``included`` it is below the limit.
+    """
     width = {"double": 64, "float": 32}[number]
     nearest = np.array(limit, f"float{width}")
     bits = int(nearest.view(f"uint{width}"))
@@ -116,7 +119,10 @@ def pattern(limit: float, number: str, included: bool = True) -> str:
 
 
 def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str] | None = None) -> str:
-    """Return the source of the extension module: fused and plain programs of the variants, each with its comment."""
+    """Return the source of the extension module: fused and plain programs of the variants, each with its comment.
+
+    ``words`` are the comments by kernel, tier and form.
+    """
     written = [v for v in variants if v.form != "numpy"]
     bodies = {form: _bodies(form, [v for v in written if v.form == form], words or {}) for form in FORMS}
     loops, table = _loops_and_table(written)
@@ -162,7 +168,7 @@ def _loops_and_table(variants: Sequence[Variant]) -> tuple[list[str], list[str]]
 
 
 def _bodies(form: str, variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str]) -> str:
-    """Return the inline functions of one form, each with its comment."""
+    """Return the inline functions of one form; ``words`` are their comments by kernel, tier and form."""
     c = CText(form)
     text = f"#undef FMA\n#define FMA(a, b, c) {FORMS[form]}\n\n{c.text}"
     for p in parts_of_ends():
@@ -181,11 +187,12 @@ def _bodies(form: str, variants: Sequence[Variant], words: Mapping[tuple[str, st
 
 
 def _comment(words: str) -> str:
+    """Return a comment in C with these words, empty without words."""
     if words:
         return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n"
     return ""
 
 
 def _macro(name: str, lines: Sequence[str]) -> str:
-    """Return a macro that is expanded for every level."""
+    """Return a macro of these lines with the parameters LEVEL and FORM, expanded for every level of processors."""
     return " \\\n    ".join([f"#define {name}(LEVEL, FORM)", *lines]) + f"\nLEVELS({name})\n"

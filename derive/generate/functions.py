@@ -51,14 +51,14 @@ def kernels(proved: Sequence[Record]) -> list[Function]:
 
 
 def _source(x: Moment | Elementary | Quotient) -> str:
-    """Return the source of a quantity."""
+    """Return the source of a quantity as text: its equation in the paper, or the declared source."""
     if isinstance(x, Moment) and not x.equation:
         return x.source or "a declaration of one's own"
     return f"eq. ({x.equation}) of {PAPER}"
 
 
 def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
-    """Return the NumPy program of each tier of a fitted kernel."""
+    """Return the NumPy program of each tier of the kernel ``name``, from the variants ``among``."""
     programs: dict[str, Program] = {}
     for form in ("plain", "numpy"):
         own = [v for v in among if (v.kernel, v.form) == (name, form)]
@@ -67,7 +67,7 @@ def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
 
 
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
-    """Return the proved bounds of a kernel in words."""
+    """Return the proved bounds of the kernel ``name`` in words, from the records of its certificates."""
     mine = [r for r in proved if r["kernel"] == name]
     bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
     (unit_of_best,) = {unit(r) for r in mine if r["tier"] == "best"}
@@ -114,7 +114,7 @@ _ARC_DOMAIN = f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within
 
 
 def _of_ends(proved: Sequence[Record]) -> list[Function]:
-    """Return the functions of both ends: J_r, J_theta and mu_eq."""
+    """Return the functions of both ends, J_r, J_theta and mu_eq, with their proved accuracy."""
     moments = {m.name: m for m in MOMENTS}
     every = []
     for name, *_ in functions_of_ends():
@@ -153,6 +153,7 @@ def printed() -> list[tuple[Program, str]]:
 
 
 def _printed_kernels() -> list[tuple[str, Expr, str]]:
+    """Return name, closed form and source of each function that the paper prints."""
     c = cos(alpha)
     s = sin(alpha)
     moment, inertia = (sp.parse_expr(PRINTED[name], {"alpha": alpha}) for name in ("polar_moment", "moment_of_inertia"))

@@ -69,6 +69,7 @@ def kernel_files(stages: Stages) -> dict[str, str]:
 
 
 def _kernel_texts(proved: list[Record]) -> dict[str, str]:
+    """Return all files that do not depend on `derive.flow`, from the records of the kernels."""
     kernels = functions.kernels(proved)
     closed = integrate.closed_forms()
     c_kernels = emit_c.source((*variants(), *variants_of_ends()), functions.comments(kernels, proved))
@@ -100,7 +101,10 @@ def _written(texts: Mapping[str, str]) -> dict[str, str]:
 
 
 def header(name: str, text: str) -> str:
-    """Return the header of a file: its origin, and the digest of its text, which a compiled binary contains."""
+    """Return the header of a file: its origin, and the digest of its text, which a compiled binary contains.
+
+    It is empty unless the name is that of a C or Python file.
+    """
     written = f"Written by `{MEND}` with SymPy {__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
@@ -147,6 +151,7 @@ def definitions_module(closed: Mapping[str, Expr]) -> str:
 
 
 def _package(names: list[str]) -> str:
+    """Return the text of `generated/__init__.py`, which imports the functions of these names."""
     listed = "".join(f"    {n},\n" for n in sorted(names))
     quoted = "".join(f'    "{n}",\n' for n in sorted(names))
     return (
@@ -189,7 +194,11 @@ def importable(parent: Path) -> None:
 
 
 def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], None] = lambda _: None) -> list[str]:
-    """Write a new tree beside the folder, apply ``tried`` to it, replace changed files, and return their names."""
+    """Write a new tree beside the folder, apply ``tried`` to it, replace changed files, and return their names.
+
+    ``texts`` are the texts of all files by name, and files without a text are removed. ``tried`` receives the tree's
+    parent folder and raises an error if the tree is wrong.
+    """
     folder.mkdir(exist_ok=True)
     old = present(folder)
     names = sorted(texts.keys() | old.keys())
@@ -212,7 +221,7 @@ def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], 
 
 
 def difference(texts: dict[str, str], folder: Path = FOLDER) -> str:
-    """Return a unified diff from the folder's files to the given files, empty if they are identical."""
+    """Return a unified diff from the folder's files to the given texts by name, empty if they are identical."""
     present_texts = present(folder) if folder.is_dir() else {}
     diff = ""
     for name in sorted(texts.keys() | present_texts.keys()):

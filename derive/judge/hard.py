@@ -61,7 +61,7 @@ class Result(NamedTuple):
 
 @cache
 def forms() -> dict[str, Form]:
-    """Return the naive form of every function, as printed in the paper or integrated term by term."""
+    """Return the naive form of every function by name, as printed in the paper or integrated term by term."""
     c = cos(alpha)  # with which squares of the sine are written
     terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
     naive = _of_alpha(terms) | _of_ends(terms)
@@ -71,7 +71,10 @@ def forms() -> dict[str, Form]:
 
 
 def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
-    """Return forms of base quantities and quotients, the printed program or the terms of the integral."""
+    """Return forms of base quantities and quotients by name, the printed program or the terms of the integral.
+
+    ``terms`` are the closed forms by name, written term by term.
+    """
     printed = {p.name: (words, p) for p, words in functions.printed()}
     naive: dict[str, Form] = {}
 
@@ -88,7 +91,10 @@ def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
 
 
 def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
-    """Return forms of functions of the ends of an arc, whose half angle and middle are rounded."""
+    """Return forms of functions of the ends of an arc by name; half angle and middle are rounded.
+
+    ``terms`` are the closed forms in alpha by name, written term by term.
+    """
     printed = _of_alpha(terms)
     turned: dict[str, tuple[str, Expr]] = {}
     for moment in MOMENTS:
@@ -113,7 +119,10 @@ _NORMAL_LOAD, _MU, _LIMIT = sp.symbols("normal_load mu limit", real=True)
 
 
 def drive(rows: Sequence[Sequence[str]], normal_load: Any, mu: Any, limit: Any) -> Any:
-    """Return the net moment at the start by the balance's operations on cells, for a given limit friction."""
+    """Return the net moment over Theta* at the start, by the balance's operations on cells, for a given limit friction.
+
+    ``rows`` are these operations, and ``normal_load`` is J_r/Theta*.
+    """
     cells = {x: np.float64(x[1:] if x[0] == "=" else 0) for _, _, *operands in rows for x in operands}
     cells |= {"pressing_0": normal_load, "normal_load_0": normal_load, "mu_0": mu, "LIMIT": limit}
     return numbers(rows, cells | dict.fromkeys(("driving_0", "driving_moment_0"), normal_load * limit))["drive"]
@@ -128,7 +137,7 @@ THIN = "thin arc: alpha, and its cube, from a difference of two angles"
 
 
 def _kernels() -> Iterator[HardCase]:
-    """Yield cases of each function of alpha: thin arcs, underflowing arcs, and infinite artanh."""
+    """Yield cases of each function of alpha and of both ends: thin arcs, underflowing arcs, and infinite artanh."""
     of_base = ((1e-8, CUBE), (1e-4, CUBE), (1e-103, DENORMAL))
     of_quotient = ((1e-200, UNDER), (5e-324, UNDER), (1e-6, CUBE))
     points = dict.fromkeys(closed_forms(), of_base) | dict.fromkeys((q.name for q in QUOTIENTS), of_quotient)
@@ -186,7 +195,7 @@ for line in sys.stdin:
 
 
 def _solved() -> dict[HardCase, float]:
-    """Return the results of `solve`, which runs in a separate process as nothing here imports slipcircle."""
+    """Return the results of `solve` by hard case, from a separate process, as nothing here imports slipcircle."""
     arcs = [case for case in cases() if case.function in _OF_SOLVE]
     lines = [" ".join(map(repr, case.arguments)) for case in arcs]
     run = [sys.executable, "-c", _SOLVE]
@@ -226,7 +235,7 @@ _DIGITS = 1600  # more bits than cancel
 
 
 def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
-    """Return the exact form at these arguments."""
+    """Return the exact value of a form at these arguments, with enough digits for all cancellation."""
     symbols = sp.symbols(form.program.inputs, real=True)
     with mpmath.workdps(_DIGITS):
         return lambdify(symbols, form.exact, "mpmath")(*map(mpmath.mpf, arguments))

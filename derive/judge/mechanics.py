@@ -46,14 +46,17 @@ DEPTH = simplify(R * LEVER / (2 * alpha))  # f (2.12)
 
 
 def basis(x: Expr, y: Expr) -> Pair:
-    """Return the components of a Cartesian vector along e_r and e_theta."""
+    """Return the components along e_r and e_theta of a vector with the Cartesian components x and y."""
     c = cos(theta)
     s = sin(theta)
     return simplify(x * c + y * s), simplify(y * c - x * s)
 
 
 def rate(order: int) -> Pair:
-    """Return the polar components of a time derivative of the position r e_r, with d(theta)/dt = omega (1.2)."""
+    """Return the polar components of a time derivative of the position r e_r, with d(theta)/dt = omega (1.2).
+
+    ``order`` is the order of the derivative, 1 or 2.
+    """
     moving = Function("theta")(t)
     known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
     position = (r * cos(moving), r * sin(moving))
@@ -81,22 +84,28 @@ def reaction() -> Pair:
 
 
 def _direction(angle: Expr) -> Matrix:
-    """Return the unit vector at a polar angle."""
+    """Return the unit vector (cos, sin) at a polar angle."""
     return Matrix([cos(angle), sin(angle)])
 
 
 def moment_of(radius: Expr, force: Pair) -> Expr:
-    """Return the moment about K of a force in polar components. Its radial part has no lever."""
+    """Return the moment about the centre K of a force in polar components, at this radius.
+
+    Its radial part has no lever.
+    """
     return radius * force[1]
 
 
 def along_bisector(force: Pair) -> Expr:
-    """Return the component of a force along the bisector of the arc, at u = theta - theta_m from it."""
+    """Return the component along the arc's bisector of a force in polar components, u = theta - theta_m from it."""
     return force[0] * cos(u) - force[1] * sin(u)
 
 
 def end(start: Symbol) -> Expr:
-    """Return the polar angle of an end (1.2), with a separate integration variable."""
+    """Return the polar angle of an end of the arc (1.2) at the time t, from its angle at the start.
+
+    The variable of integration is separate.
+    """
     return start + Integral(omega_of(r), (r, 0, t))
 
 
@@ -128,7 +137,10 @@ def deepest() -> Expr:
 
 
 def body_star(f: Expr, low: Expr = CHORD, high: Expr = Integer(1)) -> Expr:
-    """Return the double integral from the chord to the arc in r* = r/R, with constants outside."""
+    """Return the double integral of f from the chord to the arc in r* = r/R, with constants outside.
+
+    The limits ``low`` and ``high`` are those of r*, and theta extends from theta_1 to theta_2.
+    """
     result = Integer(0)
     for term in Add.make_args(expand(f)):
         constant, rest = term.as_independent(r, theta)
@@ -137,12 +149,12 @@ def body_star(f: Expr, low: Expr = CHORD, high: Expr = Integer(1)) -> Expr:
 
 
 def body(f: Expr) -> Expr:
-    """Return the double integral in r."""
+    """Return the double integral of f dr dtheta over the mass, from the chord to the arc."""
     return body_star(f, R * CHORD, R)
 
 
 def scaled(f: Expr) -> Expr:
-    """Return `body` after the substitution r = R r*."""
+    """Return `body` of f after the substitution r = R r*."""
     return body_star(f.subs(r, R * r) * R)
 
 
@@ -157,19 +169,19 @@ def radial() -> Expr:
 
 
 def step(equation: str) -> Expr:
-    """Return a derived form of the balance for a turning mass."""
+    """Return a derived form of the balance by its equation number, such as "3.8", for a turning mass."""
     return dynamics.balance()[equation].subs({dynamics.j_r: j_r, dynamics.j_theta: j_theta})
 
 
 def momentum() -> Pair:
-    """Return both sides of (3.8), over ell rho."""
+    """Return both sides of (3.8), over ell rho: the rate of angular momentum, and the moment."""
     left = step("3.8 left") / (ell * rho)
     right = step("3.8") / (ell * rho)
     return expand(left), expand(right)
 
 
 def lever() -> Expr:
-    """Return the factor of mu sigma* in (3.8) over ell rho g R^3."""
+    """Return the factor of mu sigma* in (3.8) over ell rho g R^3, which is lambda (3.14)."""
     _, right = momentum()
     resistance = -right.coeff(sigma_mean) / (g * R**3)
     return simplify(resistance / mu * rho * g * DEPTH)
@@ -177,7 +189,7 @@ def lever() -> Expr:
 
 @cache
 def motion(name: str) -> Expr:
-    """Return the derived motion from rest under constant a and b."""
+    """Return the derived motion from rest under constant a and b: the ``name`` of a function in `dynamics.solution`."""
     from_rest = simplify(dynamics.solution()[name].subs(omega_0, 0))
     return from_rest.subs(Symbol("k", positive=True), sqrt(a * b))
 
@@ -198,7 +210,10 @@ def dimensional() -> dict[str, Expr]:
 
 
 def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
-    """Return a motion, the first term of its expansion in time, and the order of the second term."""
+    """Return a motion, the first term of its expansion in time, and the order of the second term.
+
+    ``motion`` is an expression in t.
+    """
     expansion = sp.series(motion, t, 0, 6).removeO()
     terms = sorted(Add.make_args(expansion), key=lambda x: degree(x, t))
     first, second = terms[:2]
@@ -207,7 +222,7 @@ def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
 
 @cache
 def names() -> dict[str, Any]:
-    """Return the notation of the transcribed forms."""
+    """Return the notation of the transcribed forms: symbols, functions and forms by name."""
     symbols = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
     symbols += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
     notation = {x.name: x for x in symbols}
@@ -229,5 +244,5 @@ def names() -> dict[str, Any]:
 
 @cache
 def read(forms: str) -> tuple[Expr, ...]:
-    """Return transcribed forms, separated by semicolons."""
+    """Return transcribed forms, separated by semicolons, as expressions in the symbols of `names`."""
     return tuple(parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))

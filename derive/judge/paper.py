@@ -92,10 +92,12 @@ _EXAMPLE = (*_SOLVED, f"g = {s.GRAVITY} m/s^2")
 
 
 def _number(id: str, claim: str, digits: str, value: Callable[[], Any], *causes: Cause, **rest: Any) -> Claim:
+    """Return the claim of a printed number, the text ``digits``, with the function of its value and possible causes."""
     return Claim(id, claim, digits, definition=value, kind="number", causes=causes, **rest)
 
 
 def _reached(id: str, claim: str, digits: str) -> Claim:
+    """Return the claim of a number that `reached` computes; the last two characters of ``id`` are its name."""
     name = id[-2:]
     words = "follows from the wrong Theta*, A and J_theta"
     cause = Cause(words, "wrong", lambda: reached(name, as_printed=True))
@@ -103,14 +105,17 @@ def _reached(id: str, claim: str, digits: str) -> Claim:
 
 
 def _figure(id: str, claim: str, shows: str, values: Callable[[], list[mp.mpf]], note: str) -> Claim:
+    """Return the claim of a figure, which cannot be checked; ``shows`` is the format of the values."""
     return Claim(id, claim, "a curve", definition=values, shows=shows, note=f"the picture is lost; {note}")
 
 
 def _over_angle(name: str) -> Callable[[], list[mp.mpf]]:
+    """Return the function that computes a moment for half the opening angle and for all of it."""
     return lambda: [moment(name), moment(name, 2 * HALF)]
 
 
 def _notation(words: str, old: str, new: str) -> tuple[Cause, ...]:
+    """Return the cause of an imprecise form: the notation ``old``, which has to be ``new``."""
     return (Cause(f"notation: {words}", "imprecise", edit=(old, new)),)
 
 

@@ -41,24 +41,24 @@ class State:
         return moment("radial_weight", psi=self.psi) + moment("polar_moment") * self.omega**2
 
     def normal(self, u: Any) -> mpf:
-        """Return the stress at u."""
+        """Return the normal stress over rho g R at u, rad from the bisector."""
         if self.stress:
             return self.stress(u)
         return self.total / (2 * HALF)
 
 
 def sum_of(f: Along) -> mpf:
-    """Return the integral along the arc."""
+    """Return the integral of f(u) along the arc over the angle u in rad."""
     return quad(f, [-HALF, 0, HALF])
 
 
 def columns(u: mpf) -> mpf:
-    """Return the stress at rest if all radial columns were independent."""
+    """Return the normal stress over rho g R at u at rest, if all radial columns were independent."""
     return cos(DIP - u) * (1 - (cos(HALF) / cos(u)) ** 2) / 2
 
 
 def along_bisector(u: mpf) -> mpf:
-    """Return the uniform stress at rest by the balance of forces along the bisector.
+    """Return the uniform normal stress over rho g R at rest, by the balance of forces along the bisector.
 
     Its resultant is 2 R sin(alpha) sigma, the shear is odd in u, and the weight is the segment's.
     """
@@ -90,16 +90,17 @@ class Postulate:
 
 
 def _of_uniform(stress: Along) -> mpf:
-    """Return the relative excess of a stress in the middle of the arc over the uniform stress."""
+    """Return the relative excess of a stress in the middle of the arc over the uniform stress at rest."""
     return stress(mpf(0)) / State().normal(0) - 1
 
 
 def _centripetal_share(as_printed: bool = False) -> mpf:
-    """Return the centripetal stress over the static stress after 30 s of (3.20)."""
+    """Return the centripetal over the static stress after 30 s of (3.20), on request with the paper's inputs."""
     return State(omega=reached("omega*", as_printed)).total / State().total - 1
 
 
 def _changes(name: str) -> Callable[[State], mpf]:
+    """Return the function of a state that computes the relative change of a moment by the state's dip."""
     return lambda x: moment(name, psi=x.psi) / moment(name) - 1
 
 

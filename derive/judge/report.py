@@ -99,7 +99,10 @@ def failing(rows: Iterable[Row]) -> list[Row]:
 
 
 def errors(rows: Sequence[Row], width: int) -> str:
-    """Return a table of the wrong claims and misprints, and the number of claims of each verdict."""
+    """Return a table of the wrong claims and misprints, and the number of claims of each verdict.
+
+    ``width`` is the number of columns.
+    """
     from rich import box
     from rich.console import Console
     from rich.table import Table
@@ -124,6 +127,7 @@ def errors(rows: Sequence[Row], width: int) -> str:
 
 
 def _in_full(x: Row, width: int) -> str:
+    """Return a claim with all its fields as text with this number of columns."""
     lines = {"printed": x.printed, "correct": x.computed, "cause": x.cause, "assumes": x.assumes}
     if x.verdict in SIMPLY:
         lines = {"printed": x.printed, "derived": x.computed, "remark": x.cause, "assumes": x.assumes}
@@ -137,6 +141,8 @@ def _in_full(x: Row, width: int) -> str:
 
 
 def _markdown(rows: Sequence[Row]) -> str:
+    """Return the report as Markdown: rules, errors, and all claims."""
+
     def table(chosen: Iterable[Row]) -> list[str]:
         head = ("where", "claim", "printed", "from the definitions", "verdict", "cause", "assumptions")
         cells = [head, ("---",) * len(head)]

@@ -27,7 +27,7 @@ GRAVITY = "9.81"  # used by the project; the paper states no value
 
 
 def printed_as(digits: str) -> tuple[mpf, mpf, mpf]:
-    """Return a printed number, and the least and the greatest value that it may represent."""
+    """Return a printed number, and the least and the greatest value that it may represent by rounding or truncation."""
     printed = mpf(digits)
     unit = mpf(10) ** Decimal(digits).as_tuple().exponent
     if printed >= 0:
@@ -36,13 +36,16 @@ def printed_as(digits: str) -> tuple[mpf, mpf, mpf]:
 
 
 def implied(by: str, inverse: Callable[[mpf], mpf]) -> list[mpf]:
-    """Return the least and the greatest value of another number that a printed number allows."""
+    """Return the least and the greatest value of another number that a printed number allows.
+
+    ``by`` is a name in `IMPLYING`, and ``inverse`` computes the other number from the printed one.
+    """
     _, low, high = printed_as(IMPLYING[by])
     return sorted((inverse(low), inverse(high)))
 
 
 def given(name: str) -> mpf:
-    """Return a number of `GIVEN`."""
+    """Return a number of `GIVEN` by its name, in m, kN/m^3, degrees or s."""
     return mpf(GIVEN[name])
 
 
@@ -55,12 +58,12 @@ with workdps(50):  # radians: theta_1, half the opening angle, psi, the dip of t
 
 @cache
 def derivation(name: str) -> Derivation:
-    """Return the derivation of a moment."""
+    """Return the derivation of the moment with this name in `MOMENTS`."""
     return derive(next(m for m in MOMENTS if m.name == name))
 
 
 def value(form: Expr, angle: Any = HALF, psi: Any = DIP) -> mpf:
-    """Return a closed form for the section, or for another half angle or dip."""
+    """Return a closed form for the section, or for another half opening angle or dip ``psi`` of the chord, in rad."""
     return _function(form)(angle, psi, 3 * pi / 2 - psi)
 
 
@@ -70,17 +73,17 @@ def _function(form: Expr) -> Callable[..., mpf]:
 
 
 def moment(name: str, angle: Any = HALF, psi: Any = DIP) -> mpf:
-    """Return the value of one of `quantities.MOMENTS`."""
+    """Return the dimensionless value of the moment ``name`` of `MOMENTS`, for a half angle and a dip ``psi`` in rad."""
     return value(derivation(name).closed, angle, psi)
 
 
 def factor(angle: Any = HALF) -> mpf:
-    """Return the resistance factor lambda (3.14)."""
+    """Return the resistance factor lambda (3.14) for half the opening angle in rad."""
     return value(2 * alpha * mechanics.deepest() / R, angle)
 
 
 def dynamic(angle: Any = HALF) -> mpf:
-    """Return the dynamic coefficient A (2.24)."""
+    """Return the dynamic coefficient A (2.24) for half the opening angle in rad."""
     return moment("polar_moment", angle) / factor(angle)
 
 
@@ -95,7 +98,7 @@ def reference() -> mpf:
 
 
 def second_end(radial_weight: mpf) -> mpf:
-    """Return theta_20 in degrees for an arc of this opening and the given J_r."""
+    """Return the polar angle theta_20 in degrees for an arc of this opening and the given J_r."""
     dip = acos(radial_weight / moment("radial_weight", psi=mpf(0)))
     return 270 - mp.degrees(dip - HALF)
 
@@ -106,7 +109,7 @@ def second_appendix() -> mpf:
 
 
 def limit_friction(as_printed: bool = False) -> mpf:
-    """Return mu_eq (3.21), on request with Appendix II for J_theta, as printed."""
+    """Return the friction coefficient mu_eq (3.21), on request with Appendix II for J_theta, as printed."""
     weight_moment = second_appendix() if as_printed else moment("weight_moment")
     return weight_moment / moment("radial_weight")
 
@@ -117,7 +120,7 @@ def degrees(friction: mpf) -> mpf:
 
 
 def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mpf:
-    """Return c0, c1, c2 of (4.2) and (4.4), or phi, omega*, v or s after 30 s.
+    """Return c0, c1, c2 of (4.2) and (4.4), or phi, omega*, v or s after 30 s, in SI units and rad, by its name.
 
     With `as_printed`, Theta* and A are evaluated at the full angle 2 alpha, and J_theta is taken from Appendix II,
     unrounded.
@@ -146,11 +149,11 @@ def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mpf:
 
 
 def both(name: str) -> list[mpf]:
-    """Return results of `reached` from the printed and from the corrected inputs."""
+    """Return two results of `reached` for a name, from the printed and from the corrected inputs."""
     return [reached(name, as_printed=True), reached(name)]
 
 
 def turned(name: str, rotation: mpf | None = None) -> mpf:
-    """Return the relative change of a moment by a rotation, in rad; by default the paper's own rotation after 30 s."""
+    """Return the relative change of the moment ``name`` by a rotation in rad, by default the paper's own after 30 s."""
     phi = reached("phi", as_printed=True) if rotation is None else rotation
     return moment(name, psi=DIP - phi) / moment(name) - 1

@@ -84,7 +84,7 @@ def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
 
 @cache
 def vanishes(form: Expr, domain: Domain = ()) -> bool:
-    """Return whether a form is zero on a domain for each sign of its symbols, refuted at a point or proved."""
+    """Return whether a form is zero on its symbols' domains, for each sign of them: refuted at a point or proved."""
     form = sympify(form).as_dummy()
     if form.has(Order):
         return False
@@ -107,7 +107,7 @@ def vanishes(form: Expr, domain: Domain = ()) -> bool:
 
 
 def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
-    """Return for each symbol its single value, or a positive symbol with each sign in its domain."""
+    """Yield for each symbol its single value, or a positive symbol with each sign in its domain, as substitutions."""
     for x in sorted(form.free_symbols, key=lambda x: x.name):
         low, high = limits(domain).get(x.name, (0, oo))
         size = Symbol(x.name, positive=True)
@@ -123,7 +123,7 @@ def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
 
 
 def _homogeneous(form: Expr, dimension: str) -> bool:
-    """Return whether a form has the dimension, from the factor by which scaled units multiply it."""
+    """Return whether a form has a dimension, such as "L/T**2", from its factor when units are scaled."""
     form = form.replace(Integral, lambda f, *limits: f * Mul(*(x for x, *_ in limits)))  # as its integrand dx
     units = {x: Symbol(f"unit_{x}", positive=True) for x in "MLT"}
     factors = {name: parse_expr(text, local_dict=units) for name, text in DIMENSIONS.items()}
@@ -133,7 +133,7 @@ def _homogeneous(form: Expr, dimension: str) -> bool:
 
 
 def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
-    """Return whether a form in alpha is the double integral, by quadrature at points of its whole domain."""
+    """Return whether a form in alpha is the double integral of a weight, by quadrature at points of its domain."""
     low, high = limits(domain)["alpha"]
     points = [s.value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
     allowed = mp.mpf(10) ** -13
@@ -142,7 +142,7 @@ def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
 
 
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
-    """Return whether transcribed forms equal the derived forms after substitution of the postulates."""
+    """Return whether transcribed forms equal the derived forms after the postulates are put into these."""
     printed = m.read(forms)
     derived = _derived(claim)
     replaced = [pair for x in postulates for pair in x.put]
@@ -168,6 +168,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
 
 @cache
 def _derived(claim: Claim) -> tuple[Expr, ...]:
+    """Return the forms that the transcription of a claim must equal."""
     forms = claim.definition()
     return tuple(forms) if isinstance(forms, (tuple, list)) else (forms,)
 
@@ -221,6 +222,7 @@ def _number(claim: Claim) -> Judgement:
 
 
 def _bounds(claim: Claim) -> Iterator[mp.mpf]:
+    """Yield the least and the greatest value that a claim allows."""
     return (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
 
 
@@ -259,7 +261,7 @@ def _range(claim: Claim) -> Judgement:
 
 
 def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
-    """Return verdict and words of the first cause whose value fits."""
+    """Return verdict and words of the first cause whose value ``fits``, or that the cause was not found."""
     for cause in claim.causes:
         if cause.value:
             value = cause.value()
@@ -289,7 +291,7 @@ def _form(claim: Claim) -> Judgement:
 
 
 def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
-    """Yield combinations of postulates that change the derived form or its law, the smallest first."""
+    """Yield combinations of postulates that change the derived form of a claim or its law, the smallest first."""
     derived = _derived(claim)
     forms = (*derived, *(claim.law(derived[0]) if claim.law else ()))
     relevant = [p for p in POSTULATES if any(x.subs(p.put) != x for x in forms)]
@@ -298,7 +300,7 @@ def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
 
 
 def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | None) -> tuple[str, str]:
-    """Return verdict and words of a form that is correct under postulates, after an edit if there is a cause."""
+    """Return verdict and words of a form that is correct under postulates, after the cause's edit if there is one."""
     remark = cause.words if cause else claim.remark
     if cause and (cause.verdict != "imprecise" or not postulates):
         return cause.verdict, "; given ".join([remark, *(x.words for x in postulates)])
@@ -308,7 +310,7 @@ def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | 
 
 
 def _names(claim: Claim) -> bool:
-    """Return whether a claim declared as a definition introduces a new quantity."""
+    """Return whether a claim declared as a definition introduces a new quantity, which no earlier claim contains."""
     name = re.compile(rf"(?<!\w){re.escape(claim.printed.partition(' = ')[0])}(?![\w*])")
     earlier = takewhile(lambda x: x.id != claim.id, CLAIMS)
     return claim.kind == "definition" and not any(name.search(x.printed) for x in earlier)
@@ -339,7 +341,7 @@ def _appendix(claim: Claim) -> Judgement:
 
 
 def _brackets(appendix: Appendix) -> str:
-    """Return the number of missing brackets by the rule of `derive.algebra.appendices`, as text."""
+    """Return a remark on missing brackets by the rule of `derive.algebra.appendices`, empty if none matters."""
     places = repairs(appendix)
     lost = sum(unreadable(appendix, x) for x in places)
     if not places or (not lost and vanishes(parse(appendix, places) - parse(appendix))):
@@ -349,7 +351,7 @@ def _brackets(appendix: Appendix) -> str:
 
 
 def _digits(value: Any) -> str:
-    """Return seven significant digits."""
+    """Return a number as text with seven significant digits."""
     return str(mp.nstr(mp.mpf(value), 7, strip_zeros=False, min_fixed=-5, max_fixed=9))
 
 
@@ -367,7 +369,10 @@ def words(form: Expr) -> str:
 
 
 def _integral(f: Expr, *limits: Tuple) -> Symbol:
-    """Return an integral as a symbol whose name is its text; the ~ sorts it last in a product."""
+    """Return an integral of f over limits (x, low, high) as a symbol whose name is its text.
+
+    The ~ in the name sorts it last in a product.
+    """
     lower = {R * CHORD: "R_1", CHORD: "R_1_star"}
     signs = ""
     for x, low, high in reversed(limits):

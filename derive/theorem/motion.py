@@ -55,7 +55,11 @@ class Theorem:
 
 
 def moment(statement: str, alpha: arb) -> arb:
-    """Return a moment of an arc up to a half disc. It increases with the angle, as its integrand is positive."""
+    """Return a moment of an arc up to a half disc, with half the opening angle alpha in rad.
+
+    ``statement`` is its integrand, such as "r^2 cos u". A moment increases with the angle, as the integrand is
+    positive.
+    """
     if alpha < arb.pi() / 2:
         return value((statement,), alpha)
     return value((statement,), alpha.lower()).union(limit((statement,)))
@@ -114,12 +118,15 @@ def theorem(slide: Callable[[], Slide], digits: int = 20, efforts: Sequence[int]
 
 
 def about(x: arb) -> str:
-    """Return the first digits of a ball that are certain, at most six."""
+    """Return the certain digits of a ball as a decimal, at most six of them."""
     return str(x.str(6, radius=False))
 
 
 def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
-    """Return the status of the motion, and add statements and numbers to the proof as they are decided."""
+    """Return the status of the motion, and add statements and numbers to the proof as they are decided.
+
+    ``tolerance`` bounds the relative remainder of each step in time.
+    """
     swing = first_swing(slide)
     still = arb(0)
     normal = swing.normal(still, still)
@@ -144,7 +151,10 @@ def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
 
 
 def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
-    """Enclose swings until the mass stays at rest, and return the status."""
+    """Enclose swings until the mass stays at rest, and return the status.
+
+    Statements and numbers are added to the proof, and ``tolerance`` bounds the relative remainder of each step in time.
+    """
     stands: list[Standstill] = []
     still = arb(0)
     while swing.acceleration(still, still) > 0:
@@ -172,7 +182,7 @@ def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
 
 
 def _numbers(slide: Slide, stands: list[Standstill]) -> dict[str, arb]:
-    """Return the numbers of the whole motion in SI units; run-out and rotation are the greatest.
+    """Return the numbers of the whole motion by name in SI units; run-out and rotation are the greatest.
 
     The place of rest is added if the mass swings back, and the place of the peak if its swing is certain.
     """

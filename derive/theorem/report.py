@@ -53,7 +53,7 @@ class Interval(NamedTuple):
 
 
 def interval(text: str) -> Interval:
-    """Return the interval of a decimal with or without uncertainty, "10+-0.1"; raise ArithmeticError for other text."""
+    """Return the interval of a decimal, "10" or "10+-0.1" with an uncertainty; raise ArithmeticError for other text."""
     decimals = [Decimal(part) for part in text.split("+-", 1)]
     if not all(x.is_finite() and abs(x.adjusted()) <= 100 for x in decimals):
         raise ArithmeticError
@@ -62,7 +62,7 @@ def interval(text: str) -> Interval:
 
 
 def read(texts: Mapping[str, str]) -> dict[str, Interval]:
-    """Return the intervals of the quantities, or raise a ValueError that lists all mistakes."""
+    """Return the intervals of quantities by name from their decimals, or raise a ValueError that lists all mistakes."""
     given, faults = dict[str, Interval](), list[str]()
     for name, text in texts.items():
         least, most = BOUNDS[name]
@@ -90,7 +90,10 @@ def read(texts: Mapping[str, str]) -> dict[str, Interval]:
 
 
 def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
-    """Return the slide with these valid quantities, at the current precision."""
+    """Return the slide with these valid quantities, at the current precision.
+
+    ``switches`` are the fields rotation and centripetal.
+    """
     degree = arb.pi() / 180
     balls = {name: x.ball() * (degree if "deg" in name else 1) for name, x in given.items()}
     peak = balls.get("peak_friction_deg")
@@ -110,7 +113,7 @@ def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
 
 
 def pair(x: arb, digits: int) -> list[str]:
-    """Return decimals below and above all numbers of a ball."""
+    """Return decimals below and above all numbers of a ball, with this number of significant digits."""
     middle, radius = fraction(x.mid()), fraction(x.rad())
     ends = ((middle - radius, ROUND_FLOOR), (middle + radius, ROUND_CEILING))
     texts = []
@@ -128,7 +131,7 @@ class Division(NamedTuple):
     quantities: dict[str, Interval]
 
     def halves(self) -> Iterator[dict[str, Interval]]:
-        """Yield the halves of the part, divided where this narrows the coefficients of the motion most."""
+        """Yield the halves of the part by name, divided where this narrows the coefficients of the motion most."""
 
         def spread(name: str) -> float:
             low, high = self.quantities[name]
@@ -147,6 +150,8 @@ class Division(NamedTuple):
 
 def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[Theorem, float]:
     """Return the theorem on all decided parts of uncertain inputs, and the share of the undecided parts.
+
+    ``whole`` has the intervals of the inputs by name, and ``switches`` are the fields rotation and centripetal.
 
     The largest part is halved until it is decided and its share is at most `FINE`, or until ``parts`` parts are judged.
     """
@@ -175,7 +180,11 @@ def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[T
 
 
 def report(options: Mapping[str, Any], digits: int, form: str, parts: int = PARTS) -> tuple[str, bool]:
-    """Return the theorem on the slide of these options, by default on each scene, and whether all are decided."""
+    """Return the theorem on the slide of these options, by default on each scene, and whether all are decided.
+
+    ``options`` are decimals of quantities by name and the switches rotation and centripetal. ``form`` is "text" or
+    "json", and ``parts`` the most parts into which uncertain inputs are divided.
+    """
     scenes = {"slide": dict(options)} if options else SCENES
     rows = []
     for name, chosen in scenes.items():
@@ -200,13 +209,14 @@ def report(options: Mapping[str, Any], digits: int, form: str, parts: int = PART
 
 
 def _plain(name: str, proof: Theorem, digits: int, undecided: float) -> dict[str, Any]:
-    """Return the theorem as plain data."""
+    """Return the theorem on the slide ``name`` as plain data; ``undecided`` is the undecided share of its inputs."""
     numbers = {key: pair(x, digits) for key, x in proof.numbers.items()}
     about = {"name": name, "status": proof.status, "reason": proof.reason, "undecided_share": undecided}
     return about | numbers | {"proved": proof.proved}
 
 
 def _text(name: str, status: str, reason: str, undecided_share: float, proved: list[str], **numbers: list[str]) -> str:
+    """Return the lines of a theorem; each of ``numbers`` is a pair of decimals below and above it."""
     lines = [f"{name}: {status}"]
     if undecided_share:
         lines.append(f"undecided: {100 * undecided_share:.3g} % of the inputs; {reason}")

@@ -40,27 +40,33 @@ class Swing(NamedTuple):
     decay: arb
 
     def friction(self, x: Any) -> Any:
-        """Return the friction coefficient after a rotation, as a ball or a series."""
+        """Return the friction coefficient after a rotation x in rad, as a ball or a series."""
         return (-self.decay * x).exp() * self.drop + self.residual
 
     def normal(self, x: Any, omega: Any) -> Any:
-        """Return the normal force on the arc."""
+        """Return the normal force on the arc over Theta*, after a rotation x in rad at the angular velocity omega."""
         return (self.dip - x).cos() * self.press + omega * omega * self.polar - self.pore
 
     def acceleration(self, x: Any, omega: Any) -> Any:
-        """Return omega' of a moving mass."""
+        """Return omega', the angular acceleration of a moving mass, after a rotation x at the velocity omega."""
         driving = (self.dip - x).sin() * self.weight - self.cohesion
         return driving - self.friction(x) * self.normal(x, omega)
 
     def taylor(self, x: arb, omega: arb) -> list[arb]:
-        """Return the Taylor coefficients of omega about a state. Each iteration of Picard adds a coefficient."""
+        """Return the Taylor coefficients of omega in time about a state, up to the cap of series, lowest first.
+
+        Each iteration of Picard adds a coefficient.
+        """
         speed = arb_series([omega], 1)
         for _ in range(1, ctx.cap):
             speed = self.acceleration(speed.integral() + x, speed).integral() + omega
         return list(speed)
 
     def reversed(self, rest: arb) -> "Swing":
-        """Return the swing in the other direction from the end of this swing; friction is not recovered."""
+        """Return the swing in the other direction, from the end of this swing after the rotation ``rest``.
+
+        Friction is not recovered.
+        """
         drop = (-self.decay * rest).exp() * self.drop
         return self._replace(dip=rest - self.dip, drop=drop)
 
@@ -84,12 +90,15 @@ class Standstill(NamedTuple):
 
 
 def until(length: arb) -> arb:
-    """Return the ball that covers [0, length]."""
+    """Return the ball that covers [0, length], as a time."""
     return length * arb(0.5, 0.5)
 
 
 def bounded(swing: Swing, x: arb, omega: arb, length: arb) -> tuple[arb, arb]:
-    """Return balls that contain the state during this time. Picard's iteration maps them into themselves."""
+    """Return balls that contain x and omega during a time that begins at the state (x, omega).
+
+    Picard's iteration maps the balls into themselves.
+    """
     times = until(length)
     wide = omega
     for _ in range(20):
@@ -102,7 +111,10 @@ def bounded(swing: Swing, x: arb, omega: arb, length: arb) -> tuple[arb, arb]:
 
 
 def step(swing: Swing, x: arb, omega: arb, length: arb, tolerance: arb) -> Step:
-    """Return the step with the longest of a length and its halves whose relative remainder meets the tolerance."""
+    """Return the step from a state with the longest of a length and its halves whose remainder meets the tolerance.
+
+    The tolerance is relative to the largest term of the series.
+    """
     *thin, _ = swing.taylor(x, omega)
     order = len(thin)
     for _ in range(HALVINGS):
@@ -116,7 +128,7 @@ def step(swing: Swing, x: arb, omega: arb, length: arb, tolerance: arb) -> Step:
 
 
 def zero(f: arb_poly, length: arb) -> arb:
-    """Return a ball around the single zero of a decreasing function on [0, length], by Newton's method."""
+    """Return a ball around the single zero of a decreasing polynomial on [0, length], by Newton's method."""
     slope = f.derivative()
     found = until(length)
     for _ in range(ctx.prec):
@@ -129,7 +141,10 @@ def zero(f: arb_poly, length: arb) -> arb:
 
 
 def standstill(swing: Swing, tolerance: arb) -> Standstill:
-    """Return the next standstill of a swing that starts: omega' > 0 up to the peak, where its sign changes once."""
+    """Return the next standstill of a swing that starts: omega' > 0 up to the peak, where its sign changes once.
+
+    ``tolerance`` bounds the relative remainder of each step.
+    """
     x = omega = time = peak_at = peak = arb(0)
     length = FIRST_STEP
     steps: list[Step] = []
@@ -161,7 +176,10 @@ LESS = ("press", "polar", "cohesion", "residual", "drop")  # lesser ones
 
 
 def between(swing: Swing, tolerance: arb) -> Standstill:
-    """Return the next standstill for uncertain coefficients, with rest and peak between those of the extreme swings."""
+    """Return the next standstill for uncertain coefficients, with rest and peak between those of extreme swings.
+
+    ``tolerance`` bounds the relative remainder of each step.
+    """
     stand = standstill(swing, tolerance)
     if all(x.rad() < tolerance for x in swing):
         return stand
@@ -182,6 +200,8 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
 
 def decided(part: Step, rises: bool) -> tuple[arb, bool]:
     """Return the longest of a step's length and its halves with certain signs, and whether it contains the event.
+
+    ``rises`` is whether the mass accelerates at the beginning of the step.
 
     While the mass accelerates, omega' > 0 and the event is the zero of omega'. Then omega' < 0 and the event is the
     zero of omega.

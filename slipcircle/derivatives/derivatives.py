@@ -62,20 +62,27 @@ class Sensitivity:
         return np.asarray(((self.values * parameters).T / outputs).T)
 
     def derivative(self, output: str, parameter: str) -> float:
-        """Return the derivative of an output with respect to a parameter."""
+        """Return the derivative of an output with respect to a parameter, in SI units; NaN if it is unknown.
+
+        The names are keys of `outputs` and `parameters`, such as "run_out" and "friction".
+        """
         return float(self.values[self._place(output, parameter)])
 
     def error(self, output: str, parameter: str) -> float:
-        """Return the error bound of a derivative."""
+        """Return the error bound of a derivative, in SI units. The names are keys of `outputs` and `parameters`."""
         place = self._place(output, parameter)
         return float(self.errors[place])
 
     def kind(self, output: str, parameter: str) -> str:
-        """Return the kind of a derivative, such as "smooth" or "kink"."""
+        """Return the kind of a derivative, such as "smooth" or "kink".
+
+        The names are keys of `outputs` and `parameters`.
+        """
         place = self._place(output, parameter)
         return str(self.kinds[place])
 
     def _place(self, output: str, parameter: str) -> tuple[int, int]:
+        """Return the row of an output and the column of a parameter, from their names."""
         row = list(self.outputs).index(output)
         column = list(self.parameters).index(parameter)
         return row, column

@@ -17,6 +17,8 @@ SMOOTH = 8  # number of shortest steps over which values are a cubic plus noise
 def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
     """Return values for h = 0 in powers of h^first_power, and their errors: three times the last change, plus noise.
 
+    The column contains values at the steps h, h/2, h/4, ... along its last axis, and `noise` their absolute errors.
+
     The last change is the greatest difference from both neighbours in the preceding column and from the next entry in
     the same column, which rarely agree by chance. No value at shorter steps may differ by more than its noise.
     """
@@ -47,7 +49,10 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
 
 
 def _combined(column: Floats, power: int, sign: float) -> Floats:
-    """Return the next column of a tableau without a power of h, or its noise if ``sign`` is positive."""
+    """Return the next column of a tableau without a power of h, or its noise if `sign` is positive.
+
+    `power` is the exponent of h. The result has one entry fewer along the last axis.
+    """
     factor = 2.0**power
     longer = column[..., :-1]
     shorter = factor * column[..., 1:]
@@ -56,7 +61,10 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
-    """Return by how much values at shorter steps differ beyond their noise."""
+    """Return by how much entries of a column differ from entries at shorter steps beyond their noise.
+
+    The result has the shape of the column. It is the greatest excess for each entry.
+    """
     rows = following[..., :, None]
     columns = following[..., None, :]
     differences = np.abs(rows - columns)
@@ -66,7 +74,10 @@ def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
 
 
 def noise_of(values: Floats) -> Floats:
-    """Return the scatter of values at the shortest steps, the greatest residual of a cubic."""
+    """Return the scatter of values at the shortest steps, the greatest residual of a cubic, (..., 1).
+
+    The values, (..., steps), are at the steps h, h/2, h/4, ...
+    """
     column = values[..., -SMOOTH:]
     for power in (1, 2, 3):
         column = _combined(column, power, -1.0)

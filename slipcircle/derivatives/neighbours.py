@@ -93,7 +93,10 @@ def neighbour_derivatives(
 
 
 def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
-    """Return whether the derivative of some outcome with respect to a number needs another ladder."""
+    """Return whether the derivative of some outcome with respect to a number needs another ladder.
+
+    `found` has the derivative of each outcome, and `goal` the error at which each needs no further ladder.
+    """
     for one, most in zip(found, goal, strict=True):
         is_near = one.errors <= most
         if not is_near or one.kinds == JUMP:
@@ -107,7 +110,8 @@ def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
 def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> ArrayPair:
     """Return outcomes of the motion, (outcomes, numbers, 1), and of neighbours, (outcomes, numbers, sides, rungs).
 
-    Numbers of a section's shape have a separate ensemble, since each of its lanes needs a section.
+    `steps` are the changes of the numbers in SI units, (numbers, 1, rungs), and the sides are below and above. Numbers
+    of a section's shape have a separate ensemble, since each of its lanes needs a section.
     """
     is_shape = np.array([_is_shape(scene, number) for number in numbers])
     parts = [np.flatnonzero(is_shape), np.flatnonzero(~is_shape)]
@@ -128,13 +132,17 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
 
 
 def _is_shape(scene: Scene[float], number: Free) -> bool:
-    """Return whether a number belongs to a section's shape."""
+    """Return whether a number belongs to a section's shape, such as a coordinate of the ground or the radius."""
     is_section = "ground" in scene.arc.quantities
     return is_section and number.name.startswith(SHAPE)
 
 
 def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], offsets: Floats) -> Floats:
-    """Return outcomes of the scene and of its neighbours, in which each number has other values, as rows."""
+    """Return outcomes of the scene and of its neighbours, in which each number has other values, as rows.
+
+    `offsets` are the changes of each number in SI units, (numbers, sides, rungs). The first column belongs to the scene
+    itself.
+    """
     arrays = {}
     for k, number in enumerate(numbers):
         change = np.zeros_like(offsets)
@@ -156,7 +164,8 @@ def _judged(
 ) -> tuple[list[list[Derivatives]], list[list[float]]]:
     """Return derivatives by one ladder, (numbers, outcomes), and the errors at which they need no further ladder.
 
-    ``off`` is the relative error common to all outcomes.
+    `here` and `beside` are the outcomes of `_solved`. The steps are (numbers, 1, rungs) and the scales (numbers, 1, 1).
+    `off` is the relative error common to all outcomes.
     """
     largest = _largest(here, beside)
     scatter = noise_of(beside) + ROUNDING * largest[..., None]
@@ -184,7 +193,10 @@ def _judged(
 
 
 def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
-    """Return the errors at which derivatives need no further ladder, (numbers, outcomes), at least their rounding."""
+    """Return the errors at which derivatives need no further ladder, (numbers, outcomes), at least their rounding.
+
+    `size` are the greatest effects of `_greatest`, and `largest` the sizes of outcomes of `_largest`.
+    """
     longest = steps[..., 0]
     longest_of_next = longest * 2.0**-RUNGS
     from_rounding = ROUNDING * largest / longest_of_next
@@ -194,7 +206,10 @@ def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
 
 
 def _largest(here: Floats, beside: Floats) -> Floats:
-    """Return the size of each outcome, (outcomes, 1, 1), or the size of its neighbours if it is 0."""
+    """Return the size of each outcome, (outcomes, 1, 1), or the size of its neighbours if it is 0.
+
+    `here` and `beside` are the outcomes of `_solved`.
+    """
     sizes = np.abs(here)
     sizes_beside = np.abs(beside)
     largest = sizes.max(axis=(1, 2), keepdims=True, initial=0.0)
@@ -204,7 +219,11 @@ def _largest(here: Floats, beside: Floats) -> Floats:
 
 
 def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
-    """Return the greatest effect of changing any number by its scale on an outcome, over the scale of each number."""
+    """Return the greatest effect of changing any number by its scale on an outcome, over the scale of each number.
+
+    `steepness` are the sizes of known slopes, (outcomes, numbers, sides). `largest` are the sizes of the outcomes, the
+    least values of the effect.
+    """
     scale = scales[..., 0]
     changes = steepness * scale
     most_by_any = changes.max(axis=(1, 2), keepdims=True, initial=0.0)
@@ -213,7 +232,10 @@ def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
 
 
 def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floats:
-    """Return the jumps of outcomes on each side, 0 where they are continuous or unknown."""
+    """Return the jumps of outcomes on each side, (outcomes, numbers, sides), 0 where they are continuous or unknown.
+
+    `beside` and its noise have a last axis of steps, and `largest` are the sizes of the outcomes.
+    """
     limits, errors = extrapolated(beside, noise, 1)
     gaps = limits - here
     smallest = np.maximum(errors, ACCURACY * largest)
@@ -222,7 +244,10 @@ def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floa
 
 
 def _slopes(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
-    """Return one-sided derivatives and their errors."""
+    """Return one-sided derivatives and their errors, each (outcomes, numbers, sides).
+
+    `beside` and its noise have a last axis of steps.
+    """
     shorter = steps[..., 1:]
     farther = beside[..., :-1]
     nearer = beside[..., 1:]
@@ -232,7 +257,10 @@ def _slopes(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
 
 
 def _central(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
-    """Return central differences and their errors."""
+    """Return central differences and their errors, each (outcomes, numbers).
+
+    `beside` and its noise are (outcomes, numbers, sides, rungs).
+    """
     step = steps[:, 0]
     below, above = np.moveaxis(beside, 2, 0)
     rise = above - below
@@ -244,9 +272,11 @@ def _central(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
 def _of_one(
     slopes: Floats, errors: Floats, jumps: Floats, central: float, of_central: float, is_end: Flags, shortest: float
 ) -> Derivatives:
-    """Return the derivative of one outcome with respect to one number; ``is_end`` marks sides without a scene.
+    """Return the derivative of one outcome with respect to one number.
 
-    A jump that could be a kink within the longer steps remains unresolved.
+    Slopes, their errors and jumps are pairs for the sides below and above. `central` and `of_central` are the central
+    difference and its error. `is_end` marks sides without a scene, and `shortest` is the shortest step. A jump that
+    could be a kink within the longer steps remains unresolved.
     """
     is_known = np.isfinite(errors)
     has_jump = jumps != 0.0
@@ -283,7 +313,10 @@ def _of_one(
 
 
 def _nearer(before: Derivatives, new: Derivatives) -> Derivatives:
-    """Return the combination of two ladders, unresolved if they contradict each other, as with stairs of rounding."""
+    """Return the combination of two ladders, unresolved if they contradict each other, as with stairs of rounding.
+
+    Both are derivatives of the same outcome, `new` from the shorter steps.
+    """
     if before.kinds == UNRESOLVED:
         return new
     surer = before if before.errors <= new.errors else new

@@ -69,7 +69,10 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
 
 
 def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free]:
-    """Return selected numbers of a single scene by name, with values and scales."""
+    """Return selected numbers of a single scene by name, with values and scales.
+
+    `names` are paths such as "friction.peak".
+    """
     possible = possible_parameters(scene)
     free = dict[str, Free]()
     for name in names:
@@ -83,12 +86,15 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
 
 
 def _rests_at_zero(name: str) -> bool:
-    """Return whether zero means that the feature is absent."""
+    """Return whether zero means that the feature is absent, for a number with the given path."""
     return name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
 
 
 def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
-    """Return the scale of a number as a power of 2, so that steps are exact."""
+    """Return the scale of a number as a power of 2, so that steps are exact.
+
+    `name` is its path, `parameter` its declaration, and the value is in SI units.
+    """
     radius = float(arc.radius)
     gravity = float(arc.gravity)
     usual = {
@@ -113,7 +119,10 @@ def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
 
 
 def parameter_value(scene: Scene, name: str) -> float | None:
-    """Return the value of a number of a scene in SI units, or None if it has no value."""
+    """Return the value of a number of a scene in SI units by its path, or None if it has no value.
+
+    The path is a name such as "friction.peak".
+    """
     leaf = possible_parameters(scene).get(name)
     if leaf is None or leaf.value is None:
         return None
@@ -142,7 +151,10 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
 
 
 def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
-    """Return selected lanes of a scene, by an index of its shape or of its lanes in one row. Nothing is checked."""
+    """Return selected lanes of a scene, by an index of its shape, or of its lanes in one row if `flat`.
+
+    Nothing is checked. A lane is a member of an ensemble.
+    """
 
     def of_lanes(value: Any) -> Any:
         if not np.ndim(value):

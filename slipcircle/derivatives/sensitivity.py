@@ -54,11 +54,15 @@ def sensitivity(motion: Motion) -> Sensitivity:
 
 
 def _outcomes(motion: Any) -> list[Any]:
+    """Return the outcomes of a motion in the order of `OUTPUTS`, in SI units."""
     return [motion.outcomes[name] for name in OUTPUTS]
 
 
 def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
-    """Yield the indices of numbers, without points of the ground and water level that have no influence."""
+    """Yield the indices of numbers, without points of the ground and water level that have no influence.
+
+    `free` are the numbers by name in the order of the columns of `found`.
+    """
     by_slope: Any = found.slopes.any(axis=(0, 2))
     by_jump: Any = found.jumps.any(axis=(0, 2))
     is_other: Any = found.kinds != SMOOTH
@@ -70,7 +74,10 @@ def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
 
 
 def _warnings(found: Derivatives, free: Mapping[str, Free]) -> Texts:
-    """Return warnings about the largest jump of each output by a number, and about unknown derivatives."""
+    """Return warnings about the largest jump of each output by a number, and about unknown derivatives.
+
+    `free` are the numbers by name in the order of the columns of `found`.
+    """
     warnings = []
     for k, name in enumerate(free):
         jumps = []

@@ -30,7 +30,10 @@ class Balance(NamedTuple):
 
     @classmethod
     def of(cls, program: Program, cells: Floats) -> Self:
-        """Return the balance at the beginning of phases."""
+        """Return the balance at the beginning of phases.
+
+        `cells` are the variables of the program, one column per lane.
+        """
         names = ("cell_driving", "cell_resisting", "cell_normal0")
         return cls(*(cells[program.roles[name]] for name in names))
 
@@ -47,7 +50,7 @@ def energy_unit(mass: Mass) -> Any:
 
 
 def with_outputs(problem: Problem, outputs: Names) -> Problem:
-    """Return the same lanes with a program that also computes the given outputs."""
+    """Return the same lanes with a program that also computes the given outputs, such as `OUTPUTS`."""
     return _with_program(problem, build_program(problem.recipe, outputs))
 
 
@@ -69,7 +72,10 @@ class Forces:
     # --- in any states -----------------------------------------------------------------------------------------------
 
     def outputs(self, states: States) -> ArrayDict:
-        """Return the registers of `OUTPUTS`: total and effective normal force over Theta*, and friction as entered."""
+        """Return the registers of `OUTPUTS`: total and effective normal force over Theta*, and friction as entered.
+
+        Each array has one value per state.
+        """
         places = [self._with_outputs.program.roles[name] for name in OUTPUTS]
         parts = []
         for part in states.parts():
@@ -79,7 +85,10 @@ class Forces:
         return outputs | {"mu": outputs["mu"] / self._strength(states.lane)}
 
     def _strength(self, lanes: Any) -> Any:
-        """Return the factor by which friction in the program exceeds friction as entered."""
+        """Return the factor by which friction in the program exceeds friction as entered.
+
+        It is a number, or an array for the given indices of lanes.
+        """
         factor = self.problem.start["strength_factor"]
         if np.ndim(factor):
             return factor[lanes]
@@ -93,7 +102,10 @@ class Forces:
         return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
 
     def _at_rest(self, states: States) -> tuple[Balance, Floats]:
-        """Return the balance in the direction of the drive and the friction of a mass at rest in some states."""
+        """Return the balance in the direction of the drive and the friction of a mass at rest in some states.
+
+        The balance has one value per state. The friction coefficient includes the strength factor of the start.
+        """
         program = self._with_outputs.program
         at_rest = states._replace(omega=np.zeros(states.lane.size))
         cells, _ = begin(self._with_outputs, at_rest, 1.0)
@@ -102,7 +114,7 @@ class Forces:
         return Balance.of(program, cells), cells[program.roles["cell_mu"]]
 
     def kept_cohesion(self, states: States) -> Floats:
-        """Return the share of the cohesion at rest that slip has left; 1 without cohesion."""
+        """Return the share of the cohesion at rest that slip has left, one value per state; 1 without cohesion."""
         unslipped = [np.zeros_like(values) for values in states.further]
         fresh = states._replace(further=unslipped)
         slipped, _ = self._at_rest(states)
@@ -113,7 +125,7 @@ class Forces:
         return np.where(is_some, left / np.where(is_some, whole, 1.0), 1.0)
 
     def strengths(self, states: States) -> ArrayPair:
-        """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
+        """Return the mobilised shear strength and the strength required at rest, over Theta*, one value per state."""
         (driving, resisting, _), _ = self._at_rest(states)
         moving = self.outputs(states)
         friction = moving["mu"] * moving["normal"]
@@ -129,7 +141,10 @@ class Forces:
         return np.fmax(self._holding(at_rest, 1.0), self._holding(at_rest, -1.0))
 
     def _holding(self, at_rest: States, side: float) -> Floats:
-        """Return the friction required in one direction, NaN without contact or where the mass cannot start."""
+        """Return the friction required in one direction, NaN without contact or where the mass cannot start.
+
+        `side` is the direction, 1 down-slope or -1 up-slope, and the result has one value per state.
+        """
         program = self._with_outputs.program
         cells, _ = begin(self._with_outputs, at_rest, side)
         forces = Balance.of(program, cells)
@@ -175,7 +190,10 @@ class Forces:
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
     def _statics(self, problem: Problem, which: slice) -> ArrayDict:
-        """Return `statics` of some lanes of a problem whose steady shaking is 0."""
+        """Return `statics` of some lanes of a problem whose steady shaking is 0.
+
+        `which` is the slice of these lanes.
+        """
         program = problem.program
         tables = problem.tables(which)
         cells = problem.cells(which)
@@ -197,7 +215,10 @@ class Forces:
 
 
 def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) -> ArrayDict:
-    """Return `Forces.statics` from the forces at rest, the forces with k_h = 1, the friction and the limit friction."""
+    """Return `Forces.statics` from the forces on a mass at rest, without shaking and with k_h = 1.
+
+    `mu` is the friction and `limit` the friction at which the mass is at its limit, one value per lane.
+    """
     driving, resisting, normal = at_rest
     pressed = normal > 0.0
     frictionless = driving - resisting

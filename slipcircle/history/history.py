@@ -106,7 +106,7 @@ class History:
         return state_of(self.plan.scene, every_time, rotation, omega, rate, lambda: self._stresses(time).total)
 
     def _checked(self, times: ArrayLike) -> Floats:
-        """Return times as an array, after checking that no lane still moves at a time beyond its end."""
+        """Return times in s as an array. Raise an error if some lane still moves at a time beyond its end."""
         faults = mistakes({"times": times}, {"times": ALLOWED_TIMES})
         raise_all("Motion.at", faults)
         time = np.asarray(times, float)
@@ -127,11 +127,14 @@ class History:
         return time
 
     def _dimensionless(self, flat_times: Floats) -> Floats:
-        """Return times in s divided by the time scale of each lane, of shape (times, lanes)."""
+        """Return times in s, one-dimensional, divided by the time scale of each lane, (times, lanes)."""
         return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).reshape(-1)
 
     def _read(self, problem: Problem, flat_times: Floats) -> Floats:
-        """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes)."""
+        """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes).
+
+        The times are one-dimensional and in any order. All results are dimensionless, the rotation in rad.
+        """
         increasing = np.argsort(flat_times, kind="stable")
         rows = read(problem, self._dimensionless(flat_times[increasing]))
         states = np.empty_like(rows)
@@ -176,6 +179,7 @@ class History:
         return self._over_time(time, values.reshape(time.size, self.problem.lanes))
 
     def _stresses(self, time: Floats) -> Stresses:
+        """Return the mean normal stresses of `Motion.at` at times in s, with the axes of the scene before the times."""
         states = self._states(time)
         outputs = self._mean_forces.outputs(states)
         unit = before(stress_unit(self.plan.scene.arc), time.ndim)
@@ -186,7 +190,10 @@ class History:
         return Stresses(of_weight + self._by_state(time, load), effective)
 
     def _water_load(self, rotation: Any) -> Any:
-        """Return the mean normal stress at rotations (rad) from the weight of free water above the mass, Pa."""
+        """Return the mean normal stress at rotations (rad) from the weight of free water above the mass, Pa.
+
+        The result has the shape of the rotations.
+        """
         section: Any = self.plan.scene.arc
         if not section.in_standing_water:
             return np.zeros_like(rotation)
@@ -197,7 +204,10 @@ class History:
         return pressure - lift
 
     def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
-        """Return the mean normal stress of each lane in a state at its end, Pa."""
+        """Return the mean normal stress of each lane in one state, such as the state at its end, Pa.
+
+        Time is in s, rotation in rad, and omega dimensionless.
+        """
         at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
         states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
         pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])
@@ -253,7 +263,7 @@ class History:
         return self._by_state(time, self.forces.holding_friction(self._states(time)))
 
     def strength_at(self, times: ArrayLike) -> Strengths:
-        """Return the strengths of `Motion.strength_at`."""
+        """Return the strengths of `Motion.strength_at` at times in s."""
         time = self._checked(times)
         unit = before(stress_unit(self.plan.scene.arc), time.ndim)
         states = self._states(time)

@@ -18,6 +18,8 @@ class Journey(NamedTuple):
         Displacement of the centroid, horizontal down-slope and downwards, m.
     travel_angle
         Inclination of the displacement of the centroid, arctan(fall/travel), rad.
+    crest_drop
+        Downward displacement of the upper end of the slip surface, m.
     """
 
     toe: Any
@@ -65,7 +67,7 @@ def journey(mass: Any, rotation: Any) -> Journey:
 
 
 def placed(mass: Any, points: Any, rotation: Any) -> Any:
-    """Return the positions of points of the mass, of shape (..., 2), after a rotation, m."""
+    """Return the positions of points of the mass, (..., 2), after a rotation in rad, positive down-slope, m."""
     turn = np.multiply(rotation, mass.facing)
     from_centre = np.subtract(points, mass.centre)
     x = from_centre[..., 0]

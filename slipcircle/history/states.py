@@ -14,7 +14,13 @@ from slipcircle.core.problem.problem import Problem
 
 
 class States(NamedTuple):
-    """Dimensionless states of lanes: time, rotation, omega, slip, further states, and the index of the lane."""
+    """Dimensionless states of lanes: time, rotation, omega, slip, further states, and the index of the lane.
+
+    The arrays have one element per state. `further` are arrays of the slip and of further states, or None to retain the
+    initial ones.
+
+    The arrays have one element per state. `further` are arrays of the slip and further states, or None at the start.
+    """
 
     time: Any
     rotation: Any
@@ -23,7 +29,7 @@ class States(NamedTuple):
     lane: Any
 
     def parts(self) -> Iterator["States"]:
-        """Yield the states in blocks."""
+        """Yield the states in blocks of at most `BLOCK` states."""
         for first in range(0, max(self.lane.size, 1), BLOCK):
             which = slice(first, first + BLOCK)
             further = None if self.further is None else [values[which] for values in self.further]
@@ -31,7 +37,10 @@ class States(NamedTuple):
 
 
 def begin(problem: Problem, states: States, side: Any) -> ArrayPair:
-    """Return cells and registers of phases that begin in the given states with the given direction of travel."""
+    """Return cells and registers of phases that begin in the given states with the given direction of travel.
+
+    `side` is 1 down-slope or -1 up-slope, for all states or each. Both results have one column per state.
+    """
     cells = problem.cells(states.lane)
     cells[ix.TIME] = states.time
     cells[ix.ROTATION] = states.rotation
@@ -52,6 +61,8 @@ def begin(problem: Problem, states: States, side: Any) -> ArrayPair:
 
 def read(problem: Problem, times: Floats) -> Floats:
     """Return rotation, omega, its rate, slip and further states at increasing dimensionless times.
+
+    The times are (times, lanes), and the result is (rows, times, lanes).
 
     The shape is (rows, times, lanes).
     """

@@ -13,7 +13,10 @@ from slipcircle.core.scene.friction import law_parts
 
 
 def friction_at_rest(friction: Any, slipped: bool = False) -> Any:
-    """Return the friction coefficient without velocity, before any slip or after much; NaN if it is unknown."""
+    """Return the friction coefficient without velocity, before any slip or after much; NaN if it is unknown.
+
+    `friction` is a coefficient, a mapping that names a law, or a function. `slipped` selects the value after much slip.
+    """
     if isinstance(friction, Mapping) and "soils" in friction:  # with the mean of the whole arc
         friction = {**friction, "law": "constant"}
         del friction["soils"]
@@ -21,7 +24,11 @@ def friction_at_rest(friction: Any, slipped: bool = False) -> Any:
 
 
 def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
-    """Return the coefficient of one law. The first value of a table applies before any slip, the last after much."""
+    """Return the coefficient of one law.
+
+    The first value of a table applies before any slip, the last after much. `name` is the name of the law, and
+    `slipped` selects the value after much slip.
+    """
     if name == "callable" and slipped:
         return math.nan
     if name == "callable":
@@ -40,7 +47,10 @@ def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
 
 
 def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
-    """Return a cohesion before any slip, or after much; NaN if it is unknown."""
+    """Return a cohesion in Pa before any slip, or after much if `slipped`; NaN if it is unknown.
+
+    `cohesion` is a number, a mapping that names a law, or a function.
+    """
     law = cohesion_law(cohesion)
     if law is not None:
         return _at_rest(*law, slipped)
@@ -50,7 +60,10 @@ def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
 
 
 def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
-    """Return the growth of a cohesion with depth, multiplied by its law, before any slip or after much."""
+    """Return the growth of a cohesion with depth, multiplied by its law, before any slip or after much.
+
+    `growth` is the growth at the start in Pa/m, which decreases in proportion to the cohesion if `slipped`.
+    """
     if not slipped or not np.any(growth):
         return growth
     peak = cohesion_at_rest(cohesion)
@@ -60,7 +73,10 @@ def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
 
 
 def least_friction(friction: Any) -> float:
-    """Return the least coefficient of a law, without its law of speed, over all lanes."""
+    """Return the least coefficient of a friction law, without its law of speed, over all lanes and any slip.
+
+    The law has a number, an array or a list as coefficient, or peak and residual strength.
+    """
     _, given = law_parts(friction)[0]
     names = {"coefficient", "peak", "residual"} & given.keys()
     least = [np.min(given[name]) for name in names]

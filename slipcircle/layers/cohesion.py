@@ -26,25 +26,27 @@ class SoilCohesion:
 
     @cached_property
     def peak(self) -> Floats:
-        """Cohesion at the start."""
+        """Cohesion of each soil at the start, Pa, (soils, lanes)."""
         return self.section.of_soils("peak_cohesion")
 
     @cached_property
     def growth(self) -> Floats:
-        """Increase of the cohesion with depth."""
+        """Increase of the cohesion of each soil with depth, Pa/m, (soils, lanes)."""
         return self.section.of_soils("cohesion_gradient")
 
     @cached_property
     def _laws(self) -> list[Law | None]:
+        """Laws by which the cohesion of each soil changes with slip, None for a constant cohesion."""
         return [cohesion_law(soil.cohesion) for soil in self.section.soils]
 
     @cached_property
     def _share_one_law(self) -> bool:
+        """Whether all soils whose cohesion changes share a law of slip and its length."""
         return share_one_law(self.section.soils, "cohesion")
 
     @cached_property
     def lasting(self) -> ArrayPair:
-        """Cohesion that does not change with slip, and its growth with depth."""
+        """Cohesion that does not change with slip, Pa, and its growth with depth, Pa/m, each (soils, lanes)."""
         if not self._share_one_law:
             constant = [[float(law is None)] for law in self._laws]
             share = np.array(constant)
@@ -56,7 +58,10 @@ class SoilCohesion:
 
     @cached_property
     def softening(self) -> dict[str, Term]:
-        """Terms that change with slip, by the numbers of their laws in the program."""
+        """Terms that change with slip, by the numbers of their laws in the program.
+
+        A term has a law, and the cohesion and the growth with depth that it multiplies, (soils, lanes).
+        """
         laws = [law for law in self._laws if law is not None]
         if not laws:
             return {}
@@ -68,7 +73,10 @@ class SoilCohesion:
         return {OF_COHESION: (over_peak, self.peak - cohesion, self.growth - growth)}
 
     def _by_soil(self) -> dict[str, Term]:
-        """Return a term for each soil whose cohesion changes, where the law is in Pa."""
+        """Return a term for each soil whose cohesion changes, where the law gives the cohesion in Pa.
+
+        The factors of a law are 1 for its soil and 0 for the others.
+        """
         soils = self.section.soils
         divisor = np.where(self.peak == 0.0, 1.0, self.peak)
         terms = {}

@@ -91,7 +91,10 @@ class CrackedSection(Section):
         return *chosen, held
 
     def _crack_errors(self) -> Iterator[Fault]:
-        """Yield the error of masses that are thinner everywhere than their crack is deep."""
+        """Yield one fault, the lanes whose mass is thinner everywhere than their crack is deep.
+
+        A fault is a mask of lanes (members of an ensemble) and a function that describes a lane by its index.
+        """
 
         def sentence(k: int) -> str:
             depth = np.broadcast_to(self.crack, self.shape).flat[k]
@@ -100,7 +103,10 @@ class CrackedSection(Section):
         yield np.isnan(self._crack_place), sentence
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Yield the errors of invalid sections and of sections that cannot move."""
+        """Yield the faults of invalid sections and of sections that cannot move.
+
+        A fault is a mask of lanes (members of an ensemble) and a function that describes a lane by its index.
+        """
         if self._is_cracked:
             yield from self._uncracked.geometry_errors()
             yield from self._crack_errors()
@@ -122,8 +128,8 @@ class CrackedSection(Section):
 def crack_place(lowered_ground: Floats, left: Floats, right: Floats, facing: Floats) -> Floats:
     """Return x over R, (n,), next to the upper end of arcs, where the ground lowered by a crack meets them.
 
-    Grounds are (n, V, 2), relative to the centre and over R, and the ends of arcs are at left and right. The result is
-    NaN without such a point.
+    Grounds are (n, V, 2), relative to the centre and over R. The ends of arcs are at x = `left` and `right`, (n,), and
+    `facing` is 1 if the mass slides to the right and -1 otherwise. The result is NaN without such a point.
     """
     x = arc_crossings(lowered_ground)
     inside = (x > left[:, None]) & (x < right[:, None])

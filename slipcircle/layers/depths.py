@@ -29,7 +29,10 @@ class Depths(NamedTuple):
     level: Floats | None  # of a horizontal line, whose integrals are cheaper
 
     def integral(self, there: Floats, limit: Any = None) -> Floats:
-        """Integral from the entry of the arc to directions (..., circles), by its own line up to a limit beyond."""
+        """Return the integral of the depth from the entry of the arc to directions (..., circles), over R.
+
+        The line of each arc is used up to `limit`, by default the exit, and the depth is constant beyond.
+        """
         limit = self.last if limit is None else limit
         inside = np.clip(there, self.first, limit)
         if self.level is None:
@@ -44,19 +47,22 @@ class Depths(NamedTuple):
         return within + beyond * np.where(beyond > 0.0, at_last, at_first)
 
     def mean(self, rotation: Floats) -> Floats:
-        """Mean depth over the arc under the mass after rotations (..., circles)."""
+        """Return the mean depth over R along the arc under the mass after rotations (..., circles) in rad."""
         up_to_exit = self.integral(self.last + rotation)
         return (up_to_exit - self.integral(self.first + rotation)) / (self.last - self.first)
 
     @property
     def kinks(self) -> Floats:
-        """Directions at which a cumulative integral has kinks, (circles, kinks)."""
+        """Directions in rad, positive down-slope, at which a cumulative integral has kinks, (circles, kinks)."""
         of_line = self.heights.kinks * self.facing[:, None]
         return np.concatenate([of_line, np.stack([self.first, self.last], axis=1)], axis=1)
 
 
 def depths_below(section: Any, top: Any) -> Depths:
-    """Return the depths of the arcs of a section below a height, heights of its shape, or a line; below its ground."""
+    """Return the depths of the arcs of a section below its ground or another top.
+
+    `top` is None for the ground, a height in m, heights in the section's shape, or points of a line, (V, 2).
+    """
     _, centre, radius = section._circle
     lines = section._top_line(top)
     facing = section._facing
@@ -71,7 +77,10 @@ def depths_below(section: Any, top: Any) -> Depths:
 
 
 def _at_end(line: Floats, facing: Floats, direction: Floats, inward: float) -> Floats:
-    """Return the depths of an end of the arcs below lines over R."""
+    """Return the depths of an end of the arcs below lines, over R, (circles,).
+
+    `direction` is the direction of the end in rad, positive down-slope. `inward` is a small step into the mass.
+    """
     x = facing * np.sin(direction)
     y, _ = edge_below(line, x[:, None], (x + facing * inward)[:, None])
     return np.maximum(y[:, 0] + np.cos(direction), 0.0)
@@ -90,14 +99,17 @@ class MeanDepth(NamedTuple):
 
     @property
     def kinks(self) -> Floats:
-        """Rotations at which it is not smooth, on a last axis."""
+        """Rotations in rad at which the mean depth is not smooth, sorted along the last axis, (circles, kinks)."""
         ends = np.stack([self.depths.first, self.depths.last], axis=1)
         rotations = (self.depths.kinks[:, :, None] - ends[:, None]).reshape(len(ends), -1)
         return np.sort(rotations, axis=1)
 
 
 def growing(section: Any, cohesion: Any, effects: Effects) -> Effects:
-    """Return effects of which the cohesion, or that which softens, grows with depth."""
+    """Return the effects, with the depth of the slip surface added to a cohesion that grows with it.
+
+    `cohesion` is the cohesion of the scene's effects, with its gradient and the datum below which it grows.
+    """
     depth = MeanDepth(section, depths_below(section, cohesion.get("datum")))
     grown = {**effects}
     for name, given in effects.items():

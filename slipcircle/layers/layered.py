@@ -43,7 +43,7 @@ class RotationTables(NamedTuple):
     shape: Shape
 
     def laid_out(self, reach: float = np.inf) -> Tables:
-        """Return tables up to a rotation, or up to loss of contact. Beyond, the functions are constant."""
+        """Return tables up to a rotation in rad, or up to loss of contact. Beyond, the functions are constant."""
         lanes = max(_lanes(function) for function in self.functions.values())
         contact_lost = upright(self.section)
         if self.share_geometry:
@@ -54,7 +54,10 @@ class RotationTables(NamedTuple):
         return self.section._for_lanes(self._between(first_rotation(last, self.upslope), last), self.shape)
 
     def reach_farther(self, data: dict[str, Data], rotation: Floats, lane: Any) -> bool:
-        """Extend tables to their full range if a lane exceeds them, and return whether one does."""
+        """Extend tables to their full range if a lane exceeds them, and return whether one does.
+
+        `data` are the tables by name, and `lane` is the index of the lane of each rotation in rad.
+        """
         if not any(_is_exceeded(data[name], rotation, lane) for name in self.functions):
             return False
         data.update(self.laid_out())
@@ -67,19 +70,22 @@ class RotationTables(NamedTuple):
 
     @property
     def circles(self) -> int:
-        """Number of circles of the lanes."""
+        """Number of circles: 1 for all lanes (members of an ensemble), or one per lane."""
         return self.section.arc_strength.rotation_kinks.shape[1]
 
     @property
     def names(self) -> Texts:
-        """Names of the geometric parts whose sums are the functions."""
+        """Names of the geometric parts from which the functions are summed, without repetition."""
         names = dict[str, None]()
         for function in self.functions.values():
             names |= dict.fromkeys(function.coefficients)
         return list(names)
 
     def _between(self, first: Floats, last: Floats) -> dict[str, Data]:
-        """Return tables between rotations, for lanes with one geometry from tables of its parts."""
+        """Return tables between rotations in rad, `first` and `last` of each circle.
+
+        Lanes with one geometry use tables of its parts.
+        """
         strength = self.section.arc_strength
         functions = self.functions
         names = self.names
@@ -106,8 +112,8 @@ class RotationTables(NamedTuple):
     def likely_reach(self, friction: Parameters) -> float:
         """Return the estimated rotation of lanes from rest, at which the least strength dissipates the work of gravity.
 
-        The estimate uses a sample of the lanes and a margin. Lanes that move farther are integrated again with complete
-        tables.
+        The estimate, in rad, uses a sample of the lanes and a margin. `friction` are the parameters of the law. Lanes
+        that move farther are integrated again with complete tables.
         """
         if self.upslope or "rate" in friction or "soils" in friction:
             return np.inf
@@ -119,7 +125,10 @@ class RotationTables(NamedTuple):
         return np.inf
 
     def _net_moment(self, rotation: Floats, friction: Parameters) -> Floats:
-        """Return driving moment minus least strength, over Theta*, for a sample of lanes at rotations, (M, lanes)."""
+        """Return driving moment minus least strength, over Theta*, for a sample of lanes at rotations in rad.
+
+        Rotations and result are (M, lanes). `friction` are the parameters of the mean friction law.
+        """
         moments = self.section.moment_coefficients
         count = max(np.size(moments.normal_load), np.size(self.section.arc_strength.mean_peak))
         step = 1 + count // _SAMPLE
@@ -160,12 +169,15 @@ class RotationTables(NamedTuple):
 
 
 def _lanes(function: OfRotation) -> int:
-    """Return the number of lanes in which a function differs."""
+    """Return the number of lanes in which a function differs, 1 for a function that all lanes share."""
     return max(values.shape[1] for values in function.coefficients.values())
 
 
 def _is_exceeded(table: Data, places: Floats, lane: Any) -> bool:
-    """Return whether a place lies beyond the table of its lane."""
+    """Return whether a place lies beyond the table of its lane.
+
+    Places are arguments of the tabulated function, and `lane` is the index of the lane of each.
+    """
     last = table.breaks[-1]
     if table.breaks.ndim == 2:  # each lane has other breaks
         last = last[lane]

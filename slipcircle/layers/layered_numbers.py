@@ -53,7 +53,10 @@ class LayeredNumbers(CrackedSection):
         return {soil.name: soil for soil in self.soils}
 
     def cohesion_laws(self, cohesion: Values) -> tuple[Law, ...]:
-        """Return the laws by which the cohesion of the soils changes with slip."""
+        """Return the laws by which the cohesion of the soils changes with slip.
+
+        The argument, the cohesion of a scene, is not used.
+        """
         return self.arc_strength.cohesion_laws
 
     def parts(self) -> Parts:
@@ -74,7 +77,7 @@ class LayeredNumbers(CrackedSection):
         return found | {"crack": (crack if np.any(crack) else None, depth)}
 
     def with_parts(self, changed: Values) -> Any:
-        """Return the section with other parts. Nothing is checked."""
+        """Return the section with other parts, `changed` by the names of `parts`. Nothing is checked."""
         fields = {name: changed[name] for name in changed if "." not in name}
         soils = fields.pop("soils", self.soils_by_name)
         layers = []
@@ -90,19 +93,19 @@ class LayeredNumbers(CrackedSection):
 
     @property
     def _shared_lengths(self) -> list[list[str]]:
-        """Names of the slip lengths that soils share, of friction and of cohesion."""
+        """Names of the slip lengths that soils share, a list each for friction and cohesion with one law."""
         shared = [strength for strength in ("friction", "cohesion") if share_one_law(self.soils, strength)]
         return [[name for name in numbers(self) if name.endswith(f".{strength}.length")] for strength in shared]
 
     def together(self, values: Values) -> Values:
-        """Return other values of numbers with the slip lengths that soils share."""
+        """Return values of numbers by name, in which a slip length that soils share is set for all of them."""
         for lengths in self._shared_lengths:
             given = [values[name] for name in lengths if name in values]
             values = dict.fromkeys(lengths if given else (), *given[:1]) | dict(values)
         return values
 
     def numbers_without_effect(self) -> list[str]:
-        """Return lengths determined by the first soil's length, and growths of cohesion that are 0."""
+        """Return the names of lengths determined by the first soil's length, and of growths of cohesion that are 0."""
         left_out = [name for lengths in self._shared_lengths for name in lengths[1:]]
         for soil in self.soils:
             if soil.datum is None and not np.any(soil.cohesion_gradient):
@@ -116,7 +119,11 @@ class LayeredNumbers(CrackedSection):
 
 
 def _moved(top: Any, height: Any) -> Any:
-    """Return the top of a layer at another height. A line moves as a whole, so that its first point has this height."""
+    """Return the top of a layer at another height in m.
+
+    A line moves as a whole, so that its first point has this height. The top is None, a height or points (..., V, 2),
+    and without a height it is unchanged.
+    """
     if height is None or np.ndim(top) < 2:
         return top if height is None else height
     line = np.asarray(top)
@@ -125,7 +132,10 @@ def _moved(top: Any, height: Any) -> Any:
 
 
 def _scaled(load: Load, greatest: Any) -> Load:
-    """Return a surcharge with another pressure at its greater end, and proportional pressure at the other end."""
+    """Return a surcharge with another pressure at its greater end, and proportional pressure at the other end.
+
+    The greatest pressure is in Pa, and None leaves the surcharge unchanged.
+    """
     if greatest is None:
         return load
     first, last, left, right = load

@@ -97,7 +97,7 @@ class LayeredSection(LayeredNumbers):
 
     @property
     def _overhang(self) -> Fault:
-        """Error of arcs that extend above the centre of their circle."""
+        """Fault of arcs that extend above the centre of their circle: a mask of lanes, and the message."""
         first, last = self._angles
         steepest = np.maximum(-first, last)
         above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
@@ -149,7 +149,7 @@ class LayeredSection(LayeredNumbers):
 
     @property
     def datums(self) -> list[Any]:
-        """Heights or lines below which the cohesion of the soils grows, None for the ground."""
+        """Heights in m or lines below which the cohesion of each of the `soils` grows, None for the ground."""
         tops = [None, *self.tops]
         if self.foreland is not None:
             tops.append(top_of(self.foreland, self.layers))
@@ -166,7 +166,7 @@ class LayeredSection(LayeredNumbers):
         return depths
 
     def of_soils(self, name: str) -> Floats:
-        """Return a number of each soil, (soils, lanes)."""
+        """Return an attribute of each `Soil` by its name, such as "unit_weight", (soils, lanes)."""
         numbers = [getattr(soil, name) for soil in self.soils]
         return self._by_lane(numbers)
 
@@ -230,7 +230,10 @@ class LayeredSection(LayeredNumbers):
         return profile_of(self._strips, *self._columns)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
-        """Return integrals of the head of the water level over arcs in space, (..., circles)."""
+        """Return integrals of the head of the water level over arcs in space, (..., circles).
+
+        `low` and `high` are directions of the ends in rad, positive to the right.
+        """
         return self._water.integral(low, high)
 
     # --- weights -----------------------------------------------------------------------------------------------------
@@ -254,6 +257,7 @@ class LayeredSection(LayeredNumbers):
 
     @cached_property
     def _columns(self) -> ArrayPair:
+        """Surfaces summed in each column and weights of the columns, see `columns_of`."""
         return columns_of(self.weight_steps, len(self._facing))
 
     @cached_property
@@ -276,6 +280,7 @@ class LayeredSection(LayeredNumbers):
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:
+        """Integrals of `circles.MEASURES` over the mass, weighted by the relative unit weight."""
         return dict(zip(MEASURES, self._moments_of_weight / self._weights_per_area, strict=True))
 
     @cached_property
@@ -292,11 +297,11 @@ class LayeredSection(LayeredNumbers):
 
     @property
     def friction(self) -> MeanFriction:
-        """Friction of the arc as a whole, for a `Scene`."""
+        """Friction of the arc as a whole, for a `Scene`: a law with coefficients weighted over the soils."""
         return self.arc_strength.friction
 
     def mistakes(self, friction: Any, effects: Effects) -> Texts:
-        """Return messages, including about inputs given both by the scene and by its soils."""
+        """Return messages about friction and effects, also about inputs given both by the scene and by its soils."""
         of_soils = "is given by the soils of a layered section; leave it out"
         found = super().mistakes(friction, effects)
         found += [f"effects.{name}: {of_soils}" for name in self.own_effects if name in effects]
@@ -305,7 +310,7 @@ class LayeredSection(LayeredNumbers):
         return found
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """Return effects with the strengths of the soils. Inertia terms require the centripetal effect."""
+        """Return effects by name with the strengths of the soils. Inertia terms require the centripetal effect."""
         strength = self.arc_strength
         needs = Needs("rotation" in effects, "shaking" in effects)
         terms = {"layered_strength": strength.terms(needs)}
@@ -318,7 +323,7 @@ class LayeredSection(LayeredNumbers):
         return {**effects, **terms}
 
     def effects_of_means(self, effects: Effects) -> Effects:
-        """Return the effects with only the mean of the pore pressures of the soils."""
+        """Return the effects with only the mean of the pore pressures of the soils, by the names of the effects."""
         needs = Needs("rotation" in effects)
         shared = {name: effects[name] for name in effects if not name.startswith(("soil_", "softening_"))}
         return {**shared, "layered_strength": self.arc_strength.mean_lift(needs)}
@@ -326,7 +331,12 @@ class LayeredSection(LayeredNumbers):
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape
     ) -> tuple[Tables, Farther | None]:
-        """Return the functions of the rotation of the soils, as far as the mass is likely to move."""
+        """Return the functions of the rotation of the soils, as far as the mass is likely to move.
+
+        They are tables by name, and a function that extends them. `effects` and `friction` belong to the scene, whose
+        lanes have the given shape. `upslope` states whether the mass may move above its initial position, and
+        `tolerance` is a relative error.
+        """
         functions = {}
         for effect, terms in effects.items():
             for name, term in terms.items():
@@ -338,7 +348,7 @@ class LayeredSection(LayeredNumbers):
         return tables.laid_out(tables.likely_reach(friction)), tables.reach_farther
 
     def takes_geometry(self, other: Section) -> bool:
-        """Return whether another section differs in numbers of soils only."""
+        """Return whether another section differs in numbers of soils only, so that geometry can be copied."""
         if not isinstance(other, LayeredSection):
             return False
         return super().takes_geometry(other) and _same_cut(self, other)
@@ -351,7 +361,10 @@ class LayeredSection(LayeredNumbers):
 
 
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
-    """Return whether two sections have the same boundaries, crack, surcharges, and datums of growing cohesion."""
+    """Return whether two sections have the same boundaries, crack, surcharges, and datums of growing cohesion.
+
+    Tops and cracks must be identical objects.
+    """
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
     same_tops = all(map(operator.is_, one.tops, other.tops))

@@ -57,7 +57,10 @@ class Part(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals)."""
+        """Return the integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals).
+
+        Directions are in rad from straight below the centre, positive to the right.
+        """
         pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
@@ -76,7 +79,10 @@ class Part(NamedTuple):
         return up_to.reshape(*beta.shape, columns, integrals)
 
     def combined(self, weights: Floats) -> "Part":
-        """Return the load in a single column, the sum of all columns with weights, (columns, circles)."""
+        """Return the load in a single column, the sum of all columns with weights, (columns, circles).
+
+        Only the first `PRESSING` integrals are retained.
+        """
         before = np.einsum("kcsi,sc->kci", self.before[..., :PRESSING], weights)
         series = np.einsum("kcsit,sc->kcit", self.series[..., :PRESSING, :], weights)
         return Part(self.edges, before[:, :, None], series[:, :, None])
@@ -97,7 +103,10 @@ class Profile(NamedTuple):
     parts: Sequence[Part]
 
     def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
+        """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles).
+
+        Directions are in rad from straight below the centre, positive to the right.
+        """
         _, _, columns, integrals, _ = self.parts[0].series.shape
         every = np.empty((integrals, columns, *beta.shape))
         first = 0
@@ -168,7 +177,11 @@ def _order(piece: _Piece) -> float:
 
 
 def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> list[_Piece]:
-    """Return pieces in which the series have converged: strips, or parts of them."""
+    """Return pieces in which the series have converged: strips, or parts of them.
+
+    `edges` are directions of the edges of the strips in rad, (strips + 1, circles), and `circle` the indices of these
+    circles.
+    """
     first = edges[:-1]
     last = edges[1:]
     strip = np.arange(len(first))
@@ -191,7 +204,8 @@ def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats)
 def _developed(values: Floats) -> ArrayTriple:
     """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
-    The head is the greater of the first two coefficients, the tail the greater of the last two.
+    The values at nodes are (integrals, columns, nodes, pieces, circles). The head is the greater of the first two
+    coefficients, the tail the greater of the last two, each (pieces, circles).
     """
     *axes, pieces, circles = values.shape
     developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)
@@ -205,7 +219,11 @@ def _developed(values: Floats) -> ArrayTriple:
 def _integrands(
     strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
 ) -> Floats:
-    """Return the integrands at nodes times half the widths of pieces, (integrals, columns, nodes, pieces, circles)."""
+    """Return the integrands at nodes times half the widths of pieces, (integrals, columns, nodes, pieces, circles).
+
+    The pieces extend from `first` to `last` in rad, (pieces, circles), and lie in the strips with the indices `strip`.
+    The weights below surfaces are (columns, surfaces, circles).
+    """
     half = (last - first) / 2
     beta = first + half * _FROM_FIRST
     x = np.sin(beta)
@@ -228,7 +246,10 @@ def _integrands(
 
 
 def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> None:
-    """Add weighted integrals by their numbers."""
+    """Add weighted integrals to `total`.
+
+    `rows` are pairs of the index of an integral and its values, all with the same weight.
+    """
     for integral, row in rows:
         weighted = row * weight
         total[integral] += weighted
@@ -237,7 +258,11 @@ def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> N
 def _add_loads(
     total: Floats, loads: Sequence[Sequence[Floats]], circle: Integers, x: Floats, y: Floats, weights: Floats
 ) -> None:
-    """Add the weights of surcharges on the ground at (x, y), each with its left and its right end."""
+    """Add the weights of surcharges on the ground at (x, y), each with its left and its right end.
+
+    `total` has the integrals as first axis and is changed. `circle` are the indices of the circles, and lengths are
+    over R.
+    """
     remaining = iter(weights)
     for ends in loads:
         first, last = (end[circle, 0] for end in ends)
@@ -249,7 +274,10 @@ def _add_loads(
 
 
 def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
-    """Return the integrals over y from the arc to a height h above it, by number, which `_complete` completes."""
+    """Yield the integrals over y from the arc to a height h above it, by index, which `_complete` completes.
+
+    `c` is the cosine of the direction, and lengths are over R.
+    """
     chord = 2.0 * c - h
     gap = h * chord  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
@@ -265,7 +293,10 @@ def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
 
 
 def _complete(total: Floats, x: Floats, c: Floats) -> None:
-    """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once."""
+    """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once.
+
+    `total` has the integrals as first axis and is changed. `x` and `c` are sine and cosine of the directions.
+    """
     radial_y, radial_x, polar, head, area, inertia, moment_x, _ = total
     radial_x *= x
     polar += x * radial_x

@@ -131,17 +131,17 @@ class Soil:
 
     @property
     def peak(self) -> Any:
-        """Friction coefficient at the start."""
+        """Friction coefficient tan(phi) at the start."""
         return friction_at_rest(self.friction)
 
     @property
     def peak_cohesion(self) -> Any:
-        """Cohesion at the start."""
+        """Cohesion at the start, Pa."""
         return cohesion_at_rest(self.cohesion)
 
     @property
     def residual_cohesion(self) -> Any:
-        """Cohesion after much slip, for a table or a function its initial value."""
+        """Cohesion after much slip, Pa, for a table or a function its initial value."""
         law = cohesion_law(self.cohesion)
         if law is None:
             return self.peak_cohesion
@@ -149,7 +149,7 @@ class Soil:
 
     @property
     def residual(self) -> Any:
-        """Friction coefficient after much slip."""
+        """Friction coefficient tan(phi) after much slip."""
         if not isinstance(self.friction, Mapping):
             return self.friction
         if "residual" in self.friction:
@@ -216,23 +216,26 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
 
 
 def _is_layer(pair: Any) -> bool:
-    """Return whether a value is a soil with a top."""
+    """Return whether a value is a pair of a soil and its top."""
     is_pair = isinstance(pair, tuple | list) and len(pair) == 2
     return is_pair and isinstance(pair[0], Soil)
 
 
 def _tops(soil: Soil, layers: Layers) -> list[Any]:
-    """Return the tops of the layers of one soil."""
+    """Return the tops of the layers of one soil: None, heights in m, or points of a line."""
     return [top for other, top in layers if other.name == soil.name]
 
 
 def top_of(foreland: Soil, layers: Layers) -> Any:
-    """Return the top of the layer of the soil of the foreland, None for the ground or without a layer."""
+    """Return the top of the first layer of the soil of the foreland, None for the ground or without a layer."""
     return next(iter(_tops(foreland, layers)), None)
 
 
 def datum_mistakes(foreland: Soil | None, layers: Layers) -> Texts:
-    """Return a message if the cohesion of the foreland grows with depth and its soil has not one top."""
+    """Return a message if the cohesion of the foreland grows with depth below an ambiguous or missing top.
+
+    The top of the foreland's soil is known if all layers of this soil have the same top.
+    """
     if foreland is None or foreland.datum is not None or not np.any(foreland.cohesion_gradient):
         return []
     tops = _tops(foreland, layers)
@@ -243,7 +246,7 @@ def datum_mistakes(foreland: Soil | None, layers: Layers) -> Texts:
 
 
 def _load_mistakes(k: int, load: Any) -> Texts:
-    """Return messages about a surcharge, counted from 0."""
+    """Return messages about a surcharge (x1, x2, q1, q2) in m and Pa. `k` is its index, counted from 0."""
     words = f"surcharge[{k}] = {shown(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
         return [words]
@@ -259,7 +262,7 @@ def _load_mistakes(k: int, load: Any) -> Texts:
 
 
 def _top_mistakes(k: int, top: Any) -> Texts:
-    """Return messages about the top of a layer, counted from 0 at the ground."""
+    """Return messages about the top of a layer. `k` is the index of the layer, counted from 0 at the ground."""
     if k == 0:
         words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
         if top is None:
@@ -274,7 +277,10 @@ def _top_mistakes(k: int, top: Any) -> Texts:
 
 
 def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
-    """Return whether soils share a law of slip and its length, or have constant friction or cohesion."""
+    """Return whether soils share a law of slip and its length, or have constant friction or cohesion.
+
+    `strength` is "friction" or "cohesion".
+    """
     laws = set()
     for soil in soils:
         law = getattr(soil, strength)
@@ -291,7 +297,10 @@ def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
 
 
 def _together_mistakes(soils: list[Soil], strength: str) -> Texts:
-    """Return messages about soils that cannot lie along one arc: equal names, and incompatible friction laws."""
+    """Return messages about soils that cannot lie along one arc: equal names, and incompatible friction laws.
+
+    `strength` is "base" or "mass", or empty for a section that does not move.
+    """
     by_name = {soil.name: soil for soil in soils}
     twice = sorted({soil.name for soil in soils if soil is not by_name[soil.name]})
     found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]

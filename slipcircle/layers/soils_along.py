@@ -94,7 +94,10 @@ def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats
 
 
 def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
-    """Return means between neighbouring directions of a cumulative integral over R."""
+    """Return means between neighbouring directions of a cumulative integral over R, (..., M - 1).
+
+    `ends` are the directions in rad, (M,), and `integral` its values there, (..., M).
+    """
     return np.diff(integral, axis=-1) / np.diff(ends) * _radius(section)
 
 
@@ -108,7 +111,10 @@ def _radius(section: LayeredSection) -> float:
 
 
 def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[int], Floats]:
-    """Return the numbers of the soils along the mass of one section after a rotation, and directions of their ends."""
+    """Return the indices of the soils along the mass of one section after a rotation, and directions of their ends.
+
+    The rotation and the directions are in rad. N soils have N + 1 ends, from the entry to the exit.
+    """
     strength = section.arc_strength
     *joints, last, first = strength.space(np.full((1, 1), rotation)).ravel().tolist()
     (after,) = strength.stretches.after
@@ -128,7 +134,10 @@ def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[in
 
 
 def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:
-    """Return an integral of the weights from the entry to directions, over R or R^2, (M,)."""
+    """Return an integral of the weights from the entry to directions, (M,).
+
+    `integral` is its index in `slipcircle.layers.profile`. Directions are in rad, positive down-slope.
+    """
     (facing,) = section._facing
     profile = section.profile
     up_to = profile.up_to(facing * directions[:, None])[integral, :, :, 0]
@@ -138,7 +147,7 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:
-    """Return the mean pressure of the water level between two directions, Pa."""
+    """Return the mean pressure of the water level between two directions in rad, Pa; 0 without a level."""
     if section.level is None:
         return 0.0
     (facing,) = section._facing

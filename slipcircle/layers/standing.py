@@ -57,7 +57,10 @@ def displaced(section: Any, rotation: Floats, directions: Floats) -> ArrayPair:
 
 
 def _surface(section: Any, circle: int) -> Floats:
-    """Return the ground relative to the centre of a circle, over R, with x down-slope."""
+    """Return the ground relative to the centre of a circle, over R, with x down-slope, (V, 2).
+
+    `circle` is the index.
+    """
     ground, centre, radius = section._circle
     way = int(section._facing[circle])
     over_radius = (ground[circle % len(ground)] - centre[circle]) / radius[circle]
@@ -72,14 +75,17 @@ class _Level(NamedTuple):
     sine: Floats
 
     def at(self, x: Floats) -> Floats:
-        """Return its height in the mass at x (..., M)."""
+        """Return the height of the level in the turned mass at x (..., M), over R."""
         fall = x * self.sine
         y = (self.height - fall) / self.cosine
         return y
 
 
 def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
-    """Return directions of kinks of integrands: ends, vertices, and crossings of the level with ground or arc."""
+    """Return directions of kinks of integrands: ends, vertices, and crossings of the level with ground or arc.
+
+    The surface is (V, 2) over R, the rotations are (M,) in rad, and the result is (kinks, M) in rad.
+    """
     x, y = surface.T[..., None]
     depth = y - level.at(x)
     fall = depth[:-1] - depth[1:]
@@ -102,7 +108,7 @@ def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
 
 
 def _reach(height: Any) -> Any:
-    """Return the direction at which the arc passes a height over R relative to the centre."""
+    """Return the direction, rad in [0, pi], at which the arc passes a height over R relative to the centre."""
     cosine = np.clip(-height, -1.0, 1.0)
     return np.arccos(cosine)
 
@@ -130,7 +136,7 @@ class _Integrals:
         self.level = level
 
     def normal(self, directions: Floats) -> Floats:
-        """Return the integral of the normal stress up to directions (J, M)."""
+        """Return the integral of the normal stress from the entry up to directions (J, M) in rad, of the same shape."""
         radial_y = self.rows[RADIAL_Y] * self.level.cosine
         radial_x = self.rows[RADIAL_X] * self.level.sine
         radial = radial_y + self.x * radial_x
@@ -144,7 +150,7 @@ class _Integrals:
 
     @property
     def moment(self) -> Floats:
-        """Moment about the centre, (M,)."""
+        """Moment of the displaced water about the centre, over R^3 and positive down-slope, (M,)."""
         level = self.level
         moment_y = self.rows[MOMENT_Y] * level.sine
         moment_x = self.rows[AREA] * level.cosine
@@ -170,7 +176,10 @@ def vertex_kinks(section: Any) -> Floats:
 
 
 def comes_to_cover(section: Any, reached: Any, end: Any) -> Any:
-    """Return whether standing water comes to cover all of the mass, or leaves it, up to rotations, in their shape."""
+    """Return whether standing water comes to cover all of the mass, or leaves it, up to rotations, in their shape.
+
+    `reached` and `end` are the farthest and the final rotation, rad.
+    """
     visited = np.stack([reached, end, np.zeros_like(end)])
     between = np.linspace(visited.min(axis=0), visited.max(axis=0), _PLACES)
     turns = np.concatenate([visited[2:], between])
@@ -216,7 +225,10 @@ def _highest(section: Any, rotation: Floats) -> Floats:
 
 
 def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
-    """Return the integral over arcs in space of the depth below a level, over R, with directions down-slope."""
+    """Return the integral over arcs in space of the depth below a level, over R, with directions down-slope.
+
+    The level is a height over R relative to the centre. `first` and `last` are directions in rad.
+    """
     reach = _reach(level)
     start = np.clip(first, -reach, reach)
     end = np.clip(last, -reach, reach)

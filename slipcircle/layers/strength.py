@@ -34,12 +34,12 @@ class OfRotation(NamedTuple):
     coefficients: Mapping[str, Floats]
 
     def __call__(self, rotation: Floats) -> Floats:
-        """Return the values after rotations (M, circles), (M, lanes)."""
+        """Return the values after rotations in rad, (M, circles), as an array (M, lanes)."""
         parts = self.strength.parts(rotation, self.coefficients)
         return self.combined(parts)
 
     def combined(self, parts: Mapping[str, Floats]) -> Floats:
-        """Return the values from known parts."""
+        """Return the values, (..., lanes), from known parts (parts, ..., circles) by name."""
         total = np.zeros(())
         for name, values in self.coefficients.items():
             total = total + over_circles(parts[name], values)
@@ -47,14 +47,17 @@ class OfRotation(NamedTuple):
 
 
 def over_circles(parts: Floats, coefficients: Floats) -> Floats:
-    """Return sums over the first axis of parts (parts, ..., circles) times coefficients (parts, lanes)."""
+    """Return sums over the first axis of parts (parts, ..., circles) times coefficients (parts, lanes).
+
+    The result is (..., lanes). There is one circle for all lanes (members of an ensemble) or one per lane.
+    """
     if parts.shape[-1] == 1:
         return np.tensordot(parts[..., 0], coefficients, (0, 0))
     return np.einsum("p...l,pl->...l", parts, coefficients)
 
 
 class Needs(NamedTuple):
-    """Effects of a scene that determine its strength terms."""
+    """Effects of a scene that determine its strength terms: whether the mass rotates, and whether it is shaken."""
 
     rotates: bool
     shaken: bool = False
@@ -71,7 +74,7 @@ class ArcStrength(StretchIntegrals):
     _terms: dict[Needs, ValueDict] = field(default_factory=dict)
 
     def _by_surface(self, quantity: Floats) -> Floats:
-        """Return coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
+        """Return coefficients of integrals up to J joints of a quantity (soils, lanes), ((J + 1) surfaces, lanes)."""
         _, weights = self._surfaces
         differences = self._by_direction(quantity)[:-1]
         product = differences[:, None] * weights
@@ -79,13 +82,13 @@ class ArcStrength(StretchIntegrals):
         return product.reshape(joints * surfaces, lanes)
 
     def _by_direction(self, quantity: Floats) -> Floats:
-        """Return coefficients of integrals up to directions in space: joints, exit and entry, (J + 2, lanes)."""
+        """Return coefficients of integrals of a quantity (soils, lanes) to joints, exit and entry, (J + 2, lanes)."""
         by_soil = self.incidence.transpose(1, 0, 2)
         return over_circles(by_soil, quantity)
 
     @cached_property
     def _still(self) -> ArrayDict:
-        """Parts at the start by name, (parts, circles)."""
+        """Parts of `StretchIntegrals` at the start by name, (parts, circles)."""
         circles = len(self.section._facing)
         names = ["normal", "space"]
         if any(self.section.depths):
@@ -112,18 +115,19 @@ class ArcStrength(StretchIntegrals):
         return by_soil
 
     def _at_start(self, name: str, quantity: Floats) -> Floats:
-        """Return a quantity of the soils times the load on their stretches, (lanes,)."""
+        """Return the sum over the soils of a quantity (soils, lanes) times a load named in `_by_soil`, (lanes,)."""
         by_soil = self._by_soil[name] * quantity
         total = by_soil.sum(axis=0)
         return total
 
     def _mean(self, quantity: Floats) -> Floats:
-        """Return the mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
+        """Return the mean of a friction coefficient (soils, lanes) by the normal forces at the start, (lanes,)."""
         load = -self.section._weighted_moments["radial_y"]
         return self._at_start("normal", quantity) / load
 
     @cached_property
     def _peak(self) -> Floats:
+        """Friction coefficient of each soil at the start, (soils, lanes)."""
         return self.section.of_soils("peak")
 
     @cached_property
@@ -134,6 +138,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _residual(self) -> Floats:
+        """Friction coefficient of each soil after much slip, (soils, lanes)."""
         return self.section.of_soils("residual")
 
     @cached_property
@@ -222,6 +227,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _own_laws(self) -> bool:
+        """Whether the soils have separate friction laws."""
         return not share_one_law(self.section.soils)
 
     @property
@@ -234,7 +240,7 @@ class ArcStrength(StretchIntegrals):
         return np.array([[float(other.name == soil.name)] for other in self.section.soils])
 
     def of_soil(self, soil: Soil) -> ValueDict:
-        """Return the terms of a soil in the balance at the start, over Theta*, and the angle of its stretches."""
+        """Return the terms of a soil in the balance at the start, over Theta*, and its angle along the arc, rad."""
         along = self._is_soil(soil)
         at_start = Needs(rotates=False)
         added = self._gripping(("", "normal", "inertia"), along, at_start)
@@ -272,6 +278,7 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _theta(self) -> Floats:
+        """Moment of inertia Theta* of the mass, (lanes,)."""
         inertia = self.section._weighted_moments["inertia"]
         return inertia
 
@@ -281,7 +288,12 @@ class ArcStrength(StretchIntegrals):
         return self.section._weights_per_area * self._theta
 
     def _gripping(self, names: Names, quantity: Floats, needs: Needs) -> ValueDict:
-        """Return the normal forces of weight and of inertia on which a share of friction acts."""
+        """Return the normal forces of weight and of inertia, summed over the soils with a factor for each.
+
+        The factor `quantity`, (soils, lanes), is a share of the friction, and the forces are over Theta*. `names` are
+        prefixes of the terms with strength of the base and of the mass, and the name of the inertia term. Terms are
+        functions of the rotation if the mass rotates over its base, according to `needs`, and numbers otherwise.
+        """
         base, mass, inertia = names
 
         def at_start(part: str) -> Any:
@@ -320,7 +332,7 @@ class ArcStrength(StretchIntegrals):
         }
 
     def _cohesion(self, needs: Needs, cohesion: Floats, growth: Floats) -> Any:
-        """Return the moment of a cohesion and its growth with depth, of each soil, over Theta*."""
+        """Return the moment of cohesion in Pa and of its growth in Pa/m, (soils, lanes), over Theta*."""
         section = self.section
         coefficients = {}
         if np.any(cohesion):
@@ -332,7 +344,7 @@ class ArcStrength(StretchIntegrals):
         return self._function(coefficients, needs.rotates and self._base_stays)
 
     def _lift(self, share: Floats, needs: Needs) -> Any:
-        """Return the reduction by water of the normal force on a share of friction, over Theta*."""
+        """Return the reduction by water of the normal force on a share (soils, lanes) of friction, over Theta*."""
         section = self.section
         ratio = section.of_soils("pore_ratio")
         coefficients = {}
@@ -352,7 +364,7 @@ class ArcStrength(StretchIntegrals):
         return self._function(coefficients, needs.rotates and stays_in_space)
 
     def _standing_moment(self, needs: Needs) -> Any:
-        """Return the moment of displaced water over Theta*."""
+        """Return the moment of displaced water over Theta*, a function of the rotation if the mass rotates."""
         section = self.section
         inertia = section._moments["inertia"]
         share = section.water_unit_weight * inertia / self._weight_scale
@@ -360,7 +372,7 @@ class ArcStrength(StretchIntegrals):
         return self._function({"displaced": coefficients[None]}, needs.rotates)
 
     def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
-        """Return a function of the rotation, or its initial value; 0 without coefficients."""
+        """Return a function of the rotation if it changes, or its initial value; 0 without coefficients."""
         if not coefficients:
             return 0.0
         function = OfRotation(self, coefficients)
@@ -371,7 +383,7 @@ class ArcStrength(StretchIntegrals):
 
 
 def _counts(term: Any) -> bool:
-    """Return whether a term is nonzero."""
+    """Return whether a term of the balance, a number or a function of the rotation, is nonzero for any lane."""
     if isinstance(term, OfRotation):
         return any(map(np.any, term.coefficients.values()))
     return bool(np.any(term))

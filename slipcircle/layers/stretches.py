@@ -28,7 +28,11 @@ _DIRECT = ("space", "heads", "growth", "standing", "displaced")  # parts other t
 
 
 class Stretches(NamedTuple):
-    """Changes of the soil at the base along the arc: (circles, J) directions, and the soils before and after."""
+    """Changes of the soil at the base along the arc: (circles, J) directions, and the soils before and after.
+
+    Directions are in rad from straight below the centre, positive down-slope. Soils are indices of
+    `LayeredSection.soils`, `first` and `last` of shape (circles,).
+    """
 
     joint: Floats
     before: Integers
@@ -48,7 +52,10 @@ class StretchIntegrals:
 
     @cached_property
     def stretches(self) -> Stretches:
-        """Changes of the soil at the base, including both ends of the arc. Beyond the exit lies the foreland."""
+        """Places along the arc where the soil at the base changes, including both ends of the arc.
+
+        The soil beyond the exit is the foreland, if there is one.
+        """
         section = self.section
         strips = section._strips
         faces_right = section._facing[:, None] > 0.0
@@ -74,7 +81,7 @@ class StretchIntegrals:
 
     @cached_property
     def span(self) -> ArrayPair:
-        """Directions of the entry and of the exit, (circles,)."""
+        """Directions of the entry and of the exit in rad, positive down-slope, (circles,)."""
         span = self.section._span
         return span
 
@@ -91,7 +98,8 @@ class StretchIntegrals:
     def _joints_met(self, rotation: Floats) -> Floats:
         """Return directions in the mass at which it meets the joints after rotations (M, circles), (J, M, circles).
 
-        Directions refer to the mass at the start. Joints of the base stay behind as the mass moves.
+        Directions and rotations are in rad. Directions refer to the mass at the start. Joints of the base stay behind
+        as the mass moves.
         """
         first, last = self.span
         moved = np.zeros_like(rotation)
@@ -141,7 +149,10 @@ class StretchIntegrals:
         return np.moveaxis(every, 1, 2)
 
     def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
-        """Return parts by name. All weights are computed together."""
+        """Return parts by name, each (parts, M, circles), after rotations (M, circles) in rad.
+
+        All weights are computed together.
+        """
         every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
             # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
@@ -166,7 +177,10 @@ class StretchIntegrals:
         return np.stack([*in_space, end, start])
 
     def heads(self, rotation: Floats) -> Floats:
-        """Return integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
+        """Return integrals of the head of the water level from the entry to these directions, (J + 2, M, circles).
+
+        The directions in space are joints, exit and entry after rotations (M, circles) in rad.
+        """
         there = self.section._facing * self.space(rotation)
         *_, entry = there
         left = np.minimum(entry, there)
@@ -174,7 +188,11 @@ class StretchIntegrals:
         return self.section.heads_between(left, right)
 
     def standing(self, rotation: Floats) -> Floats:
-        """Return the reduction of the normal force by standing water from the entry, (J + 2, M, circles)."""
+        """Return the reduction of the normal force by standing water from the entry, (J + 2, M, circles).
+
+        The rotations are (M, circles) in rad, and the integrals end at joints, exit and entry. The result is multiplied
+        by `LIKE_WEIGHTS`.
+        """
         first, last = self.span
         joints = self._joints_met(rotation)
         to_exit = np.broadcast_to(last, rotation.shape)
@@ -188,7 +206,10 @@ class StretchIntegrals:
         return LIKE_WEIGHTS * taken
 
     def displaced(self, rotation: Floats) -> Floats:
-        """Return the moment of displaced water over the moment of inertia of a unit density, (1, M, circles)."""
+        """Return the moment of displaced water over the moment of inertia of a unit density, (1, M, circles).
+
+        The rotations are (M, circles) in rad. The result is multiplied by `LIKE_WEIGHTS`.
+        """
         nowhere = np.empty((0, *rotation.shape))
         _, moment = displaced(self.section, rotation, nowhere)
         inertia = self.section._moments["inertia"]
@@ -209,7 +230,10 @@ class StretchIntegrals:
         return by_soil
 
     def growth(self, rotation: Floats) -> Floats:
-        """Return parts of the resistance that grow with depth, one per soil, (soils, M, circles), over R."""
+        """Return parts of the resistance that grow with depth, one per soil, (soils, M, circles), over R.
+
+        The rotations are (M, circles) in rad.
+        """
         there = self.space(rotation)
         if not self._base_stays:
             there = there - rotation
@@ -221,7 +245,7 @@ class StretchIntegrals:
 
     @cached_property
     def rotation_kinks(self) -> Floats:
-        """Rotations at which one of these functions is not smooth, (kinks, circles), sorted."""
+        """Rotations in rad at which one of these functions is not smooth, (kinks, circles), sorted."""
         section = self.section
         ends = np.stack(self.span, axis=1)
         joints = self.stretches.joint
@@ -264,7 +288,10 @@ class StretchIntegrals:
 
 
 def _differences(there: Floats, mass: Floats) -> Floats:
-    """Return rotations that bring directions of the mass to directions in space, (circles, N M)."""
+    """Return rotations that bring directions of the mass to directions in space, (circles, N M).
+
+    Directions in space are (circles, N) and directions of the mass (circles, M), in rad.
+    """
     of_place = there[:, :, None]
     of_mass = mass[:, None, :]
     rotations = of_place - of_mass

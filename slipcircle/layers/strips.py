@@ -117,7 +117,11 @@ def cut_into_strips(
 
 
 def _lowest(at_middle: Floats, chosen: Sequence[int]) -> Integers:
-    """Return the number of the lowest line of a surface in each strip."""
+    """Return the index of the lowest line of a surface in each strip.
+
+    `at_middle` are heights of all lines at the middles of strips, (lines, circles, strips). `chosen` are the indices of
+    the lines of the surface.
+    """
     rows = np.asarray(chosen)
     heights = at_middle[rows]
     lowest = np.argmin(heights, axis=0)
@@ -125,16 +129,20 @@ def _lowest(at_middle: Floats, chosen: Sequence[int]) -> Integers:
 
 
 def _base(tops: Floats, arc: Floats) -> Integers:
-    """Return the layer at the arc from tops, each cut off by the tops above it."""
+    """Return the index of the layer at the arc from tops, each cut off by the tops above it.
+
+    Tops (layers, circles, strips) and the arc (circles, strips) are heights over R.
+    """
     boundaries = np.minimum.accumulate(tops, axis=0)
     above = np.count_nonzero(boundaries > arc, axis=0)
     return np.maximum(above - 1, 0)
 
 
 def _with_ends(base: Integers, has_width: Flags, tops: Sequence[Floats], ends: Sequence[Vectors]) -> Integers:
-    """Return the layers at the arc in strips and beyond both ends.
+    """Return the layers at the arc in strips and beyond both ends, (circles, strips + 2).
 
-    Strips without width have the layer beyond the right end.
+    Strips without width, where `has_width` is false, have the layer beyond the right end. `base` are the layers in the
+    strips, (circles, strips), and `ends` the left and the right end of the arcs.
     """
     first, last = ends
     beyond_left = _layer_at_end(tops, first, _ON_ARC)
@@ -146,8 +154,8 @@ def _with_ends(base: Integers, has_width: Flags, tops: Sequence[Floats], ends: S
 def _layer_at_end(tops: Sequence[Floats], end: Vectors, inward: float) -> Integers:
     """Return the layer at an end of the arcs, whose soil continues beyond it, (circles, 1).
 
-    If boundaries coincide there, the lowest soil is used. The strip beside the end cannot decide this, since its layer
-    would be rounding where it has no width.
+    `inward` is a small step along x towards the middle of the arc. If boundaries coincide there, the lowest soil is
+    used. The strip beside the end cannot decide this, since its layer would be rounding where it has no width.
     """
     x = end.x[:, None]
     inside = x + inward  # at a scarp the ground of the mass applies
@@ -157,7 +165,11 @@ def _layer_at_end(tops: Sequence[Floats], end: Vectors, inward: float) -> Intege
 
 
 def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats | None) -> Floats:
-    """Return the sorted edges of the strips, (circles, strips + 1)."""
+    """Return the sorted edges of the strips, (circles, strips + 1).
+
+    `first` and `last` are x of the left and of the right end of the arcs, (circles,), and `extra` are x of further
+    edges.
+    """
     left = first[:, None]
     right = last[:, None]
     cuts = [left, right]
@@ -223,7 +235,8 @@ def arc_crossings(line: Floats) -> Floats:
 def line_crossings(one: Floats, other: Floats) -> Floats:
     """Return x where the edges of two lines (n or 1, V, 2) cross, (n, E1 E2), or x of a vertex without crossing.
 
-    The vertex is the second of the first line: the first one may be far outside, where a line is continued.
+    E1 and E2 are the numbers of edges. The vertex is the second of the first line: the first one may be far outside,
+    where a line is continued.
     """
     points = Vectors.of(one)
     others = Vectors.of(other)
@@ -247,14 +260,17 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
 
 
 def _within_edge(share: Floats) -> Flags:
-    """Return whether a point lies between the ends of an edge, from its relative position."""
+    """Return whether a point lies between the ends of an edge, from its position, 0 at the start and 1 at the end."""
     after_start = share > 0.0
     before_end = share < 1.0
     return after_start & before_end
 
 
 def edge_below(line: Floats, x: Floats, middle: Floats) -> ArrayPair:
-    """Return y of lines (n or 1, V, 2) at x (n, M), and their slopes, for the edges at the points ``middle``."""
+    """Return y of lines (n or 1, V, 2) at x (n, M), and their slopes, for the edges at the points `middle`.
+
+    `middle` are x of points, (n, M), each of which selects one of the V - 1 edges.
+    """
     of_points = each_lane(line, len(x))
     vertices = Vectors.of(of_points)
     place = middle[..., None]

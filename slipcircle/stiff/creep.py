@@ -51,7 +51,10 @@ IN_NUMPY = 200.0
 
 
 class Now(NamedTuple):
-    """Some lanes of a problem, with their current cells or the cells of all lanes."""
+    """Some lanes of a problem by their indices, with their current cells or the cells of all lanes.
+
+    The cells are variables of the program, one column per lane.
+    """
 
     problem: Problem
     lanes: Integers
@@ -152,7 +155,8 @@ def slow_rotation(problem: Problem) -> Floats:
 def _first_steps(explicit_steps: Floats) -> Floats:
     """Return the initial step count of lanes, the maximum where implicit steps are faster than explicit steps.
 
-    Implicit steps then begin after the first explicit step.
+    `explicit_steps` is the estimated number of explicit steps of each lane. Implicit steps then begin after the first
+    explicit step.
     """
     most = IN_NUMPY
     if compiled.engine() is compiled:
@@ -161,7 +165,10 @@ def _first_steps(explicit_steps: Floats) -> Floats:
 
 
 def _settle(cells: Floats, lanes: Integers, rotation: Floats, arrival: Floats) -> None:
-    """Set the final cells of creeping lanes to their equilibrium at an infinite time."""
+    """Set the final cells of creeping lanes to their equilibrium at an infinite time.
+
+    `lanes` are indices, `rotation` is the equilibrium in rad, and `arrival` the dimensionless time of arrival.
+    """
     cells[ix.TIME, lanes] = np.inf
     cells[ix.REST_SINCE, lanes] = arrival
     cells[ix.END_ROTATION, lanes] = rotation
@@ -175,14 +182,17 @@ def _settle(cells: Floats, lanes: Integers, rotation: Floats, arrival: Floats) -
 
 
 def _until(begin: Floats, which: Integers, end_time: Floats) -> Floats:
-    """Return the cells with other end times for some lanes."""
+    """Return a copy of the cells with other end times, dimensionless, for the lanes with the indices `which`."""
     cells = begin.copy()
     cells[ix.END_TIME, which] = end_time
     return cells
 
 
 def _candidates(problem: Problem, cells: Floats) -> tuple[Integers, Floats, Floats]:
-    """Return the lanes without end time that are overdamped at the equilibrium ahead, their first end time, and d."""
+    """Return the lanes without end time that are overdamped at the equilibrium ahead, their first end time, and d.
+
+    The lanes are indices, and the end times are dimensionless.
+    """
     begins = cells[ix.STATUS] == ix.START
     endless = cells[ix.END_TIME] == np.inf
     (which,) = np.nonzero(begins & endless)
@@ -199,12 +209,15 @@ def _candidates(problem: Problem, cells: Floats) -> tuple[Integers, Floats, Floa
 
 
 def _direction(towards: Floats) -> Floats:
-    """Return 1 for positive and -1 for negative values."""
+    """Return 1 where `towards` is at least 0 and -1 where it is negative."""
     return np.where(towards < 0.0, -1.0, 1.0)
 
 
 def _caught(problem: Problem, which: Integers, final: Floats) -> tuple[Any, Floats]:
-    """Return whether lanes have almost arrived and can no longer pass their equilibrium, and its rotation."""
+    """Return whether lanes have almost arrived and can no longer pass their equilibrium, and its rotation in rad.
+
+    `final` are the final cells of the lanes with the indices `which`.
+    """
     cells = final.copy()
     rotation = final[ix.END_ROTATION]
     omega = final[ix.END_OMEGA]
@@ -223,7 +236,7 @@ def _caught(problem: Problem, which: Integers, final: Floats) -> tuple[Any, Floa
 
 
 def _ahead(now: Now) -> Ahead:
-    """Return the first equilibrium in the direction of travel."""
+    """Return the first equilibrium in the direction of travel of each lane, as rotation from its present position."""
     count = now.lanes.size
     low = np.zeros(count)
     high = np.full(count, np.pi)
@@ -250,7 +263,10 @@ def _ahead(now: Now) -> Ahead:
 
 
 def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:
-    """Return the net moment over Theta* at distances ahead, (distances, lanes), at rest or at a given speed."""
+    """Return the net moment over Theta* at distances ahead, (distances, lanes), at rest or at a given speed.
+
+    Distances are rotations in rad in the direction of travel, and the speed omega is dimensionless.
+    """
     net = np.empty_like(distance)
     together = max(1, COLUMNS // max(1, now.lanes.size))
     for first in range(0, len(distance), together):
@@ -260,6 +276,7 @@ def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:
 
 
 def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
+    """Return `_net` for all distances in one call."""
     problem = now.problem
     repeats = len(distance)
     lanes = np.tile(now.lanes, repeats)
@@ -278,7 +295,10 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
 
 
 def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
-    """Return the time from which lanes are within `LEFT` of their run-out from their equilibrium, before ``end``."""
+    """Return the time from which lanes are within `LEFT` of their run-out from their equilibrium, before `end`.
+
+    Times are dimensionless, and the equilibrium is a rotation in rad for each lane.
+    """
     lanes = now.lanes
     low = np.zeros(lanes.size)
     high = end
@@ -304,7 +324,10 @@ def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integr
 
 
 def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> ArrayPair:
-    """Return rotation and omega of lanes at individual times, (times, lanes)."""
+    """Return rotation and omega of lanes at dimensionless times, (times, lanes), which may differ between lanes.
+
+    `integrate_lanes` integrates all lanes of the problem.
+    """
     all_times = np.zeros((len(times), now.cells.shape[1]))
     all_times[:, now.lanes] = times
     outputs = 2 + len(now.problem.program.states)

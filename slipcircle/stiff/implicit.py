@@ -49,7 +49,10 @@ DIVERGES = 0.25
 
 
 def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: Integers) -> None:
-    """Integrate some lanes one after the other from their present states, as `generated.integrator.integrate` does."""
+    """Integrate some lanes one after the other from their present states, as `generated.integrator.integrate` does.
+
+    `which` are the indices of the lanes. Their columns of `cells` are replaced by the final values.
+    """
     for number in which:
         lane_number = np.array([number])
         begun = cells[:, lane_number]
@@ -79,7 +82,10 @@ class Event(NamedTuple):
     bound: float = 0.0
 
     def margin(self, registers: Floats) -> Floats:
-        """Return the distance of a lane from the event, positive before it."""
+        """Return the distance of a lane from the event, positive before it.
+
+        The registers are (registers, times), and the result is (times,).
+        """
         return self.sign * (registers[self.register] - self.bound)
 
 
@@ -90,7 +96,7 @@ class _Implicit(integrator.Lanes):
 
     @property
     def status(self) -> float:
-        """Status of the lane."""
+        """Status of the lane, a number of `generated.layout` such as `MOVING`."""
         return float(self.cells[ix.STATUS, 0])
 
     def advance(self) -> None:
@@ -169,7 +175,10 @@ class _Implicit(integrator.Lanes):
         return events
 
     def _follow(self, now: Present) -> tuple[Present, int]:
-        """Make steps up to the next event or the greatest number of steps, and return the state there and the event."""
+        """Make steps up to the next event or the greatest number of steps, and return the state there and the event.
+
+        The event is a number such as `generated.layout.EVENT_STANDSTILL`.
+        """
         h = FIRST * self.explicit
         while now.time < self.limit and not self._is_endless(now):
             left = self.limit - now.time
@@ -211,11 +220,15 @@ class _Implicit(integrator.Lanes):
     # --- one step ----------------------------------------------------------------------------------------------------
 
     def _tables(self, count: int) -> list[Data]:
+        """Return the tables of this lane repeated for `count` evaluations."""
         columns = np.repeat(self.columns, count)
         return [table.data.lanes(columns) for table in self.tables]
 
     def _cells_at(self, times: Floats, states: Floats) -> Floats:
-        """Return cells of this lane in the given states at the given times, (cells, times)."""
+        """Return cells of this lane in the given states at the given times, (cells, times).
+
+        The states are (states, times), and times are dimensionless.
+        """
         cells = np.repeat(self.stored, times.size, axis=1)
         cells[ix.TIME] = times
         cells[self.state_cells] = states
@@ -230,18 +243,22 @@ class _Implicit(integrator.Lanes):
         return cells
 
     def _registers_at(self, times: Floats, states: Floats) -> Floats:
-        """Return registers in the given states, (registers, times)."""
+        """Return registers in the given states (states, times) at dimensionless times, (registers, times)."""
         return engine().registers(self.program, self._tables(times.size), self._cells_at(times, states))
 
     def _at(self, time: float, states: Floats) -> Present:
+        """Return the present state with its registers, from a dimensionless time and the states, (states, 1)."""
         return Present(time, states, self._registers_at(np.array([time]), states))
 
     def _within(self, step: Step, start: Present, time: float) -> Present:
-        """Return states and registers at a time within a step."""
+        """Return states and registers at a time within a step, which begins at `start`. Times are dimensionless."""
         return self._at(time, step.states(np.array([time - start.time])))
 
     def _jacobian(self, times: Floats, points: Floats, rates: Floats, size: Floats) -> Floats:
-        """Return df_j/dy_i at points of shape (points, states), as (i, points, j), from differences."""
+        """Return df_j/dy_i at points of shape (points, states), as (i, points, j), from differences.
+
+        `rates` are f at the points and `size` the sizes of the states, both (points, states). Times are (points,).
+        """
         count, states = points.shape
         step = DIFFERENCE * size
         moved = np.tile(points, (states, 1, 1))
@@ -255,7 +272,8 @@ class _Implicit(integrator.Lanes):
     def _greatest_speed(self, start: Floats) -> Floats:
         """Return a vector with the greatest speed so far for omega and 0 for the other states.
 
-        Near an equilibrium drive and resistance cancel, and the speed has the absolute rounding error of its maximum.
+        `start` are the states at the beginning of the step, (1, states). Near an equilibrium drive and resistance
+        cancel, and the speed has the absolute rounding error of its maximum.
         """
         greatest = np.zeros(start.size)
         peak = abs(self.cells[ix.PEAK_OMEGA, 0])
@@ -264,7 +282,7 @@ class _Implicit(integrator.Lanes):
         return greatest
 
     def _newton(self, now: Present, h: float) -> Step | None:
-        """Return a step, or None if Newton's iteration does not converge."""
+        """Return a step of dimensionless length h, or None if Newton's iteration does not converge."""
         times = now.time + AT * h
         start = now.states.T
         first_change = h * now.registers[self.rates].T
@@ -297,7 +315,10 @@ class _Implicit(integrator.Lanes):
     # --- events ------------------------------------------------------------------------------------------------------
 
     def _first_event(self, step: Step, now: Present, end: float) -> tuple[float, int]:
-        """Return time and kind of the first event of a step."""
+        """Return time and kind of the first event of a step that begins at `now`, up to the time `end`.
+
+        Without an event the time is `end` and the kind `EVENT_NONE`.
+        """
         first = ix.EVENT_NONE
         for event in self.events:
             time = self._first_time(event, step, now)
@@ -307,7 +328,7 @@ class _Implicit(integrator.Lanes):
         return end, first
 
     def _first_time(self, event: Event, step: Step, now: Present) -> float:
-        """Return the time of the first event of a kind within a step, infinity without an event."""
+        """Return the time of the first event of a kind within a step from `now`, infinity without an event."""
 
         def margin(time: float) -> float:
             registers = self._within(step, now, time).registers
@@ -322,7 +343,7 @@ class _Implicit(integrator.Lanes):
         return np.inf
 
     def _keep_peak(self, step: Step, now: Present, end: float) -> None:
-        """Store the greatest speed within the step, where the net moment passes zero."""
+        """Store the greatest speed within the step up to the time `end`, where the net moment passes zero."""
         peak = Event(ix.EVENT_NONE, self.roles.net)
         time = self._first_time(peak, step, now)
         if time <= end:
@@ -332,7 +353,7 @@ class _Implicit(integrator.Lanes):
             integrator.keep_faster(self, _HERE, omega, zero + time, x, zero)
 
     def _write(self, step: Step, begin: float, end: float) -> None:
-        """Evaluate the states at the sample times between two times."""
+        """Evaluate the states at sample times between two dimensionless times of a step, and store the samples."""
         if self.samples is None:
             return
         since, which = integrator.sampled(self, 0, begin, end)

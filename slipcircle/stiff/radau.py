@@ -24,7 +24,10 @@ SAFETY = 0.9  # ratio of a step to the step whose error would equal the toleranc
 
 
 def _radau(count: int) -> ArrayTriple:
-    """Return the points c_i in (0, 1], a_ij, and the matrix from values at 0 and c_i to Legendre coefficients."""
+    """Return the points c_i in (0, 1], a_ij, and the matrix from values at 0 and c_i to Legendre coefficients.
+
+    `count` is the number s of points.
+    """
     difference = np.zeros(count + 1)
     difference[-2:] = -1.0, 1.0  # P_s - P_(s-1), 1 among its roots
     points = legendre.legroots(difference).real  # complex since NumPy 2.5
@@ -52,7 +55,10 @@ class Present(NamedTuple):
 
 
 class Step(NamedTuple):
-    """Implicit step: Legendre coefficients of its states, times and registers at its points, and its relative error."""
+    """Implicit step: Legendre coefficients of its states, times and registers at its points, and its relative error.
+
+    `legendre` is (coefficients, states) in ascending order, and `registers` is (registers, points).
+    """
 
     length: float
     legendre: Floats
@@ -61,7 +67,7 @@ class Step(NamedTuple):
     error: float
 
     def states(self, since: Floats) -> Floats:
-        """Return the states, (states, times), at times since the step began."""
+        """Return the states, (states, times), at dimensionless times since the step began."""
         place = 2 * since / self.length - 1
         return np.asarray(legendre.legval(place, self.legendre))
 
@@ -69,8 +75,9 @@ class Step(NamedTuple):
 def step_through(start: Present, h: float, points: Floats, registers: Floats, rates: Floats, rounding: Floats) -> Step:
     """Return the step through states at the points, (points, states), and its error.
 
-    The error is the relative size of the last coefficients, without rounding. The rounding of the time changes every
-    state in proportion to its rate, and ``rounding`` is the rounding of the states themselves.
+    `h` is the length of the step, and `rates` are the derivatives of the states at the points. The error is the
+    relative size of the last coefficients, without rounding. The rounding of the time changes every state in proportion
+    to its rate, and `rounding` is the rounding of the states themselves.
     """
     values = np.vstack([start.states.T, points])
     coefficients = TO_LEGENDRE @ values
@@ -86,13 +93,19 @@ def step_through(start: Present, h: float, points: Floats, registers: Floats, ra
 
 
 def step_factor(error: float) -> float:
-    """Return the ratio of the next step to this step for which the error equals the tolerance."""
+    """Return the ratio of the next step to this step for which the error equals the tolerance.
+
+    The error is `Step.error`.
+    """
     ratio = TOLERANCE / max(error, LEAST_SIZE)
     return float(SAFETY * ratio ** (1 / POINTS))
 
 
 def newton_correction(jacobian: Floats, h: float, residual: Floats, size: Floats) -> Floats | None:
-    """Return (I - h a x df/dy)^-1 residual in units of ``size``, or None if the matrix is singular."""
+    """Return (I - h a x df/dy)^-1 residual in units of `size`, or None if the matrix is singular.
+
+    The Jacobian df_j/dy_i is given as (i, points, j), and `residual` and `size` as (points, states).
+    """
     unknowns = residual.size
     coupling = np.einsum("ij,kjl->iljk", WEIGHTS, jacobian)
     coupling = coupling.reshape(unknowns, unknowns)
@@ -110,7 +123,7 @@ def newton_correction(jacobian: Floats, h: float, residual: Floats, size: Floats
 def falling_zero(function: Callable[[float], float], low: Pair, high: Pair) -> float:
     """Return the time at which a function falls through zero, by false position and every third time bisection.
 
-    Both ends are pairs of a time and a value.
+    Both ends are pairs of a time and a value, positive at the end `low` and at most 0 at the later end `high`.
     """
     begin, at_begin = low
     end, at_end = high

@@ -21,12 +21,15 @@ NARROWEST = 2.0**-40  # least width of a piece relative to the slip up to which 
 
 
 def first_table(function: Function, radius: Any) -> Data:
-    """Return a function sampled up to the initial slip."""
+    """Return a function of slip in m, sampled up to `FIRST_SLIP` times the greatest radius."""
     return sampled(function, FIRST_SLIP * float(np.max(radius)))
 
 
 def extend(problem: Problem, cells: Floats) -> None:
-    """Extend the tables of a problem's functions to the slip of lanes."""
+    """Extend the tables of a problem's functions to the slip of lanes.
+
+    `cells` are the variables of the lanes, one column per lane.
+    """
     for name, function in problem.functions.items():
         slip = cells[ix.SLIP] * cells[problem.program.places[f"{name}.SCALE"]]
         farthest = float(np.max(slip))
@@ -40,7 +43,10 @@ def extend(problem: Problem, cells: Floats) -> None:
 
 
 def extend_to_end(problem: Problem, cells: Floats, integrate: Callable[..., object]) -> None:
-    """Extend the tables until the first waiting lane reaches its end."""
+    """Extend the tables until the first waiting lane reaches its end.
+
+    `cells` are the variables of all lanes, and `integrate` is called for this lane alone.
+    """
     which = np.flatnonzero(cells[ix.STATUS] == ix.NEED)[:1]
     one = cells[:, which]
     while one[ix.STATUS, 0] == ix.NEED:
@@ -88,7 +94,11 @@ def sampled(function: Function, end: float, known: Data | None = None) -> Data:
 
 
 def _piece(function: Function, left: float, width: float) -> Floats | None:
-    """Return coefficients in powers of the distance to the left end, or None if they are not accurate enough."""
+    """Return coefficients in powers of the distance to the left end, or None if they are not accurate enough.
+
+    The piece extends from `left` over `width`, both slips in m. The constant term is the first of the `TERMS`
+    coefficients.
+    """
     half = width / 2
     values = _values(function, left + half * _PLACES)
     chebyshev = TO_CHEBYSHEV @ values[:TERMS]
@@ -100,7 +110,7 @@ def _piece(function: Function, left: float, width: float) -> Floats | None:
 
 
 def _values(function: Function, slip: Floats) -> Floats:
-    """Return the values of a user's function after checking them."""
+    """Return the values of a user's function at slips in m, as floats of the same shape, after checking them."""
     try:
         values = np.asarray(function(slip))
         if values.dtype.kind == "c":

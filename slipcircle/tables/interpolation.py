@@ -90,13 +90,16 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
 
 
 def _widest(tolerance: float) -> float:
-    """Return the width at which interpolation meets the tolerance if all derivatives are at most 1."""
+    """Return the width in rad at which interpolation meets the tolerance if all derivatives are at most 1."""
     inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
     return float(2 * (tolerance * inverse_error) ** (1 / TERMS))
 
 
 def _first_pieces(edges: Floats, widest: float) -> ArrayPair:
-    """Return both ends of the initial pieces, (pieces, n), each between two edges and at most ``widest`` wide."""
+    """Return both ends of the initial pieces, (pieces, n), each between two edges and at most `widest` wide.
+
+    The edges are rotations in rad, (edges, n), increasing.
+    """
     widths = np.diff(edges, axis=0)
     greatest_width = widths.max(axis=1, initial=0.0)
     pieces = np.ceil(greatest_width / widest - 1e-9)
@@ -118,7 +121,7 @@ def _first_pieces(edges: Floats, widest: float) -> ArrayPair:
 
 
 def _halves(first: Floats, last: Floats) -> ArrayPair:
-    """Return both ends of the two halves of each piece."""
+    """Return both ends of the two halves of each piece, (2 pieces, n), first all left halves, then all right halves."""
     middle = (first + last) / 2
     firsts = np.concatenate([first, middle])
     lasts = np.concatenate([middle, last])
@@ -126,7 +129,10 @@ def _halves(first: Floats, last: Floats) -> ArrayPair:
 
 
 def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
-    """Return the Chebyshev coefficients, (pieces, TERMS, functions, n), of functions on pieces of shape (pieces, n)."""
+    """Return the Chebyshev coefficients, (pieces, TERMS, functions, n), of functions on pieces of shape (pieces, n).
+
+    `first` and `last` are the ends of the pieces in rad.
+    """
     half = (last - first) / 2
     from_first = 1.0 + NODES[:, None]
     distance = half[:, None] * from_first  # pieces, nodes, n
@@ -139,7 +145,10 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
 
 
 def _next_coefficients(chebyshev: Floats) -> Floats:
-    """Return an estimate of the first neglected coefficient, (pieces, n), extrapolated from the last two pairs."""
+    """Return an estimate of the size of the first neglected coefficient, (pieces, n), for the worst function.
+
+    The coefficients are (pieces, TERMS, functions, n). The ratio of the last two to the preceding two is extrapolated.
+    """
     size = np.abs(chebyshev)
     last = size[:, -2:].max(axis=1)
     before = size[:, -4:-2].max(axis=1)
@@ -150,7 +159,10 @@ def _next_coefficients(chebyshev: Floats) -> Floats:
 
 
 def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
-    """Return polynomials in powers of the distance to the left end of each piece."""
+    """Return coefficients in powers of the distance to the left end of each piece, (pieces, TERMS, functions, n).
+
+    The argument contains Chebyshev coefficients in the same shape, and the widths are (pieces, n) in rad.
+    """
     powers = np.einsum("tk,pkfn->ptfn", POWERS, chebyshev)
     is_empty = width <= _SAME  # only their value is accurate
     half = np.where(is_empty, np.inf, width / 2)
@@ -160,7 +172,10 @@ def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
 
 
 def _constant(function: Function, end: Floats) -> Floats:
-    """Return the coefficients of constant functions with the values at the end, (1, TERMS, functions, n)."""
+    """Return the coefficients of constant functions with the values at the end, (1, TERMS, functions, n).
+
+    The ends are rotations in rad, (n,).
+    """
     value = function(end[None])[:, 0]
     coefficients = np.zeros((1, TERMS, *value.shape))
     coefficients[0, 0] = value
@@ -168,6 +183,10 @@ def _constant(function: Function, end: Floats) -> Floats:
 
 
 def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:
-    """Return a continuous piecewise polynomial."""
+    """Return a continuous piecewise polynomial.
+
+    `breaks` are the left ends of the pieces, and the coefficients of each piece are in ascending powers of the distance
+    to its break, or describe a sine if `sine`.
+    """
     jumps = np.zeros(len(breaks))
     return Data(breaks, coefficients, jumps, sine)

@@ -16,7 +16,7 @@ PULSES = ("rectangular", "half-sine", "triangular", "sine")
 def bad_sample(time: Floats, values: Floats) -> tuple[int, str] | None:
     """Return the index of the first invalid sample and a message about it, or None.
 
-    Samples must be finite, and times must increase.
+    Samples must be finite, and times, in s, must increase. The index counts from 0.
     """
     for what, unit, of in (("time", " s", time), ("value", "", values)):
         (bad,) = np.nonzero(~np.isfinite(of))
@@ -93,7 +93,7 @@ class Series:
 
     @property
     def greatest(self) -> float:
-        """Greatest absolute value."""
+        """Greatest absolute value, in the unit of the values."""
         return float(np.max(np.abs(self.values)))
 
     def scaled(self, factor: float) -> "Series":

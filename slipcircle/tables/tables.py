@@ -19,7 +19,10 @@ from slipcircle.tables.series import LaneSeries, Pulse, Series
 
 
 def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> tuple[Data, Any, str]:
-    """Return a tabulated friction law: its pieces, the scale of its argument, and the argument's unit."""
+    """Return a tabulated friction law: its pieces, the scale of its argument, and the argument's unit.
+
+    `name` is the name of the law, and `shape` the shape of the lanes of its parameters.
+    """
     if name in PIECES:
         length, _, _ = PIECES[name]
         return _of_pieces(name, parameters, shape), parameters[length], "m"
@@ -33,7 +36,10 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> tupl
 
 
 def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> Texts:
-    """Return the mistakes in a tabulated law, where ``values`` names its second list."""
+    """Return the mistakes in a tabulated law, where `values` names its second list.
+
+    `path` locates the law in messages, such as "friction", and `name` is the name of the law.
+    """
     argument = LAWS[name].parameters[0].name
     places = np.asarray(parameters[argument], float)
     coefficients = np.asarray(parameters[values], float)
@@ -53,7 +59,10 @@ def list_faults(path: str, name: str, parameters: Parameters, values: str = "coe
 
 
 def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> Data:
-    """Return a friction law that is declared in pieces, as a function of slip over its scale."""
+    """Return a friction law that is declared in pieces, as a function of slip over its scale.
+
+    `name` is the name of the law, and `shape` the shape of the lanes.
+    """
     _, breaks, polynomials = PIECES[name]
     arrays = ArrayDict()
     for key, value in parameters.items():
@@ -72,7 +81,11 @@ def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> 
 
 
 def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
-    """Return the linear interpolation of samples, with constant values before the first and after the last."""
+    """Return the linear interpolation of samples, with constant values before the first and after the last.
+
+    `places` are the increasing arguments of the samples, such as times in s. `before` and `after` are the constant
+    values.
+    """
     first = places[0] - 1.0
     breaks = np.concatenate([[first], places])
     first_values = values[:-1]
@@ -90,7 +103,10 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
 
 
 def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
-    """Return a sine between its start and its end, zero elsewhere."""
+    """Return a sine between its start and its end, zero elsewhere.
+
+    Start and duration are in s, and `rate` is the angular frequency in rad/s.
+    """
     before = start - 1.0
     end = start + duration
     zero = [0.0, 0.0, 0.0]
@@ -103,8 +119,8 @@ def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
 def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data:
     """Return the monotone cubic interpolation of samples (Fritsch and Carlson 1980), continued by the last value.
 
-    Interior slopes are weighted harmonic means (Fritsch and Butland 1984). The first slope is the limited slope of
-    the parabola through three points, or 0 for a smooth start.
+    `places` are the increasing arguments of the samples. Interior slopes are weighted harmonic means (Fritsch and
+    Butland 1984). The first slope is the limited slope of the parabola through three points, or 0 for a smooth start.
     """
     step = np.diff(places)
     rise = np.diff(values)
@@ -137,7 +153,10 @@ def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data
 
 
 def _first_slope(step: Floats, secant: Floats) -> float:
-    """Return the slope of the parabola through the first three points, limited to preserve monotonicity."""
+    """Return the slope of the parabola through the first three points, limited to preserve monotonicity.
+
+    `step` are the distances between neighbouring points, and `secant` the slopes of the lines between them.
+    """
     if step.size == 1:
         return float(secant[0])
     near, far, *_ = step
@@ -153,7 +172,10 @@ def _first_slope(step: Floats, secant: Floats) -> float:
 
 
 def of_list(argument: str, places: Floats, values: Floats) -> Data:
-    """Return a friction law given as a table of slip, speed or time."""
+    """Return a friction law given as a table of slip, speed or time.
+
+    `argument` is "slip", "speed" or "time", and `places` are its increasing values in m, m/s or s.
+    """
     if argument == "slip":
         return monotone(places, values)
     if argument == "speed":
@@ -167,14 +189,14 @@ def of_list(argument: str, places: Floats, values: Floats) -> Data:
 
 
 def _held_lines(places: Floats, values: Floats) -> Data:
-    """Return the linear interpolation of samples, continued by the first and the last value."""
+    """Return the linear interpolation of samples at increasing places, continued by the first and the last value."""
     first = float(values[0])
     last = float(values[-1])
     return lines(places, values, first, last)
 
 
 def of_time(function: Series | LaneSeries | Pulse) -> Data:
-    """Return the pieces of a function of time, or of one function per lane."""
+    """Return the pieces of a function of time in s, or of one function per lane. A lane is a member of an ensemble."""
     if isinstance(function, LaneSeries):
         # Functions of time one after the other, each followed by a piece that begins at infinity.
         tables = [of_time(series) for series in function.series]

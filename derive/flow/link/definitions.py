@@ -113,7 +113,10 @@ class Definitions:
 
 
 def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> Definitions:
-    """Return the definitions of a recipe's effects and laws, and of ``further`` fragments."""
+    """Return the definitions of a recipe's effects and laws, and of ``further`` fragments.
+
+    ``fragments`` returns the fragments of a name; ``further`` are names, such as energy.
+    """
     effects, _, moving, absent = recipe
     made = Definitions()
     slip_factor = _include_laws(made, recipe, fragments)
@@ -157,7 +160,11 @@ def _include_laws(made: Definitions, recipe: Recipe, fragments: Lookup) -> str:
 
 
 def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = (), friction: str = "mu") -> None:
-    """Include a fragment's definitions; ``friction`` is the quantity to which it adds a friction coefficient."""
+    """Include a fragment's definitions in ``made``.
+
+    ``moving`` are the tables that are functions, not single numbers, and ``friction`` is the quantity to which the
+    fragment adds a friction coefficient.
+    """
     for kind, result, *arguments in fragment.scalar:
         made.cells[result] = (kind, *arguments)
     for operation in fragment.series:
@@ -191,7 +198,7 @@ def _on_series(kind: Any, *names: Any) -> Computed:
 
 
 def _define_functions_of_time(made: Definitions, moving: Names) -> None:
-    """Define each parameter that changes with time by its initial value and its increment, a ramp."""
+    """Define each parameter in ``moving``, which changes with time, by its initial value and its increment, a ramp."""
     known = [table.name for table in made.tables]
     for symbol in moving:
         made.cells[symbol] = ("set", f"{symbol}.VALUE")
@@ -203,7 +210,7 @@ def _define_functions_of_time(made: Definitions, moving: Names) -> None:
 
 
 def _define_quantity(made: Definitions, quantity: str) -> None:
-    """Define a quantity as a sum over fragments: initial value, size of its terms, and increment."""
+    """Define a quantity q as sums over fragments: the cells ``q_0`` and ``q_size``, and the register ``dq``."""
     addends = made.addends.get(quantity, [])
     _define_sum(made, f"{quantity}_0", [base for base, _, _ in addends])
     _define_sum(made, f"{quantity}_size", [size for _, size, _ in addends])
@@ -213,7 +220,7 @@ def _define_quantity(made: Definitions, quantity: str) -> None:
 
 
 def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
-    """Define a cell as the sum of other cells, added in order."""
+    """Define the cell ``name`` as the sum of the cells ``addends``, added in order."""
     total = ZERO
     for k, addend in enumerate(addends):
         part = f"{name}.{k}"

@@ -38,7 +38,7 @@ class Linked(NamedTuple):
 
 
 def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked:
-    """Return the operations that compute the integrator's input, and further registers, from given cells."""
+    """Return the operations that compute the integrator's input, and the registers ``asked``, from given cells."""
     arguments = [table.argument for table in definitions.tables]
     read = dict.fromkeys((*definitions.states, *definitions.states.values(), *EVENTS, *arguments, *asked))
     linker = Linker(definitions, given)
@@ -91,7 +91,7 @@ class Linker:
     # --- cells -------------------------------------------------------------------------------------------------------
 
     def cell(self, name: str) -> str:
-        """Return the cell for a name, computed if necessary."""
+        """Return the name of the cell that contains the number ``name``, after adding operations that compute it."""
         if name.startswith("="):
             return name
         if name not in self._cells:
@@ -101,7 +101,7 @@ class Linker:
         return self._cells[name]
 
     def _result(self, kind: str, operands: list[str], name: str = "") -> str:
-        """Return the cell of an operation's result, an existing cell or a new one."""
+        """Return the cell of an operation's result: an operand, an existing cell, or a new cell called ``name``."""
         known = _simplified(kind, operands)
         if known is not None:
             return known
@@ -161,7 +161,7 @@ class Linker:
         return self._registers[name]
 
     def event(self, register: str | None) -> str | None:
-        """Return a register whose roots are events, or None if it is constant during a phase."""
+        """Return a register whose roots are events, or None if it is None or constant during a phase."""
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
@@ -183,7 +183,7 @@ class Linker:
         return cells
 
     def zero(self, name: str) -> str:
-        """Return a register that contains zero."""
+        """Return a register that contains zero; it is called ``name`` if there is none yet."""
         (zero,) = self.series.setdefault(OnSeries("lin", (), (ZERO,)), (name,))
         return zero
 
@@ -203,7 +203,10 @@ class Linker:
         return result
 
     def _flat(self, operation: OnSeries, factor: str) -> Iterator[tuple[str, str]]:
-        """Yield a sum's nonzero terms times a factor. A sum used only by sums is replaced by its terms."""
+        """Yield the nonzero terms of a sum as pairs (factor, register), each times the cell ``factor``.
+
+        A sum used only by sums is replaced by its terms.
+        """
         for cell, register in zip(operation.cells[1:], operation.registers, strict=True):
             scaled = self._result("mul", [factor, self.cell(cell)])
             if scaled == ZERO or self._is_zero(register):
@@ -217,7 +220,7 @@ class Linker:
 
 
 def _simplified(kind: str, operands: list[str]) -> str | None:
-    """Return the cell that equals the result of an operation on cells, or None if it must be computed."""
+    """Return the cell that equals the result of an operation on these operands, or None if it must be computed."""
     first, last = operands[0], operands[-1]
     match kind:
         case "set":

@@ -18,6 +18,8 @@ LAW_OF_EFFECT = {"soil_friction": "soil_mu", "softening_cohesion": "cohesion_law
 def fragments_of(known: Mapping[str, Fragment], name: str, turns: bool) -> list[Fragment]:
     """Return the fragments of an effect or a law, of one soil if its name contains a number.
 
+    The fragments ``known`` are shared by all soils, and ``turns`` is whether the mass rotates.
+
     The effect ``soil_friction#0`` includes the weight of its soil.
     """
     shared_name, mark, soil = name.partition(OF_SOIL)
@@ -35,7 +37,7 @@ def fragments_of(known: Mapping[str, Fragment], name: str, turns: bool) -> list[
 
 
 def _numbered(known: Mapping[str, Fragment], shared_name: str, number: str) -> Fragment:
-    """Return a fragment with the names of one soil: ``dsoil_mu#0``."""
+    """Return the shared fragment of a name with the names of one soil: ``dsoil_mu#0`` for the number ``#0``."""
     of_one_soil = set(LAW_OF_EFFECT.values())
     for effect in LAW_OF_EFFECT:
         of_one_soil.update(known[effect].inputs, (table for table, *_ in known[effect].tables))

@@ -58,7 +58,7 @@ class Document:
         self._put_in_order_of_samples()
 
     def _report(self, path: str, *sentences: str) -> None:
-        """Store messages about a path, and mark its top-level table as wrong."""
+        """Store messages about a path such as "friction.angle_deg", and mark its top-level table as wrong."""
         self.mistakes.extend(sentences)
         self.wrong.add(path.partition(".")[0])
 
@@ -74,7 +74,10 @@ class Document:
         self.mistakes = [*odd, *self.mistakes]
 
     def _read_table(self, path: str, content: Values) -> None:
-        """Read a table and the tables inside it into `arguments`, and report its mistakes."""
+        """Read a table and the tables inside it into `arguments`, and report its mistakes.
+
+        `path` is the path of the table in the file, empty for the top level.
+        """
         arguments = self.arguments.setdefault(path, {})
         table = self._tables[path]
         if table.is_of_unknown_law:
@@ -106,7 +109,10 @@ class Document:
         self._check_choices(path, spelt)
 
     def _report_mixed_units(self, path: str, table: Table, spelt: Mapping[str, str]) -> None:
-        """Report quantities of one table that are given in different units."""
+        """Report quantities of one table that are given in different units.
+
+        `spelt` maps the published spelling of each key to the key as typed.
+        """
         units: dict[str, TextDict] = {}
         for known, name in spelt.items():
             if known in table.keys:
@@ -122,13 +128,19 @@ class Document:
         return f"{self._heading(path)}: {self._tables[path].title}"
 
     def _heading(self, path: str) -> str:
-        """Return the heading of a table as a file writes it, such as "a table [water]" or "tables [[layers]]"."""
+        """Return the heading of a table as a file writes it, such as "a table [water]" or "tables [[layers]]".
+
+        `path` is the path of the table.
+        """
         if self._tables[path].repeats == "numbered":
             return f"tables [[{path}]]"
         return f"a table [{path}]"
 
     def _argument(self, full: str, key: Key, value: Any, content: Values, table: Table) -> Any:
-        """Return a value in SI units, or the median of a distribution; report a wrong value and return None."""
+        """Return a value in SI units, or the median of a distribution; report a wrong value and return None.
+
+        `full` is the path of the key in the file, and `content` are all keys of its table.
+        """
         if isinstance(value, dict) and key.kind in VARYING:
             limits = key.low, key.high
             odd = distribution_mistakes(value, limits)
@@ -153,7 +165,10 @@ class Document:
         return key.convert(value)
 
     def _note_missing(self, path: str, content: Values) -> None:
-        """Collect the missing required keys and tables; they are reported when all misspelt keys are known."""
+        """Collect the missing required keys and tables; they are reported when all misspelt keys are known.
+
+        `path` is the path of the table, and `content` has its keys in their published spelling.
+        """
         for name, key in self._tables[path].keys.items():
             if not key.optional and name not in content:
                 self._missing[joined(path, name)] = f"{key.help}, {key.allowed}"
@@ -163,7 +178,10 @@ class Document:
                 self._missing[full] = f"{table.title}, {self._heading(full)}"
 
     def _check_sets(self, path: str, content: Values) -> None:
-        """Report a table whose keys do not match exactly one of its sets."""
+        """Report a table whose keys do not match exactly one of its sets.
+
+        `content` has its keys in their published spelling.
+        """
         sets = self._tables[path].sets
         present = {key for keys in sets for key in keys if key in content}
         misspelt = any(key.startswith(joined(path, "")) for key in self._meant)
@@ -176,7 +194,10 @@ class Document:
         self._report(path, f"{path}: {fault}; give {', or '.join(allowed)}")
 
     def _check_choices(self, path: str, content: Values) -> None:
-        """Report a table without exactly one key of a choice, or without any key of ``any_of``."""
+        """Report a table without exactly one key of a choice, or without any key of `any_of`.
+
+        `content` has its keys in their published spelling.
+        """
         table = self._tables[path]
         for choice in table.one_of:
             present = [key for key in choice if key in content]
@@ -203,7 +224,10 @@ def shown_value(value: Any) -> str:
 
 
 def _question(key: Key, entry: Any, table: Table) -> str:
-    """Return additional advice on a wrong value: the key's title, and a similar word, another unit or an angle."""
+    """Return additional advice on a wrong value: the key's title, and a similar word, another unit or an angle.
+
+    `entry` is the wrong value, or the wrong item of a list.
+    """
     title = f": {key.help}"
     if "|" in key.kind or key.name == "law":
         choice = table.laws or key.kind.split("|")
@@ -260,7 +284,10 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
 
 
 def _similar(unknown: str, here: Texts, table: Table) -> str:
-    """Return the key or table most similar to an unknown key, or the only key with its unit; "" without a candidate."""
+    """Return the key or table most similar to an unknown key, or the only key with its unit; "" without a candidate.
+
+    `here` are the keys and tables allowed at this place.
+    """
     units = {key: found[1] for key in (unknown, *here) if (found := _UNITS.search(key))}
     of_unit = [key for key in here if key in units and units[key] == units.get(unknown)]
     similar = get_close_matches(unknown, here, 1)

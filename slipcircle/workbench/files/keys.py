@@ -68,7 +68,10 @@ class Key(Parameter):
         return replace(self, key=self.name, written=self.unit, per_unit=1.0)
 
     def in_unit(self, key: str, unit: str, ratio: float) -> "Key":
-        """Return the declaration of the number for another key, whose unit is ``ratio`` times the unit of this key."""
+        """Return the declaration of the number for another key, whose unit is `ratio` times the unit of this key.
+
+        `key` and `unit` are the name and the unit of the new key.
+        """
         return replace(self, key=key, written=unit, per_unit=self.per_unit * ratio)
 
     def to_si(self, values: Any) -> Any:
@@ -137,14 +140,19 @@ class Key(Parameter):
         return least and value < self.high and abs(value) < math.inf
 
     def _limit(self, value: Any) -> bool:
+        """Return whether a value is a limit such as "<60" within the bounds."""
         return isinstance(value, str) and self._number(Interval.of_limit(value).limit)
 
     def _pair(self, value: Any) -> bool:
+        """Return whether a value is a list of two numbers within the bounds."""
         return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
 
 
 def worded(name: str, help: str, allowed: str = "text", kind: str = "text", optional: bool = True) -> Key:
-    """Return the declaration of a key that is not a number."""
+    """Return the declaration of a key that is not a number.
+
+    `allowed` describes the allowed values for messages, and `kind` is a kind of `Key`.
+    """
     return Key(name, help=help, key=name, optional=optional, kind=kind, allowed=allowed)
 
 
@@ -231,7 +239,10 @@ _GIVEN = [Parameter(n, "", *b[:2], f"{n.replace('_', ' ')}, dimensionless", n, k
 
 
 def _number(key: Key, written: str = "", tangent: bool = False) -> Key:
-    """Return the declaration of the key of a number or a list, with the bounds in the file's unit in words."""
+    """Return the declaration of the key of a number or a list, with the bounds in the file's unit in words.
+
+    `written` is the unit of the key, and with `tangent` the key is an angle.
+    """
     key = replace(key, written=written, tangent=tangent)
     words = _bounds_in_words(key)
     one, many = (" ".join(filter(None, [of, words, written and f"({written})"])) for of in _NUMBERS)
@@ -297,7 +308,7 @@ def table_of(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key
 
 
 def _laws(laws: Iterable[Law], title: str = "friction law") -> dict[str, Table]:
-    """Return a table for each law, by the name of the law."""
+    """Return a table for each law, by the name of the law. `title` describes the key `law`."""
     by_name = {law.name: law for law in laws}
     found = {}
     for name, law in by_name.items():

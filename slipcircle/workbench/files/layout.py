@@ -39,7 +39,7 @@ class Layout(NamedTuple):
 
 
 def layout_of(content: Values) -> Layout:
-    """Return the tables that a file may have, and its content arranged for them."""
+    """Return the tables that a file may have, and its content arranged for them. `content` is the parsed TOML."""
     layered = any(get_close_matches(name, ("soils", "layers"), 1, 0.8) for name in content)
     on_slope = layered or "ground" in content
     whole = WITH_LAYERS if layered else WITH_ONE_SOIL if on_slope else WITH_ARC
@@ -65,7 +65,10 @@ def layout_of(content: Values) -> Layout:
 
 
 def _excluded(on_slope: bool, layered: bool) -> TextDict:
-    """Return the names of the tables that other tables exclude, each with the reason as the end of a message."""
+    """Return the names of the tables that other tables exclude, each with the reason as the end of a message.
+
+    The file has a ground if `on_slope`, and soils or layers if `layered`.
+    """
     of_arc = {"arc": "and ground exclude each other; remove one"} if on_slope else {}
     of_soils = {name: f"{_BY_SOILS}: {_IN_SOILS[name]}; leave it out" for name in NOT_WITH_LAYERS}
     return of_arc | (of_soils if layered else {})

@@ -56,7 +56,7 @@ def by_key(scene: Any) -> dict[str, Key]:
 
 
 def in_output_unit(number: Key) -> Key:
-    """Return a number with its key in the unit of output, such as ``cohesion.cohesion_psf``."""
+    """Return a number with its key in the unit chosen for output, such as `cohesion.cohesion_psf`."""
     factor, unit = printed(number.unit)
     if factor == 1.0:
         return number
@@ -71,7 +71,10 @@ def by_name(scene: Any) -> dict[str, Key]:
 
 
 def number_in(scene: Any, path: str) -> Key:
-    """Return the declaration of a number of a scene by its key or name, also of a number without a value."""
+    """Return the declaration of a number of a scene by its key or name, also of a number without a value.
+
+    `path` is a key such as "friction.angle_deg" or a name such as "friction".
+    """
     known = by_key(scene)
     path = str(path)
     only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
@@ -93,7 +96,7 @@ def number_in(scene: Any, path: str) -> Key:
 
 
 def listed(keys: Collection[str]) -> str:
-    """Return keys as a comma-separated text, with all coordinates of points replaced by one rule."""
+    """Return keys of a scene file as a comma-separated text, with all coordinates of points replaced by one rule."""
     plain = [k for k in keys if not k.startswith(_POINTS)]
     return ", ".join([*plain, *([_RULE] if len(plain) < len(keys) else [])])
 
@@ -116,7 +119,7 @@ class Uncertain:
         return distribution_of(self.given) if isinstance(self.given, Mapping) else self.given
 
     def drawn(self, p: Any) -> Any:
-        """Return the quantiles at probabilities ``p``, in the number's unit."""
+        """Return the quantiles at probabilities `p` between 0 and 1, in the number's unit and the shape of `p`."""
         found = self.distribution
         return (found.ppf if hasattr(found, "ppf") else found.icdf)(p)
 

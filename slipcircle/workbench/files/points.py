@@ -53,7 +53,10 @@ def with_points(content: Values, folder: Path) -> ValueDict:
 
 
 def _with_points(table: Values, path: str, key: str, folder: Path, mistakes: Texts) -> ValueDict:
-    """Return a table with its reference to a file replaced by points; append mistakes to the list."""
+    """Return a table with its reference to a file replaced by points; append mistakes to the list.
+
+    `path` is the path of the table for messages, and `key` the key of its points without unit, such as "level".
+    """
     found = dict(table)
     file = found.pop(f"{key}_file", None)
     if file is None:
@@ -77,7 +80,10 @@ def _with_points(table: Values, path: str, key: str, folder: Path, mistakes: Tex
 
 
 def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, str]:
-    """Return the points of a file from left to right and their unit, stated by the file or by ``unit``.
+    """Return the points of a file from left to right and their unit, stated by the file or by `unit`.
+
+    `file` is the name of the file in the folder, with the layer of a drawing after #. `key` is the name of the key that
+    states the unit, for messages.
 
     Raises
     ------
@@ -111,7 +117,10 @@ def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, s
 
 
 def _sheet(text: str) -> tuple[Points, str]:
-    """Return the points of a spreadsheet and the unit that its header states."""
+    """Return the points of a spreadsheet and the unit that its header states, "" without one.
+
+    `text` is the content of the file.
+    """
     rows, separator = _rows(text)
     either = "|".join(_COLUMNS.values())
     named = (k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row))
@@ -148,7 +157,11 @@ def _rows(text: str) -> tuple[list[tuple[int, Texts]], str]:
 
 
 def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> Pair:
-    """Return the x and y of a row of a spreadsheet."""
+    """Return the x and y of a row of a spreadsheet.
+
+    `line` is its line number for messages. `columns` are the indices of x and y, and `decimal` is the decimal mark, "."
+    or ",".
+    """
     cells = [row[k] if k < len(row) else "" for k in columns]
     station = _STATION.fullmatch(cells[0])
     if station:
@@ -163,7 +176,10 @@ def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str
 
 
 def _column(cell: str, names: str) -> Texts:
-    """Return a list of the unit in the name of a column, "" without a unit; an empty list for other columns."""
+    """Return a list of the unit in the name of a column, "" without a unit; an empty list for other columns.
+
+    `names` is a regular expression for the name without the unit.
+    """
     parts = re.fullmatch(rf"({names})(?:[\s_,]*[(\[{{]?([^()\[\]{{}}]+)[)\]}}]?)?", cell, re.IGNORECASE)
     unit = unit_of(parts[2], LENGTH) if parts and parts[2] else ""
     return [unit] if parts and unit is not None else []
@@ -191,7 +207,10 @@ def _columns(head: Sequence[str]) -> tuple[tuple[int, int], str]:
 
 
 def _drawing(file: Path, layer: str) -> tuple[Points, str]:
-    """Return the points of the connected lines on a layer of a drawing, from left to right, and the drawing's unit."""
+    """Return the points of the connected lines on a layer of a drawing, from left to right, and the drawing's unit.
+
+    Without the name of a layer, all lines must be on one layer. The unit is empty if it is not stated.
+    """
     ezdxf = optional("ezdxf", "profiles from drawings")
     make_path = optional("ezdxf.path", "profiles from drawings").make_path
     recursive_decompose = optional("ezdxf.disassemble", "profiles from drawings").recursive_decompose
@@ -224,7 +243,7 @@ def _vertices(path: Any) -> Points:
 
 
 def _joined(lines: Iterable[Points]) -> Points:
-    """Return one line that joins lines with common ends.
+    """Return one line that joins lines with common ends, which may be in any order and direction.
 
     Raises
     ------
@@ -245,7 +264,10 @@ def _joined(lines: Iterable[Points]) -> Points:
 
 
 def _connected(line: Points, others: Sequence[Points], near: float) -> Iterator[tuple[int, Points]]:
-    """Yield the index of each line that shares an end with a line, and the two joined into one."""
+    """Yield the index of each line that shares an end with a line, and the two joined into one.
+
+    Ends at most `near` apart are joined, in the unit of the drawing.
+    """
     for k, other in enumerate(others):
         for one in (line, line[::-1]):
             for second in (other, other[::-1]):

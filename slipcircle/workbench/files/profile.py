@@ -29,7 +29,10 @@ class GroundProfile(NamedTuple):
 
 
 def numbered_points(given: Arguments, name: str) -> list[ValueDict]:
-    """Return the arguments of the tables of a list such as [[layers]], in order."""
+    """Return the arguments of the tables of a list such as [[layers]], in order.
+
+    `given` are the arguments by path of the table, such as "layers.2", and `name` is the name of the list.
+    """
     tables = {}
     for path, table in given.items():
         of_list, _, number = path.partition(".")
@@ -39,7 +42,10 @@ def numbered_points(given: Arguments, name: str) -> list[ValueDict]:
 
 
 def surcharges(given: Arguments) -> tuple[Surcharges, Texts]:
-    """Return surcharges as tuples (left and right x in m, pressures there in Pa), and mistakes in them."""
+    """Return surcharges as tuples (left and right x in m, pressures there in Pa), and mistakes in them.
+
+    `given` are the arguments by path of the table, in SI units.
+    """
     loads = []
     mistakes = []
     for k, load in enumerate(numbered_points(given, "surcharge"), 1):
@@ -57,7 +63,11 @@ def surcharges(given: Arguments) -> tuple[Surcharges, Texts]:
 
 
 def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool) -> GroundProfile:
-    """Return the layers of a file; if its tables are not ``readable``, only mistakes across them."""
+    """Return the layers of a file; if its tables are not `readable`, only mistakes across them.
+
+    `given` are the arguments by path of the table, `keys` maps names of arguments to keys of the file, and `rate` is
+    the law of speed.
+    """
     layers = numbered_points(given, "layers")
     slip = given.get("slip", {})
     of_soils = [path.removeprefix("soils.") for path in given if path.startswith("soils.")]
@@ -84,7 +94,10 @@ def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool)
 
 
 def _soils(names: Texts, given: Arguments, keys: Rename) -> tuple[dict[str, Soil], Texts]:
-    """Return the soils of a file by name, and the mistakes in them."""
+    """Return the soils of a file by name, and the mistakes in them.
+
+    `given` are the arguments by path of the table, and `keys` maps names of arguments to keys of the file.
+    """
     soils = {}
     mistakes = []
     for name in names:
@@ -97,7 +110,10 @@ def _soils(names: Texts, given: Arguments, keys: Rename) -> tuple[dict[str, Soil
 
 
 def _unknown_soils(places: Mapping[str, str], names: Texts) -> Iterator[str]:
-    """Yield a message for each reference to an undefined soil and for each unused soil."""
+    """Yield a message for each reference to an undefined soil and for each unused soil.
+
+    `places` has the soil referred to by each key, and `names` are the defined soils.
+    """
     meant = set()
     for path, soil in places.items():
         if soil not in names:
@@ -111,7 +127,10 @@ def _unknown_soils(places: Mapping[str, str], names: Texts) -> Iterator[str]:
 
 
 def idle_loads(loads: Surcharges, circle: Critical) -> Iterator[str]:
-    """Yield a message for each surcharge that lies wholly or partly beside the ground or the sliding mass."""
+    """Yield a message for each surcharge that lies wholly or partly beside the ground or the sliding mass.
+
+    Surcharges are tuples (left and right x in m, pressures there in Pa), and `circle` has the range of the mass.
+    """
     ground = np.asarray(circle.slope.ground)[[0, -1], 0].tolist()
     for k, (left, right, _, _) in enumerate(loads, 1):
         for (first, last), what in ((ground, "ground"), (circle.between, "mass that slides")):
@@ -123,7 +142,10 @@ def idle_loads(loads: Surcharges, circle: Critical) -> Iterator[str]:
 
 
 def _top_mistakes(layers: list[ValueDict]) -> Iterator[str]:
-    """Yield a message if the first layer has a top, and for each other layer without one."""
+    """Yield a message if the first layer has a top, and for each other layer without one.
+
+    Each layer has the arguments of its table.
+    """
     if layers and "top" in layers[0]:
         yield "layers.1.top_m: must be left out, as the top of the first layer is the ground"
     for k, layer in enumerate(layers[1:], 2):
@@ -132,7 +154,10 @@ def _top_mistakes(layers: list[ValueDict]) -> Iterator[str]:
 
 
 def _soil(name: str, given: Arguments) -> Soil:
-    """Return a soil of a file by its name, built from its tables."""
+    """Return a soil of a file by its name, built from its tables.
+
+    `given` are the arguments by path of the table, in SI units.
+    """
     numbers = dict(given[f"soils.{name}"])
     friction = given.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
     is_constant = friction.get("law", "constant") == "constant"
@@ -145,7 +170,10 @@ def _soil(name: str, given: Arguments) -> Soil:
 
 
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
-    """Yield a message for each layer whose top rises above the top of the previous layer."""
+    """Yield a message for each layer whose top rises above the top of the previous layer.
+
+    `given` are the arguments by path of the table, in SI units.
+    """
     points = given.get("ground", {}).get("ground")
     ground = np.zeros((2, 2)) if points is None else np.asarray(points)
     left, right = ground[[0, -1], 0]

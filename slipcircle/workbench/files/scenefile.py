@@ -134,7 +134,10 @@ def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
 
 
 def _with_tables(text: str, tables: Mapping[str, Values]) -> str:
-    """Return the text of a file with its [circle] replaced by the first of the tables, and the others appended."""
+    """Return the text of a file with its [circle] replaced by the first of the tables, and the others appended.
+
+    `tables` maps the name of each table to its values. Without a [circle] all tables are appended.
+    """
     texts = []
     for name, values in tables.items():
         lines = [f"{key} = {json.dumps(value)}\n" for key, value in values.items()]
@@ -144,7 +147,7 @@ def _with_tables(text: str, tables: Mapping[str, Values]) -> str:
 
 
 def units_of_files(names: Iterable[str]) -> set[str]:
-    """Return the units of output that scene files choose."""
+    """Return the systems of units of output that scene files choose, in capitals."""
     contents = (_content(source, str(source)) for source in map(find, names))
     tables = (content.get("output") for content in contents)
     return {str(table.get("units", "")).upper() for table in tables if isinstance(table, dict)} & {*SYSTEMS}
@@ -157,7 +160,10 @@ _ADVICE = (
 
 
 def _content(source: Any, file: str) -> ValueDict:
-    """Return the content of a TOML file; raise an error with one sentence if it cannot be read."""
+    """Return the content of a TOML file; raise an error with one sentence if it cannot be read.
+
+    `source` is a path or a packaged resource, and `file` its name for messages.
+    """
     try:
         with source.open("rb") as opened:
             text = opened.read(_MOST_BYTES + 1)
@@ -226,7 +232,8 @@ def _read(content: Values, moving: bool) -> _Input:
 def _parts(content: ValueDict, file: str, tell: Tell = lambda _: None, moving: bool = True) -> tuple[ValueDict, Rename]:
     """Return the fields of a scene with its stability, and a function from arguments to keys; list all mistakes.
 
-    Unless ``moving``, tables that only factors of safety use are allowed, and the arc of a slope is None.
+    `file` is the path of the scene file, and `tell` is called with lines of progress. Unless `moving`, tables that only
+    factors of safety use are allowed, and the arc of a slope is None.
     """
     try:
         content = with_points(content, Path(file).parent)
@@ -261,7 +268,11 @@ def _parts(content: ValueDict, file: str, tell: Tell = lambda _: None, moving: b
 def _along_slope(
     slope: SlopeInput, keys: Rename, tell: Tell, file: str, moving: bool
 ) -> tuple[Section | None, Critical | None]:
-    """Return the section of a slope and its stability; an error names the keys of the file."""
+    """Return the section of a slope and its stability; an error names the keys of the file.
+
+    The section is None unless `moving`, and the stability is None without strength. `tell` is called with lines of
+    progress.
+    """
     try:
         return slope.moving(tell) if moving else (None, slope.stability(tell)[1])
     except InputError as error:
@@ -277,7 +288,10 @@ def _along_slope(
 
 
 def _arc(given: Arguments, keys: Rename) -> tuple[Arc | None, Texts]:
-    """Return the arc of a file and no mistakes, or None and its mistakes."""
+    """Return the arc of a file and no mistakes, or None and its mistakes.
+
+    `given` are the arguments by path of the table, and `keys` maps names of arguments to keys of the file.
+    """
     try:
         return Arc(**given["arc"], given=given.get("arc.given")), []
     except InputError as error:
@@ -285,13 +299,19 @@ def _arc(given: Arguments, keys: Rename) -> tuple[Arc | None, Texts]:
 
 
 def _friction(given: Arguments) -> ValueDict:
-    """Return the law of slip of a file, with the law of speed that multiplies it."""
+    """Return the law of slip of a file, with the law of speed that multiplies it.
+
+    `given` are the arguments by path of the table.
+    """
     rate = {"rate": given["friction.rate"]} if "friction.rate" in given else {}
     return {"law": "constant"} | given.get("friction", {"coefficient": 0.0}) | rate
 
 
 def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Rename:
-    """Return a function from names of arguments (``effects.shaking.step``) to keys in the file (``shaking.step_s``)."""
+    """Return a function from names of arguments (`effects.shaking.step`) to keys in the file (`shaking.step_s`).
+
+    `typed` has the keys that the file contains, by argument.
+    """
     keys = {"arc.level": "water.level_m", "end_time": "end_time_s", "initial_velocity": "initial_velocity_m_s"}
     for path, table in tables.items():
         keys |= {f"{path}.{key.name}": f"{path}.{k}" for k, key in table.keys.items()}
@@ -300,7 +320,10 @@ def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Rename:
 
 
 def _effects(given: Arguments, folder: Path) -> dict[str, ValueDict]:
-    """Return the effects among the tables, by name; paths of records are relative to the scene file."""
+    """Return the effects among the tables, by name; paths of records are relative to the scene file.
+
+    `given` are the arguments by path of the table, and `folder` is the folder of the scene file.
+    """
     effects = {name: dict(given[name]) for name in EFFECTS if name in given}
     if effects.get("cohesion", {}).get("law") == "constant":
         del effects["cohesion"]["law"]

@@ -15,7 +15,10 @@ _FILED = ("points", "line")  # kinds of keys whose points may be in a file
 
 
 def _present(name: str, key: Key) -> ValueDict:
-    """Return the schema condition that a key is present, in any unit or as a file."""
+    """Return the schema condition that a key is present, in any unit or as a file.
+
+    `name` is the published spelling of the key.
+    """
     units = [*map(suffix, UNITS_OF_KEYS.get(key.unit, ()))]
     stem = name.removesuffix(units[0]) if units else name
     others = [stem + end for end in units[1:] + ["file"] * (key.kind in _FILED)]
@@ -71,7 +74,10 @@ def schema() -> ValueDict:
 
 
 def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
-    """Return the schema of a table and the tables inside it; add the schemas of its laws to ``defs``."""
+    """Return the schema of a table and the tables inside it; add the schemas of its laws to `defs`.
+
+    `name` is the path of the table with underscores, the prefix of the names of its laws.
+    """
     if table.laws:
         for law, of_law in table.laws.items():
             defs[f"{name}_{law}"] = _schema_of_table(of_law, name, defs)
@@ -94,6 +100,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
 
 
 def _object(properties: Values, title: str, required: Texts) -> ValueDict:
+    """Return the schema of an object with the given properties and no others, and the names of required properties."""
     return {
         "type": "object",
         "title": title,
@@ -104,7 +111,7 @@ def _object(properties: Values, title: str, required: Texts) -> ValueDict:
 
 
 def _schema_of_key(key: Key) -> ValueDict:
-    """Return the schema of a key; a number may be uncertain unless it is fixed."""
+    """Return the schema of a key by its kind; a number may be uncertain unless it is fixed."""
     number: ValueDict = {"type": "number"} | {_LIMITS[k]: v for k, v in key.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}

@@ -75,7 +75,11 @@ class SlopeInput:
         return Slope(**fields, **soils, surcharge=self.surcharge)
 
     def stability(self, tell: Tell) -> tuple[ValueDict, Critical | None]:
-        """Return the given or the critical circle, and its factors of safety; None without strength."""
+        """Return the given or the critical circle, and its factors of safety; None without strength.
+
+        The circle has the arguments "centre", "radius" and "between" of `Section`. `tell` is called with lines of
+        progress.
+        """
         circle = {name: value for name, value in self.given.get("circle", {}).items() if name != "start"}
         known = self.profile is not None or bool(self.strength)
         if "critical" in circle:
@@ -100,7 +104,7 @@ class SlopeInput:
         return circle, given and replace(_deep_enough(given, geometry), start=self.start)
 
     def section(self, circle: Values) -> Section:
-        """Return the section that moves along a circle."""
+        """Return the section that moves along a circle, a mapping with "centre", "radius" and "between"."""
         common = self.ground | self.water | dict(circle)
         if self.profile is None:
             return Section(**common)
@@ -116,13 +120,19 @@ class SlopeInput:
         )
 
     def moving(self, tell: Tell) -> tuple[Section, Critical | None]:
-        """Return the section of a motion, and the factors of safety of its circle."""
+        """Return the section of a motion, and the factors of safety of its circle.
+
+        `tell` is called with lines of progress.
+        """
         circle, found = self.stability(tell)
         return self.section(circle), found
 
 
 def motion_mistakes(given: Arguments, layered: bool) -> Texts:
-    """Return a message for each table that factors of safety use but motions do not."""
+    """Return a message for each table that factors of safety use but motions do not.
+
+    `given` are the arguments by path of the table, and `layered` states whether the file has layers.
+    """
     alone = "is for factors of safety alone (slipcircle search)"
     mistakes = []
     if given.get("tension_crack", {}).get("crack_water"):
@@ -136,7 +146,10 @@ def motion_mistakes(given: Arguments, layered: bool) -> Texts:
 
 
 def _deep_enough(found: Critical, section: Section) -> Critical:
-    """Return the factors of safety of a circle, or raise an error if a tension crack cuts off its mass."""
+    """Return the factors of safety of a circle, or raise an error if a tension crack cuts off its mass.
+
+    `found` are these factors, and `section` is the mass along the circle without a crack.
+    """
     slope = found.slope
     if slope.crack and not any(found.factors_of_safety.values()):
         uncracked = at_circle(replace(slope, crack=0.0, crack_water=0.0), section)
@@ -147,7 +160,10 @@ def _deep_enough(found: Critical, section: Section) -> Critical:
 
 
 def _circle(circle: ValueDict) -> ValueDict:
-    """Return centre, radius and range of a circle from any of the ways to define it."""
+    """Return centre, radius and range of a circle from any of the ways to define it.
+
+    `circle` has the arguments of [circle] in SI units.
+    """
     if "through" not in circle:
         return circle
     points = circle.pop("through")

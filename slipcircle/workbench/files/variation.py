@@ -34,7 +34,10 @@ def along_means(scene: Scene) -> Scene:
 
 
 def slope_of(scene: Scene, like: Slope) -> Slope:
-    """Return a slope with the ground, level, soils, surcharge and crack of a scene, otherwise equal to ``like``."""
+    """Return a slope with the ground, level, soils, surcharge and crack of a scene, otherwise equal to `like`.
+
+    The arc of the scene must be a `Section`.
+    """
     arc = scene.arc
     assert isinstance(arc, Section)
     if isinstance(arc, LayeredSection):

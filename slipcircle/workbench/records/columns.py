@@ -29,18 +29,22 @@ class Column(NamedTuple):
 
 
 def _words(text: str) -> list[str]:
-    """Return the words of a name in lower case, and the words joined: ``acc_Z``, ``accZ``, ``U-D``."""
+    """Return the words of a name in lower case, and the words joined, as the last element.
+
+    Words are separated as in `acc_Z`, `accZ` and `U-D`.
+    """
     parted = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
     words = re.findall(r"[^\W_]+", parted.lower())
     return [*words, "".join(words)]
 
 
 def _says(text: str, words: str) -> bool:
+    """Return whether any word of a text matches a regular expression completely."""
     return any(re.fullmatch(words, word) for word in _words(text))
 
 
 def is_vertical(component: str) -> bool:
-    """Return whether the name of a component or column marks it as vertical."""
+    """Return whether the name of a component or column, such as "UD" or "acc_Z", marks it as vertical."""
     return _says(component, _VERTICAL)
 
 
@@ -50,12 +54,16 @@ def is_direction(text: str) -> bool:
 
 
 def _is_time(name: str) -> bool:
+    """Return whether the first word of a name marks a column of times."""
     first, *_ = _words(name)
     return re.fullmatch(_TIME, first) is not None
 
 
 def _with_unit(field: str, quantity: RecordedQuantity) -> tuple[str, str]:
-    """Return name and unit of a field such as ``acc (g)``, ``a [m/s2]``, ``time_s`` or ``acc cm/s^2``."""
+    """Return name and unit of a field such as `acc (g)`, `a [m/s2]`, `time_s` or `acc cm/s^2`.
+
+    The unit is empty if the field has none. `quantity` is acceleration or pore pressure.
+    """
     bracketed = re.fullmatch(r"(.*?)\s*[(\[{]([^()\[\]{}]+)[)\]}]?\s*", field)
     is_unit = bracketed and (unit_of(bracketed[2], TIME) or _is_time(bracketed[1]) or not is_direction(bracketed[2]))
     if bracketed and is_unit:
@@ -72,7 +80,11 @@ def _with_unit(field: str, quantity: RecordedQuantity) -> tuple[str, str]:
 
 
 def column_of(field: str, quantity: RecordedQuantity) -> Column:
-    """Return the column for a header field, with the role that its unit or name states."""
+    """Return the column for a header field, with the role that its unit or name states.
+
+    `quantity` is acceleration or pore pressure, and the role is empty for a column that is neither time nor this
+    quantity.
+    """
     name, unit = _with_unit(field, quantity)
     vertical = quantity is ACCELERATION and is_vertical(name)
     value = "vertical" if vertical else quantity.role

@@ -47,7 +47,10 @@ def with_records(effects: Mapping[str, Values], gravity: float, uncertain: Value
 
 
 def _samples(quantity: RecordedQuantity, file: str, settings: Values, remarks: Texts) -> RecordSamples:
-    """Return the samples of a record with the settings of an effect, and add remarks about unused columns."""
+    """Return the samples of a record with the settings of an effect, and add remarks about unused columns.
+
+    `settings` are the keys of the effect in the scene file. The remarks are appended to the list.
+    """
     options = Options(**{key: settings[key] for key in Options._fields if key in settings})
     samples, unused = read_record_samples(quantity, file, options)
     remarks += unused
@@ -55,7 +58,10 @@ def _samples(quantity: RecordedQuantity, file: str, settings: Values, remarks: T
 
 
 def _pore_pressure(settings: Values, remarks: Texts) -> ValueDict:
-    """Return a pore pressure ratio or a pressure from a record."""
+    """Return the parameters of the effect with a pore pressure ratio or a pressure in Pa from a record.
+
+    `settings` are the keys of the effect in the scene file. Remarks are appended to the list.
+    """
     file = settings["record"]
     series = pressure_of(_samples(PORE_PRESSURE, file, settings, remarks), file)
     other = next((k for k in ("time", *series) if k in settings), None)
@@ -67,7 +73,10 @@ def _pore_pressure(settings: Values, remarks: Texts) -> ValueDict:
 
 
 def _shaking(settings: Values, gravity: float, remarks: Texts) -> ValueDict:
-    """Return k_h(t) and k_v(t) from a record, divided by gravity."""
+    """Return the parameters of shaking with k_h(t) and k_v(t) from a record, divided by gravity.
+
+    `settings` are the keys of the effect in the scene file. Remarks are appended to the list.
+    """
     for way in ("horizontal", "pulse"):
         if way in settings:
             raise InputError("", [f"{{{way}}} and {{record}} exclude each other; remove one"])

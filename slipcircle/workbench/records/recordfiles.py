@@ -54,7 +54,10 @@ class Options(NamedTuple):
     of_all: bool = True  # whether the roles apply to every table, or only to tables with as many columns
 
     def roles(self, quantity: RecordedQuantity) -> Names:
-        """Return the roles of the columns from a sequence or a text with commas."""
+        """Return the roles of the columns from a sequence or a text with commas.
+
+        The role of values is the role of `quantity`, acceleration or pore pressure.
+        """
         parts = self.columns.split(",") if isinstance(self.columns, str) else self.columns
         roles = tuple(str(part).strip().lower() for part in parts)
         known = ("time", quantity.role, "vertical", SKIP)
@@ -81,6 +84,8 @@ class Channel(NamedTuple):
 def contents(quantity: RecordedQuantity, name: str, path: Path, options: Options) -> list[Channel]:
     """Return the channels of a file, or the columns other than times and skipped columns.
 
+    `quantity` is acceleration or pore pressure, and `name` the name of the file for messages.
+
     Raises
     ------
     ValueError
@@ -102,7 +107,10 @@ def contents(quantity: RecordedQuantity, name: str, path: Path, options: Options
 
 
 def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> list[int]:
-    """Return the numbers of the columns or channels selected by name or number from 1, by default all."""
+    """Return the numbers of the columns or channels selected by name or number from 1, by default all.
+
+    `name` is the name of the file, and `names` are the names of the columns by number.
+    """
     wanted = str(column).strip().lower()
     named = [place for place, other in names.items() if other.lower() == wanted]
     chosen = named or [place for place in names if column is None or wanted == str(place)]
@@ -112,13 +120,16 @@ def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> li
 
 
 def choice(names: Iterable[tuple[int, str]]) -> str:
-    """Return numbers and names of columns for a message."""
+    """Return pairs of number and name of columns as a text for a message, such as "1 (NS), 2 (EW)"."""
     shown = [f"{place} ({name})" if name else str(place) for place, name in names]
     return ", ".join(shown)
 
 
 def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Lines, units: str) -> RecordSamples:
-    """Return the samples of a record, at least two, at given times or with a constant step."""
+    """Return the samples of a record, at least two, at given times or with a constant step, in s.
+
+    `name` is the name of the file. `fields` are the values as text, and `lines` their line numbers.
+    """
     count = len(fields)
     if count < 2:
         raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
@@ -127,7 +138,10 @@ def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Line
 
 
 def _of_format(name: str, text: str, header: Header) -> RecordSamples:
-    """Return samples without times, with any number of values per line."""
+    """Return samples in the unit of the file, without times, with any number of values per line.
+
+    `name` is the name of the file or channel for messages, and `text` its content including the header.
+    """
     below = text.split("\n")[header.lines :]
     if header.fields.get("pair"):
         below = [line.rpartition(" ")[2] for line in map(str.strip, below)]
@@ -150,7 +164,10 @@ def _of_format(name: str, text: str, header: Header) -> RecordSamples:
 
 
 def _of_table(quantity: RecordedQuantity, name: str, text: str, options: Options) -> list[Channel]:
-    """Return the columns of a table other than its times."""
+    """Return the columns of a table other than its times.
+
+    `quantity` is acceleration or pore pressure, `name` the name of the file, and `text` its content.
+    """
     table = number_table(quantity, name, text)
     roles = _roles(quantity, name, table, options)
     width = 1 if roles == (WRAPPED,) else table.width
@@ -175,7 +192,10 @@ def _of_table(quantity: RecordedQuantity, name: str, text: str, options: Options
 
 
 def _roles(quantity: RecordedQuantity, name: str, table: NumberTable, options: Options) -> Names:
-    """Return the roles of the columns from the options, empty if the option applies to other tables."""
+    """Return the roles of the columns from the options, empty if the option applies to other tables.
+
+    `name` is the name of the file.
+    """
     roles = options.roles(quantity)
     has_names = any(column.name for column in table.columns)
     if roles == (WRAPPED,) and (options.of_all or not has_names):
@@ -188,7 +208,10 @@ def _roles(quantity: RecordedQuantity, name: str, table: NumberTable, options: O
 
 
 def _only(quantity: RecordedQuantity, name: str, columns: list[Column], column: int | str | None) -> list[Column]:
-    """Return the columns, where all but one are skipped if the user selects one."""
+    """Return the columns, where all but one are skipped if the user selects one.
+
+    `name` is the name of the file, and `column` the name or number, from 1, of the selected column.
+    """
     if column is None:
         return columns
     others = {place: other.name for place, other in enumerate(columns, 1) if other.role != "time"}
@@ -198,7 +221,10 @@ def _only(quantity: RecordedQuantity, name: str, columns: list[Column], column: 
 
 
 def _unit(quantity: RecordedQuantity, name: str, stated: str) -> str:
-    """Return the unit stated by a column or header, empty if none is stated."""
+    """Return the unit stated by a column or header, empty if none is stated.
+
+    `name` is the name of the file, and `stated` the unit as written there.
+    """
     unit = unit_of(stated, quantity) if stated else ""
     if unit is None:
         raise ValueError(f"{name}: its header says the unit {stated!r}: must be one of {quantity.choice}")
@@ -206,7 +232,10 @@ def _unit(quantity: RecordedQuantity, name: str, stated: str) -> str:
 
 
 def _unit_of_column(quantity: RecordedQuantity, name: str, place: int, column: Column, above: str) -> str:
-    """Return the unit of a column, stated by the column or by the header above it."""
+    """Return the unit of a column, stated by the column or by the header above it.
+
+    `name` is the name of the file, `place` the number of the column from 1, and `above` the unit in the header.
+    """
     unit = _unit(quantity, name, column.unit or above)
     other = unit_of(above, quantity)
     if other and other != unit:
@@ -219,7 +248,10 @@ def _unit_of_column(quantity: RecordedQuantity, name: str, place: int, column: C
 def _with_roles(
     quantity: RecordedQuantity, named: list[Column], cells: Sequence[Texts], roles: Sequence[str]
 ) -> list[Column]:
-    """Return the columns of a table with roles from the options, the header or conventions."""
+    """Return the columns of a table with roles from the options, the header or conventions.
+
+    `named` are the columns in the header, empty without names. `cells` are the fields of each column as text.
+    """
     width = len(cells)
     columns = list(named) or [Column("")] * width
     if roles == (WRAPPED,) or (width == 1 and not named):
@@ -255,6 +287,9 @@ def _times(
 ) -> Floats | float:
     """Return the times of the samples, or their step, in s.
 
+    `cells` are the fields of each column as text, `lines` the line numbers of the rows, and `step` the time between
+    samples, if known.
+
     Raises
     ------
     ValueError
@@ -282,7 +317,7 @@ def _times(
 
 
 def _roles_to_give(quantity: RecordedQuantity, columns: Sequence[Column]) -> str:
-    """Return the option that states the roles of columns, with an example."""
+    """Return the option that states the roles of columns, with an example, as the end of a message."""
     leader = SKIP if columns[0].reason in (_CLOCK, _COUNTER) else "time"
     others = [column.role if column.role == "vertical" else quantity.role for column in columns[1:]]
     example = ",".join([leader, *others])

@@ -92,7 +92,10 @@ def read_record(
 
 
 def shaking_of(samples: RecordSamples, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
-    """Return the accelerations of a file as shaking. The arguments are those of `read_record`."""
+    """Return the accelerations of a file as shaking.
+
+    `name` is the name of the file, and the other arguments are those of `read_record`.
+    """
     if holds not in ("ground", "driving"):
         choice = '"ground" (acceleration of the ground) or "driving" (its opposite)'
         raise ValueError(f"holds = {holds!r}: must be {choice}")
@@ -156,7 +159,10 @@ class Record(Series):
 
 
 def pressure_of(samples: RecordSamples, name: str) -> dict[str, Series]:
-    """Return the pore pressures of a file as parameters of the effect."""
+    """Return the pore pressures of a file as parameters of the effect, "ratio" or "pressure" in Pa.
+
+    `name` is the name of the file, for messages.
+    """
     is_ratio = samples.units == "ratio"
     bad = np.flatnonzero((samples.values < 0.0) | (is_ratio & (samples.values >= 1.0)))
     if bad.size:
@@ -177,7 +183,10 @@ _TIMES: dict[str, Bounds] = {
 
 
 def read_record_samples(quantity: RecordedQuantity, path: PathName, options: Options) -> tuple[RecordSamples, Texts]:
-    """Return checked samples of the single record in a file, and a line for each unused column."""
+    """Return checked samples of the single record in a file, and a line for each unused column.
+
+    The values have the unit of the file. `quantity` is acceleration or pore pressure.
+    """
     name = str(path)
     times = {n: v for n, v in (("step", options.step), ("start", options.start)) if v is not None}
     raise_all(name, mistakes(times, {n: _TIMES[n] for n in times}))
@@ -197,7 +206,10 @@ def read_record_samples(quantity: RecordedQuantity, path: PathName, options: Opt
 def checked_samples(
     quantity: RecordedQuantity, name: str, samples: RecordSamples | None, options: Options
 ) -> RecordSamples:
-    """Return samples of a file with checked times, and with their unit."""
+    """Return samples of a file with checked times in s, and with their unit.
+
+    `name` is the name of the file, for messages.
+    """
     requested = "" if options.units is None else unit_of(options.units, quantity)
     if requested is None or samples is None:
         raise ValueError(f"{name}: units = {options.units!r}: must be one of {quantity.choice}")
@@ -211,7 +223,10 @@ def checked_samples(
 
 
 def _checked_times(name: str, samples: RecordSamples, start: float | None, gaps: str) -> Floats:
-    """Return the times of samples after checks: finite, increasing, not before 0, and without rejected gaps."""
+    """Return the times of samples after checks: finite, increasing, not before 0, and without rejected gaps.
+
+    `name` is the name of the file, and `start` the time of the first sample in s. `gaps` is "refuse" or "linear".
+    """
     if gaps not in ("refuse", "linear"):
         raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
     wrong = bad_sample(samples.time, samples.values)
@@ -228,7 +243,10 @@ def _checked_times(name: str, samples: RecordSamples, start: float | None, gaps:
 
 
 def _gap(time: Floats) -> tuple[int, str] | None:
-    """Return the first sample after a gap in an otherwise evenly sampled record, and a message; None without a gap."""
+    """Return the index of the first sample after a gap, and a message; None without a gap.
+
+    The times, in s, must otherwise be evenly spaced.
+    """
     steps = np.diff(time)
     usual = float(np.median(steps))
     even = np.abs(steps - usual) <= 0.01 * usual + 8 * EPS * time[-1]

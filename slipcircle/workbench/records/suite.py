@@ -218,7 +218,11 @@ class Suite:
 
     @classmethod
     def of(cls, records: Any, strict: bool = False, gravity: float = 9.81) -> "Suite":
-        """Return a suite from a suite, from paths as for `read_suite`, or from `Series` (a sequence or mapping)."""
+        """Return a suite from a suite, from paths as for `read_suite`, or from `Series` (a sequence or mapping).
+
+        The names of `Series` are the keys of the mapping or numbers from 1. `strict` and `gravity`, in m/s^2, apply to
+        files.
+        """
         if isinstance(records, Suite):
             return records
         if isinstance(records, str | PathLike):
@@ -287,7 +291,10 @@ def read_suite(
 
 
 def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> tuple[list[Entry], list[Unread]]:
-    """Return the records of files, the first of which remain in memory, and the unused files and columns."""
+    """Return the records of files, the first of which remain in memory, and the unused files and columns.
+
+    `vertical` is the pattern of `read_suite`, and `reading` are the arguments of `_shaking` for every file.
+    """
     entries = []
     unread = []
     remaining = _KEPT
@@ -306,7 +313,7 @@ def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> t
 
 
 def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None) -> None:
-    """Reject a unit or a step that all files contradict."""
+    """Raise an error if all files contradict a given unit or step. The step is in s."""
     units = [entry.unit for entry in entries]
     steps = [f"{entry.step:.3g}" for entry in entries]
     for name, given, stated in (("units", unit, units), ("step", step and f"{step:.3g}", steps)):
@@ -315,7 +322,7 @@ def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None
 
 
 def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
-    """Return the message about missing horizontal records."""
+    """Return the message that `paths` contain no horizontal record, with the first of the reasons."""
     shown = "".join(f"; {reason}" for reason in reasons[:_SHOWN])
     more = f"; and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""
     where = ", ".join(map(str, paths))
@@ -323,7 +330,10 @@ def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
 
 
 def _entries(file: Path, vertical: str | None, reading: Values) -> Iterator[Entry | Unread]:
-    """Yield the records of a file, and its unused columns."""
+    """Yield the records of a file, and its unused columns.
+
+    `vertical` is the pattern of `read_suite`, and `reading` are the arguments of `_shaking`.
+    """
     channels = contents(ACCELERATION, str(file), file, reading["options"])
     read = [channel for channel in channels if channel.samples]
     several = len(read) > 1
@@ -344,13 +354,19 @@ def _entries(file: Path, vertical: str | None, reading: Values) -> Iterator[Entr
 
 
 def _read(file: str, channel: int, **reading: Any) -> Series:
-    """Return the samples of a record, read again."""
+    """Return the samples of a record, read again.
+
+    `channel` is its index in the file, from 0, and `reading` the arguments of `_shaking`.
+    """
     channels = contents(ACCELERATION, file, Path(file), reading["options"])
     return _shaking(file, channels[channel], **reading)[0]
 
 
 def _shaking(file: str, channel: Channel, options: Options, holds: str, gravity: float) -> tuple[Series, str]:
-    """Return a record from 0 s, and the unit stated by its file or given by the user."""
+    """Return a record from 0 s, and the unit stated by its file or given by the user.
+
+    The arguments are those of `read_record`.
+    """
     stated = channel.samples.units if channel.samples else ""
     with_unit = options._replace(units=stated or options.units)
     samples = checked_samples(ACCELERATION, file, channel.samples, with_unit)
@@ -366,6 +382,7 @@ def _entry(
     reading: Values | None = None,
     is_vertical: bool = False,
 ) -> Entry:
+    """Return the entry of a record with its intensity measures. `unit` is the unit in its file."""
     digest = hashlib.sha256(series.time.tobytes() + series.values.tobytes()).hexdigest()
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
     reading = reading or {}

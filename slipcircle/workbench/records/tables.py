@@ -34,6 +34,8 @@ class NumberTable(NamedTuple):
 def number_table(quantity: RecordedQuantity, name: str, text: str) -> NumberTable:
     """Return the layout of a table of numbers.
 
+    `quantity` is acceleration or pore pressure, `name` the name of the file for messages, and `text` its content.
+
     Raises
     ------
     ValueError
@@ -54,12 +56,18 @@ def number_table(quantity: RecordedQuantity, name: str, text: str) -> NumberTabl
 
 
 def _step(said: dict[str, tuple[str, str]]) -> float:
-    """Return the time between samples stated in a header, s, or 0."""
+    """Return the time between samples stated in a header, s, or 0.
+
+    `said` has the bracket and the value of each statement by its kind.
+    """
     return seconds_of(*said["step"]) or period_of(*said["rate"])
 
 
 def _unit(quantity: RecordedQuantity, said: dict[str, tuple[str, str]]) -> str:
-    """Return the unit stated in a header, as written, empty if none is stated."""
+    """Return the unit stated in a header, as written, empty if none is stated.
+
+    `said` has the bracket and the value of each statement by its kind.
+    """
     for key in ("unit", "peak"):
         bracket, value = said[key]
         known = [word for word in (bracket, value, value.partition(" ")[0]) if unit_of(word, quantity)]
@@ -71,7 +79,8 @@ def _unit(quantity: RecordedQuantity, said: dict[str, tuple[str, str]]) -> str:
 def _columns(quantity: RecordedQuantity, above: Texts, separator: str | None, width: int) -> list[Column]:
     """Return the columns from the last header line that names them, with units from the line below.
 
-    The list is empty without names.
+    `above` are the lines above the first row of numbers, and `width` is the number of columns. The list is empty
+    without names.
     """
     units = [""] * width
     if above and NUMBER_AND_STEP.fullmatch(above[-1]):
@@ -95,7 +104,10 @@ def _columns(quantity: RecordedQuantity, above: Texts, separator: str | None, wi
 
 
 def _parts(line: str, separator: str | None, width: int) -> tuple[str | None, Texts]:
-    """Return a separator, and the fields of a line that it splits into ``width`` parts, or an empty list."""
+    """Return a separator, and the fields of a line that it splits into `width` parts, or an empty list.
+
+    The given separator of the rows of numbers is tried first. The separator None means blanks.
+    """
     stated = re.sub(r"^[^:]*:|\([+-]\)", "", line).strip(" /")
     for mark in (separator, *SEPARATORS, "/"):
         if mark and mark != "/":
