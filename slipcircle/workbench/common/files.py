@@ -101,7 +101,7 @@ def write_file(name: PathName, content: bytes) -> None:
 
 
 def csv_table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
-    """Return a table as the bytes of a CSV file, in full precision; None becomes an empty cell.
+    """Return head and rows of a table as the bytes of a CSV file, in full precision; None becomes an empty cell.
 
     A text that a spreadsheet would take for a formula begins with an apostrophe.
     """

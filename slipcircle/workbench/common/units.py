@@ -191,7 +191,10 @@ def over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floa
 
 
 def check_strength(name: str, values: Floats, units: str) -> None:
-    """Reject accelerations, in a unit of `UNITS`, beyond any recorded ground motion, and suggest a plausible unit."""
+    """Reject accelerations, in a unit of `UNITS`, beyond any recorded ground motion, and suggest a plausible unit.
+
+    ``name`` is the file, for the message of a ValueError.
+    """
     most = float(np.max(np.abs(values), initial=0.0))
     peak = most * UNITS[units] / 9.81
     if peak <= STRONGEST:

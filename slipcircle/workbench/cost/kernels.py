@@ -97,7 +97,7 @@ def as_printed(name: str, x: Floats) -> Floats:
 
 @cache
 def kernel_inputs(kind: str = "float64") -> NDArray[Any]:
-    """Return inputs from 0 to pi/2 in a format ("float64" or "float32"), sorted, drawn with a fixed seed."""
+    """Return increasing inputs from 0 to pi/2 in a format ("float64" or "float32"), drawn with a fixed seed."""
     rng = np.random.default_rng(2017)
     uniform = rng.uniform(0.0, np.pi / 2, POINTS // 2)
     decades = rng.uniform(_DECADES[kind], 0.0, POINTS // 4)
@@ -108,7 +108,10 @@ def kernel_inputs(kind: str = "float64") -> NDArray[Any]:
 
 @cache
 def exact_values(name: str, kind: str = "float64") -> Exact:
-    """Return exact values of a kernel at `kernel_inputs` where they exist, by its closed form in ball arithmetic."""
+    """Return exact values of a kernel at `kernel_inputs` where they exist, by its closed form in ball arithmetic.
+
+    ``kind`` is the format of the inputs, "float64" or "float32".
+    """
     from flint import ctx
 
     with ctx.workprec(400):

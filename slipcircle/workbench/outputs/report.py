@@ -56,7 +56,7 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 def report_page(
     title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = ""
 ) -> str:
-    """Return a page of parts under its heading, with instructions to reproduce it.
+    """Return a page of parts under its title, with instructions to reproduce it; ``script`` is its JavaScript, if any.
 
     The instructions are the command, digests of the scene files, and installed versions. ``files`` are the scene files
     as pairs of name and content.

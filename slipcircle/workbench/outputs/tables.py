@@ -259,7 +259,7 @@ def plan_part(plan: Plan) -> ResultTable:
 
 
 def ladder_part(rungs: Sequence[Rung], name: str) -> ResultTable:
-    """Return a ladder as a table, with the difference of each rung from the last in per cent."""
+    """Return a ladder as a table under a name, with the difference of each rung from the last in per cent."""
     outcomes = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
     rows = []
     for rung in rungs:
@@ -378,7 +378,7 @@ def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
 
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
-    """Yield the lines of columns side by side, with wrapped cells; rows without any value are omitted."""
+    """Yield the lines of columns side by side, with cells wrapped to ``widths`` in characters, without empty rows."""
     gap = _GAP * " "
     for number, row in enumerate(zip(*columns, strict=True)):
         if row[0] and not any(row[1:]):

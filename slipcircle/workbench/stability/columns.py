@@ -257,5 +257,5 @@ def _crossings(lines: list[Floats], bounds: Floats) -> Floats:
 
 
 def _lower(one: Floats, other: Floats) -> Floats:
-    """Return height and gradient of the lower of two lines, each line given as height and gradient, (2, ...)."""
+    """Return height and gradient of the lower of two lines, each (2, ...): height in m and gradient."""
     return np.where(one[0] < other[0], one, other)

@@ -233,7 +233,10 @@ class Search:
         return within
 
     def _factors(self, q: Floats, rule: Rule) -> Floats:
-        """Return the factors of a block of circles, (n,), NaN as in `evaluate`, and store them for the map."""
+        """Return the factors of a block of circles, (n,), NaN as in `evaluate`, and store them for the map.
+
+        ``rule`` sets the points of the integrals.
+        """
         centre, radius, left, right = self.circles(q)
         thickness = self.thickness(q, centre, radius)
         thick = np.flatnonzero(thickness >= self.depth)
@@ -259,6 +262,8 @@ class Search:
 
     def thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:
         """Return the greatest radial distance from arc to ground in m, (n,), 0 if the search has no least thickness.
+
+        It is -1 where the ground leaves the circle between the ends. Centres and radii belong to the circles ``q``.
 
         It is -1 where the ground leaves the circle between the ends.
         """
@@ -339,7 +344,9 @@ class Search:
         return q[valleys], steps[valleys]
 
     def refined(self, q: Floats, step: Floats, finest: float = FINEST, rule: Rule = FINE) -> ArrayPair:
-        """Return the best circles after descent from all of them, at most three, the best first, and their first steps.
+        """Return the best circles after descent from circles ``q``, at most three, the best first, and first steps.
+
+        ``step`` are the first steps, (n, 4), and ``finest`` is the final step over the first.
 
         ``finest`` is the final step over the first step.
         """

@@ -131,7 +131,10 @@ def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> Texts:
 
 
 def _limit_mistakes(name: str, pair: Any, ground: Floats) -> Texts:
-    """Return a message, in a list, if a limit is not two ordered numbers or lies beside the ground; else []."""
+    """Return a message, in a list, if a limit is not two ordered numbers or lies beside the ground; else [].
+
+    ``name`` is "entry" or "exit", and ``pair`` its value, least and greatest x in m or None; the ground is (V, 2).
+    """
     try:
         low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
     except (TypeError, ValueError):

@@ -205,7 +205,9 @@ def _gauss(nodes: int) -> ArrayPair:
 
 
 def slices_above(slope: SlopeArrays, arcs: Arcs, rule: Rule = EXACT, every_surface: bool = True) -> Slices:
-    """Return the slices above valid arcs.
+    """Return the slices above valid arcs; ``rule`` sets the points of the integrals.
+
+    With ``every_surface``, they contain all surfaces at which the unit weight changes, otherwise the ground alone.
 
     With ``every_surface``, they contain all surfaces at which the unit weight changes, otherwise the ground alone.
     """

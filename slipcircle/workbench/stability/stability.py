@@ -313,7 +313,7 @@ def _slope_arrays(
     numbers: Values,
     slipped: bool = False,
 ) -> SlopeArrays:
-    """Return slopes with their lines, soils, surcharges and further properties as arrays."""
+    """Return slopes as arrays: lines and soils of ``layers`` by ``by_lane``, surcharges, and ``numbers`` by field."""
     lines = by_lane(slope.ground, 2)
     level = None if slope.level is None else by_lane(slope.level, 2)
     water = free_water(lines, level, slope.confined, slope.ponds)
@@ -348,7 +348,7 @@ def one_layer(numbers: Values) -> _Layers:
 
 
 def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays:
-    """Return the soils of layers as arrays, at the start of a motion or after a large slip."""
+    """Return the soils of layers as arrays, at the start or, if ``slipped``, after a large slip of the motion."""
     rows = []
     for soil, _ in layers:
         saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight

@@ -199,7 +199,10 @@ def may_stand(observed: Observations, limit: Interval | None) -> bool:
 def search_problem(
     scene: Scene, field: Any, bounds: Any, observed: Observations, limits: Mapping[str, Interval]
 ) -> SearchProblem:
-    """Return the back-analysis problem for the given fields and bounds; ValueError for invalid arguments."""
+    """Return the back-analysis problem for the given fields and bounds; ValueError for invalid arguments.
+
+    ``observed`` are values with standard errors by outcome, ``limits`` the observations given as intervals.
+    """
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     if isinstance(field, str | None):
@@ -286,7 +289,10 @@ def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations)
 
 
 def _between(name: str, low: float, high: float) -> Floats:
-    """Return 401 values between bounds, in equal ratios if the bounds are far apart; ``name`` is for the message."""
+    """Return 401 increasing values from ``low`` to ``high``, in equal ratios if these are far apart.
+
+    ``name`` is the key of the field, for the message of a ValueError.
+    """
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
         raise ValueError(
             f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"

@@ -79,7 +79,10 @@ def limit_value(problem: SearchProblem) -> list[float]:
 
 
 def _apart(left: Floats, right: Floats, least: float) -> Flags:
-    """Return whether the ends of brackets differ by more than the share ``least`` of their magnitude."""
+    """Return whether the ends of brackets, ``left`` and ``right``, differ by more than a share of their magnitude.
+
+    The share is ``least``.
+    """
     return right - left > least * np.maximum(np.abs(left), np.abs(right))
 
 

@@ -75,7 +75,10 @@ SETTINGS: Mapping[str, Setting] = {
 
 
 def setting_mistakes(scene: Scene, given: Values, records: Any) -> Texts:
-    """Return messages for invalid values of `SETTINGS`, and for settings that exclude each other."""
+    """Return messages for invalid values of `SETTINGS`, and for settings that exclude each other.
+
+    ``given`` are the arguments of `ensemble` by name; ``records`` is None without records.
+    """
     found = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
     if not scene.uncertain and records is None:
         found.append("the scene has no uncertain parameter; give Scene(uncertain=...), --uncertain, or one in the file")

@@ -73,7 +73,10 @@ def standard_error(values: Floats) -> Any:
 
 
 def student(values: Floats, confidence: float) -> Any:
-    """Return half the width of the interval of a mean of independent estimates, along the first axis; NaN for one."""
+    """Return half the width of the interval of a mean of independent values along the first axis; NaN for one value.
+
+    The confidence is between 0 and 1.
+    """
     if len(values) < 2:
         return np.full(np.shape(values)[1:], np.nan)
     return interval_width(confidence, len(values)) * standard_error(values)

@@ -63,7 +63,10 @@ def intensities(record: Series, gravity: float = 9.81) -> Intensities:
 
 
 def drift_warning(record: Series, gravity: float = 9.81) -> str:
-    """Return a warning if the velocity at the end exceeds 5 % of its peak; otherwise an empty text."""
+    """Return a warning if the velocity of a record at its end exceeds 5 % of its peak; otherwise an empty text.
+
+    The record is over gravity, which is in m/s^2.
+    """
     velocity = gravity * np.abs(_velocity(*_with_zeros(record)))
     end, peak = float(velocity[-1]), float(np.max(velocity))
     if not end > _DRIFT * peak:

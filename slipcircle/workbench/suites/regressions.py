@@ -319,7 +319,9 @@ def comparisons(displacement: Floats, shaking: Shaking) -> list[Comparison]:
 
 
 def _compared(regression: Regression, displacement_cm: Floats, shaking: Shaking, predicted: Floats) -> Comparison:
-    """Return the comparison with a regression.
+    """Return the comparison of computed displacements in cm with a regression.
+
+    ``predicted`` is ln D by the regression, D in cm; both arrays have one value for each record.
 
     ``predicted`` is ln D by the regression, D in cm; both arrays have one value for each record.
     """

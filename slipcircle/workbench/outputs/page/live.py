@@ -126,7 +126,10 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
 
 
 def _data(motion: Motion, drawn: DrawnSection, sliders: Sequence[Slider] | None, why_not: str) -> ValueDict:
-    """Return the data of the script: the solved motion, the observations, and the inputs of the engine."""
+    """Return the data of the script: the solved motion, the observations, and the inputs of the engine.
+
+    ``sliders`` is None for the default ones; ``why_not`` is the reason why the page cannot solve the scene, or empty.
+    """
     scene = motion.plan.scene
     duration = _duration(motion)
     length, _ = printed("m")

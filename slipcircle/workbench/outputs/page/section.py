@@ -52,6 +52,8 @@ class Frame(NamedTuple):
     def path(self, kind: str, world: Any, closed: bool = False, arc: str = "") -> str:
         """Return an SVG path of a CSS class, ``kind``: a line through points (n, 2) in m, with gaps at NaN.
 
+        ``world`` are the points, and ``arc`` further commands of the path.
+
         ``arc`` has further commands of the path.
         """
         points = self.points(np.asarray(world, dtype=np.float64))
@@ -191,7 +193,7 @@ def section_ticks(frame: Frame, names_left: bool) -> Raw:
 
 
 def _round_numbers(low: float, high: float, most: int) -> list[float]:
-    """Return at most ``most`` equidistant round numbers between two bounds, away from both of them."""
+    """Return at most ``most`` equidistant round numbers between ``low`` and ``high``, away from both of them."""
     span = high - low
     steps = _STEPS * 10.0 ** math.floor(math.log10(span / most))
     step = float(steps[steps >= span / most][0])

@@ -79,7 +79,10 @@ def _sections(motions: Sequence[Motion], ax: Any) -> Any:
 def curves(
     motions: Sequence[Motion], names: Sequence[str], column: str, ax: Any = None, notes: Iterable[str] = ()
 ) -> Any:
-    """Draw a column of `HISTORY` over time as a curve for each motion that moves, with its name; return the axis."""
+    """Draw a column of `HISTORY` over time as a curve for each motion that moves; return the axis.
+
+    ``names`` are the labels of the motions, and ``notes`` lines of text beside the title.
+    """
     ax = panel(ax, column, ("time $t$ (s)",), (HISTORY[column].label, HISTORY[column].unit), notes)
     styles = _styles(motions)
     if not styles:

@@ -137,7 +137,10 @@ def drawing(what: str, result: Any) -> "Drawing":
 
 
 def picture(what: str, result: Any, path: str) -> bytes:
-    """Return a picture of a result as bytes in the format of a file name; a GIF animates the first motion."""
+    """Return a picture of a result as bytes in the format of a file name; a GIF animates the first motion.
+
+    ``what`` is a kind of picture of `drawing`, and ``path`` is a file name or only its suffix.
+    """
     if path.lower().endswith("gif"):
         return slide_gif(result[0])
     return render(*drawing(what, result), path)

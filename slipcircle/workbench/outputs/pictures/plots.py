@@ -139,7 +139,10 @@ def _mark_times(ax: Any, motion: Motion, curve: ArrayPair, unit: str, with_run_o
 
 
 def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
-    """Return points of a curve in view for its label, away from both ends of the time axis."""
+    """Return points of a curve in view, (points, 2), for its label, away from both ends of the time axis.
+
+    Times are in s, and values in the drawn unit.
+    """
     left, right = ax.get_xlim()
     low, high = ax.get_ylim()
     margin = 0.1 * (right - left)
@@ -179,7 +182,7 @@ def _read(time: float, times: Floats, values: Floats) -> float:
 
 
 def _differs(one: Floats, other: Floats) -> bool:
-    """Return whether a curve has finite values that differ from the values of another curve."""
+    """Return whether curve ``one`` has finite values and differs from curve ``other`` by more than rounding."""
     return bool(np.any(np.isfinite(one))) and not np.allclose(one, other, rtol=1e-9, atol=0.0, equal_nan=True)
 
 

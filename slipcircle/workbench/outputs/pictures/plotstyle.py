@@ -168,14 +168,17 @@ def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
 
 
 def add_label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: bool = False, **more: Any) -> None:
-    """Add a label beside the best of its anchors, which are points (n, 2), where it covers least."""
+    """Add a text beside the best of its anchors, which are points (n, 2), where it covers least.
+
+    It is on the anchor if ``inside``; ``more`` are properties of matplotlib's text.
+    """
     from slipcircle.workbench.outputs.pictures.labels import Label
 
     Label(ax, words, anchors, colour, inside, **more)
 
 
 def anchors_along(x: Any, y: Any, count: int = 12) -> Any:
-    """Return about ``count`` points of a curve, (points, 2), as anchors of its label."""
+    """Return about ``count`` points of the curve y over x, (points, 2), as anchors of its label."""
     points = np.column_stack(np.broadcast_arrays(x, y))
     apart = max(1, len(points) // count)
     return points[::apart]
@@ -225,7 +228,7 @@ def axis_words(quantity: Key) -> str:
 
 
 def area(ax: Any, outline: Any, role: str, **more: Any) -> Any:
-    """Add a polygon with vertices (n, 2) in a style of `AREAS` and return it."""
+    """Add a polygon with vertices (n, 2), the ``outline``, in the style of a role in `AREAS`, and return it."""
     from matplotlib.patches import Polygon
 
     return ax.add_patch(Polygon(outline, closed=True, **{"zorder": 2, **AREAS[role], **more}))
@@ -252,7 +255,7 @@ def letter(axes: Iterable[Any]) -> None:
 
 
 def add_mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:
-    """Draw a mark of `MARKS` at a point, also on the edge, with words beside it."""
+    """Draw the mark of a role in `MARKS` at the point x, y, also on the edge of the axis, with words beside it."""
     ax.plot(x, y, ls="", clip_on=False, zorder=5, **MARKS[role])
     if words:
         add_label(ax, words, (x, y), "black")
@@ -285,7 +288,7 @@ def figure_texts(figure: Any) -> list[str]:
 
 
 def curve(ax: Any, motion: Motion, x: Any, y: Any, **style: Any) -> None:
-    """Draw a curve over the times of `columns_of_picture`, grey where the motion is outside the range of the method."""
+    """Draw y over x at the times of `columns_of_picture`, grey where the motion is outside the range of the method."""
     from matplotlib.collections import LineCollection
 
     ax.plot(x, y, **style)

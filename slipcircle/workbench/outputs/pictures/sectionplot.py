@@ -119,7 +119,10 @@ def set_stage(motion: Motion, ax: Any) -> Stage:
 
 
 def surroundings(ax: Any, mass: MassShape, soil: Any, outlines: Sequence[Floats]) -> View:
-    """Draw slope and circle to scale, with room for the given outlines of the mass; return the view."""
+    """Draw slope and circle to scale, with room for the given outlines of the mass, (n, 2); return the view.
+
+    ``soil`` is the arc, the section or the slope.
+    """
     view = View.around(*outlines)
     margin = _MARGIN * view.size
     view = scenery(ax, mass, soil, view.grown(margin, margin))
@@ -203,7 +206,10 @@ def factors_in_words(critical: Critical | None) -> str:
 
 
 def scenery(ax: Any, mass: MassShape, soil: Any, view: View) -> View:
-    """Draw the circle and the surroundings of the mass; return the view, extended down to the firm layer."""
+    """Draw the circle and the surroundings of the mass; return the view, extended down to the firm layer.
+
+    ``soil`` is the arc, the section or the slope.
+    """
     ax.plot(*mass.arc.T, zorder=4, **LINES["main"])
     base = getattr(soil, "base", None)
     bottom = view.bottom - view.size  # the axis may show more than the view
@@ -229,7 +235,10 @@ def scenery(ax: Any, mass: MassShape, soil: Any, view: View) -> View:
 
 
 def name_circle(ax: Any, mass: MassShape, soil: Any) -> None:
-    """Label the circle, and the chord of an arc."""
+    """Label the circle of a mass with its radius, and the chord of an arc with length, dip and depth.
+
+    ``soil`` is the arc, the section or the slope.
+    """
     words = f"slip circle, $R$ = {formatted_amount(mass.radius, 'm')}"
     if isinstance(soil, LayeredSection):
         colour = "0.25"

@@ -97,7 +97,10 @@ def _limits(at: Any, probability: Any) -> Pair:
 
 
 def _mark_quantiles(study: "Study", output: str, ax: Any, rare: bool) -> list[str]:
-    """Mark the median and the 95 % quantile on the curve of an axis; return notes on quantiles beyond it."""
+    """Mark the median and the 95 % quantile on the curve of an axis; return notes on quantiles beyond it.
+
+    With ``rare`` the marks have no labels.
+    """
     at, probability = ax.lines[0].get_data()
     beyond = []
     for role, p, words in (("peak", 0.5, "median"), ("end", 0.95, "exceeded by 5 %")):
@@ -156,7 +159,10 @@ def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool
 
 
 def _index_bars(ax: Any, estimates: Any, offset: float, style: str, words: str) -> None:
-    """Draw a bar with its interval for each input, from values, low and high ends, (3, inputs), and a label.
+    """Draw a bar with its interval for each input.
+
+    ``estimates`` are values, low and high ends, (3, inputs). Bars are moved by ``offset``, have a style of `AREAS`, and
+    the words as label.
 
     Bars are moved by ``offset`` and have a style of `AREAS`.
     """

@@ -122,7 +122,10 @@ def fragility(study: "Study", ax: Any = None) -> Any:
 
 
 def _shares(ax: Any, levels: Any, value: Any, low: Any, high: Any, **style: Any) -> None:
-    """Draw shares of the motions over levels (PGA over gravity), with intervals where they are neither 0 nor 1."""
+    """Draw shares of the motions over levels (PGA over gravity), with intervals where they are neither 0 nor 1.
+
+    ``value``, ``low`` and ``high`` are the shares and the ends of their intervals, (levels,).
+    """
     errors = np.where((value > 0.0) & (value < 1.0), [value - low, high - value], 0.0)
     ax.errorbar(levels, value, errors, ls="", ms=4, elinewidth=0.7, alpha=0.8, **style)
 
