@@ -74,7 +74,7 @@ def _moves(program: Program, rounding: float, is_refined: bool = False) -> Float
 def _is_of_table(cell: str) -> bool:
     """Return whether a cell belongs to a table, by its name, such as ``k_h.PIECE``.
 
-    Names of cells of laws are such as ``exponential.peak``.
+    Cells of laws have names such as ``exponential.peak``.
     """
     _, dot, name = cell.rpartition(".")
     return bool(dot) and name.isupper()

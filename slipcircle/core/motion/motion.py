@@ -100,7 +100,7 @@ class Motion(Conversions, Generic[Numbers]):
 
     @property
     def slips(self) -> Any:
-        """Number of times the mass has gone from rest to sliding by the end, an integer or an array over the cases."""
+        """Number of phases of sliding, each between two standstills, an integer or an array over the cases."""
         return self._whole_number(ix.PHASES)
 
     def _whole_number(self, entry: int) -> Any:

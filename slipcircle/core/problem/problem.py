@@ -171,7 +171,8 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
 def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
     """Return `Problem.near`, the margin of decisions and the function of the exact limit friction.
 
-    It is zero and without function unless forces are constant in time and strengths are unscaled.
+    The margin is 0 where the exact limit friction is unknown, forces change in time or with the rotation, or strengths
+    are scaled.
     """
     arc = plan.scene.arc
     if arc._limit_parts is None or arc.given is not None or plan.recipe.moving or np.any(strength != 1.0):
