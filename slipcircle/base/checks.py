@@ -59,7 +59,7 @@ class Message(str):
 
 
 def _worded(template: str, name_of: Rename) -> str:
-    """Return a template with each argument replaced by its name."""
+    """Return a template with each argument in braces replaced by the name that a function returns for it."""
 
     def name(match: re.Match[str]) -> str:
         short, path = match.groups()
@@ -84,11 +84,12 @@ class InputError(ValueError):
         return InputError, (self.what, templates)
 
     def worded(self, name_of: Rename, what: str = "") -> str:
-        """Return the messages with renamed arguments, one per line, each preceded by the name of the invalid object."""
+        """Return the messages with arguments renamed by a function, one per line; ``what`` precedes each of them."""
         return _lines([message.worded(name_of) for message in self.messages], what)
 
 
 def _lines(sentences: Iterable[str], what: str) -> str:
+    """Return sentences as lines, each preceded by the name of the invalid object, ``what``, unless it is empty."""
     return "\n".join(f"{what}: {sentence}" if what else sentence for sentence in sentences)
 
 
@@ -213,7 +214,7 @@ def _read_only(array: NDArray[Any]) -> NDArray[Any]:
 
 
 def freeze(owner: Any, fields: Iterable[str]) -> None:
-    """Replace fields of a frozen dataclass by read-only copies."""
+    """Replace the named fields of a frozen dataclass by read-only copies."""
     for name in fields:
         value = getattr(owner, name)
         own = frozen(value)
@@ -250,7 +251,7 @@ def shown(value: Any) -> str:
 
 
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> Texts:
-    """Return a message for each field that is not a finite number in its bounds, or an array although in ``one``."""
+    """Return a message for each field that is not finite or not in its open bounds, or is in ``one`` and an array."""
     sentences: Texts = []
     for name, allowed in bounds.items():
         value: Any = fields[name]
@@ -262,7 +263,7 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
 
 
 def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> Texts:
-    """Return a message if a field violates its bounds."""
+    """Return a message if a field violates its open bounds, or if it must be ``one`` number and is an array."""
     lower, upper, allowed = bounds
     array = array_of(value)
     if one and array.ndim > 0:
@@ -326,7 +327,7 @@ _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 
 
 def _value_mistakes(path: str, p: Any, value: Any) -> Texts:
-    """Return the messages about the value of a declared parameter."""
+    """Return messages about the value of the declared parameter ``p``. Its effect or law is named ``path``."""
     has_bounds = p.key and p.kind in ("number", "list", "series", "fixed")
     if has_bounds and not callable(value):
         lower = min(p.lower, 0.0)
@@ -378,13 +379,13 @@ def shape_mistakes(fields: Mapping[str, ArrayLike]) -> Texts:
 
 
 def raise_all(what: str, sentences: Sequence[str]) -> None:
-    """Raise one `InputError` that lists all messages, if there are any."""
+    """Raise one `InputError` with all messages, if there are any. The invalid object is named ``what``."""
     if sentences:
         raise InputError(what, sentences)
 
 
 def complaint(faults: Iterable[Fault], shape: Shape) -> Texts:
-    """Return the message about the first invalid lane, as a list of at most one element."""
+    """Return the message about the first invalid lane, as a list of at most one element; ``shape`` is the lanes'."""
     for lanes, sentence in faults:
         bad = np.asarray(lanes)
         if not bad.any():

@@ -11,7 +11,10 @@ _modules: Texts = []
 
 
 def use_conversions(module: str) -> None:
-    """Set the module that implements the methods below. It is imported when one of them is called."""
+    """Set the module, by its dotted name, that implements the methods below.
+
+    It is imported when one of them is called.
+    """
     _modules[:] = [module]
 
 
@@ -49,6 +52,10 @@ class Pictured:
         return self._convert("plot", what, ax)
 
     def _convert(self, name: str, *arguments: Any) -> Any:
+        """Return the result of a function of the module for conversions.
+
+        ``name`` is the function, and ``arguments`` follow this object.
+        """
         (module,) = _modules
         return getattr(import_module(module), name)(self, *arguments)
 

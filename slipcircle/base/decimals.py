@@ -12,12 +12,12 @@ _HALVINGS = 12  # of an angle, so that its series is short
 
 
 def sin(x: Decimal) -> Decimal:
-    """Return the sine of an angle."""
+    """Return the sine of an angle in rad, with the precision of the current decimal context."""
     return _sine_and_cosine(x)[0]
 
 
 def cos(x: Decimal) -> Decimal:
-    """Return the cosine of an angle."""
+    """Return the cosine of an angle in rad, with the precision of the current decimal context."""
     return _sine_and_cosine(x)[1]
 
 
@@ -29,7 +29,10 @@ def atanh(x: Decimal) -> Decimal:
 
 @lru_cache(maxsize=8)
 def _sine_and_cosine(x: Decimal) -> tuple[Decimal, Decimal]:
-    """Return sine and cosine by their series at a fraction of the angle, which is then doubled."""
+    """Return sine and cosine of an angle in rad.
+
+    Their series are evaluated at a fraction of the angle, which is then doubled repeatedly.
+    """
     part = x / 2**_HALVINGS
     sine = Decimal(0)
     term = part

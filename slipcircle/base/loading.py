@@ -9,12 +9,13 @@ _COMMANDS = ("-m", "slipcircle")  # how Python names them
 
 
 def _end(*_: object) -> None:
+    """Print that the command was interrupted and exit with status 130."""
     os.write(2, b"\nslipcircle: interrupted\n")
     os._exit(INTERRUPTED)
 
 
 def finish() -> None:
-    """Let Ctrl-C raise `KeyboardInterrupt` again."""
+    """Let Ctrl-C raise `KeyboardInterrupt` again, after the modules of the command are loaded."""
     if signal.getsignal(signal.SIGINT) is _end:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 

@@ -22,7 +22,10 @@ _FIELDS = {  # by SI unit: fields that no effect or law declares
 
 
 def in_si(name: str, value: Any) -> Any:
-    """Return the value of a field converted to SI units, also within lists and mappings."""
+    """Return the value of a field converted to SI units, also within lists and mappings.
+
+    ``name`` is the field or parameter, which determines the unit. Numbers without unit are unchanged.
+    """
     if hasattr(type(value), "dimensionality"):
         return _magnitude(name, value)
     if isinstance(value, Mapping):
@@ -33,7 +36,10 @@ def in_si(name: str, value: Any) -> Any:
 
 
 def _magnitude(name: str, quantity: Any) -> Any:
-    """Return the magnitude of a quantity in the unit of its field; factors must not have a unit, not even rad."""
+    """Return the magnitude of a quantity in the SI unit of its field, which ``name`` determines.
+
+    Factors must not have a unit, not even rad.
+    """
     units = _units(name)
     for unit in units:
         fits = quantity.is_compatible_with(unit)

@@ -22,7 +22,10 @@ def install(package: str) -> str:
 
 
 def optional(module: str, purpose: str, package: str = "") -> Any:
-    """Return a module of an optional package. ``package`` is needed only if its name differs from the module's.
+    """Return a module of an optional package.
+
+    ``purpose`` is the feature that needs it, for the message. ``package`` is needed only if its name differs from the
+    module's.
 
     Raises
     ------

@@ -17,7 +17,7 @@ _CLEAR = "\r\x1b[K"  # the line of a terminal
 
 
 def is_terminal(stream: Any) -> bool:
-    """Return whether a stream is a terminal. Streams that are closed or that cannot tell are not."""
+    """Return whether an output stream is a terminal. Streams that are closed or that cannot tell are not."""
     return bool(getattr(stream, "isatty", bool)())
 
 
@@ -102,14 +102,17 @@ class Progress:
 
 
 def counted(total: int, things: str) -> Progress:
-    """Return a progress report that stays silent if the work finishes soon."""
+    """Return a progress report that stays silent if the work finishes soon.
+
+    ``total`` is the number of items, and ``things`` names them in the plural.
+    """
     progress = Progress(total, things)
     progress.shown += _SOON[not progress.is_terminal]
     return progress
 
 
 def track(items: Collection[T], things: str) -> Iterator[T]:
-    """Yield the items and report progress. A single item reports its own parts."""
+    """Yield the items and report progress. ``things`` names them in the plural. A single item reports its own parts."""
     if len(items) < 2:
         yield from items
         return
@@ -120,13 +123,19 @@ def track(items: Collection[T], things: str) -> Iterator[T]:
 
 
 def say(message: str, before: str = "") -> None:
-    """Print a message on stderr, if it is open; each line begins with the name of the program."""
+    """Print a message on stderr, if it is open; each line begins with the name of the program.
+
+    ``before`` is printed ahead of the name.
+    """
     for text in message.splitlines() if sys.stderr is not None else ():
         print(f"{before}slipcircle: {clean(text)}", file=sys.stderr, flush=True)
 
 
 def say_later(seconds: float) -> Timer:
-    """Start a timer that announces a computation without progress report. The caller may cancel it."""
+    """Start a timer that announces a computation without progress report after some seconds.
+
+    The caller may cancel the returned timer.
+    """
     timer = Timer(seconds, _say_computing)
     timer.daemon = True
     timer.start()
@@ -134,5 +143,6 @@ def say_later(seconds: float) -> Timer:
 
 
 def _say_computing() -> None:
+    """Announce that a computation runs, unless a progress report is shown."""
     if not Progress.is_shown:
         say("computing; Ctrl-C stops it")

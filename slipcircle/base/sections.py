@@ -17,9 +17,9 @@ def first_section(
     holds : callable
         Condition as a function of places of shape (shares, intervals).
     low, high : ndarray
-        Ends of the intervals.
+        Ends of the intervals, (intervals,).
     shares : ndarray
-        Positions of the section ends relative to the interval, from 0 to 1.
+        Positions of the section ends relative to the interval, increasing from 0 to 1, (shares,).
 
     Returns
     -------
@@ -37,7 +37,8 @@ def first_section(
 def distinct(edges: Floats, least: float) -> Floats:
     """Return section edges of shape (edges, n), increasing, without sections of a width up to ``least``.
 
-    The first and the last edge remain. Columns with fewer edges repeat the last one.
+    Each of the n columns is an interval divided into sections. The first and the last edge remain. Columns with fewer
+    edges repeat the last one.
     """
     inner = edges[1:-1]
     last = edges[-1]

@@ -10,7 +10,7 @@ PRINTED: ContextVar[Mapping[str, tuple[str, float]]] = ContextVar("PRINTED", def
 
 
 def shown(value: float, digits: int = DIGITS) -> str:
-    """Return a number as text, rounded to significant digits."""
+    """Return a number as text, rounded to a number of significant digits; "-" for NaN."""
     if math.isnan(value):
         return "-"
     if math.isinf(value):
@@ -20,7 +20,7 @@ def shown(value: float, digits: int = DIGITS) -> str:
 
 
 def printed(unit: str) -> tuple[float, str]:
-    """Return the factor from an SI unit to the unit of output, and that unit."""
+    """Return the factor from an SI unit to the unit of output, and the name of the unit of output."""
     name, size = PRINTED.get().get(unit, (unit, 1.0))
     return 1.0 / size, name
 
@@ -32,7 +32,7 @@ def drawn_unit(unit: str) -> tuple[float, str]:
 
 
 def measured(value: float, unit: str, digits: int = DIGITS) -> str:
-    """Return a quantity in an SI unit as text with its unit of output."""
+    """Return a quantity in an SI unit as text with its unit of output, rounded to a number of significant digits."""
     factor, name = printed(unit)
     return f"{shown(factor * value, digits)} {name}".rstrip()
 
@@ -49,7 +49,10 @@ def digits_left(error: float) -> int:
 
 
 def clean(text: str, kept: str = "") -> str:
-    """Return a text in which each control character is replaced, except for the characters in ``kept``."""
+    """Return a text in which each control character is replaced by a space or a replacement character.
+
+    The characters in ``kept`` remain.
+    """
     cleaned = []
     for character in text:
         if character.isprintable() or character in kept:

@@ -10,7 +10,7 @@ _PLAIN = frozenset((bool, int, float, str, np.float64))
 
 
 def take_units(owner: Any, fields: Iterable[str]) -> None:
-    """Replace quantities in the fields of a frozen dataclass by numbers in SI units.
+    """Replace quantities in the named fields of a frozen dataclass ``owner`` by numbers in SI units.
 
     Raises
     ------

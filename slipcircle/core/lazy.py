@@ -37,5 +37,5 @@ MODULES = {
 
 @cache
 def lazy_import(name: str) -> Any:
-    """Return a module outside the core by its name in `MODULES`, imported at its first use."""
+    """Return a module outside the core, imported at its first use. ``name`` is a key of `MODULES`, not a path."""
     return import_module(MODULES[name])

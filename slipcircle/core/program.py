@@ -9,7 +9,7 @@ from slipcircle.base.kinds import Names
 
 @lru_cache(maxsize=256)
 def build_program(recipe: Recipe, outputs: Names = ()) -> Program:
-    """Return the program of a scene.
+    """Return the program of a scene, linked from the effects and laws that its ``recipe`` names.
 
     ``outputs`` are further outputs: registers such as ``mu``, ``pressing`` or ``friction``, and "energy" for the states
     ``work`` and ``dissipation``.

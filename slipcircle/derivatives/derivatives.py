@@ -82,6 +82,7 @@ class Sensitivity:
         return str(self.kinds[place])
 
     def _place(self, output: str, parameter: str) -> tuple[int, int]:
+        """Return the row of an output and the column of a parameter, from their names."""
         row = list(self.outputs).index(output)
         column = list(self.parameters).index(parameter)
         return row, column

@@ -206,7 +206,10 @@ def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
 
 
 def _largest(here: Floats, beside: Floats) -> Floats:
-    """Return the size of each outcome, (outcomes, 1, 1), or the size of its neighbours if it is 0."""
+    """Return the size of each outcome, (outcomes, 1, 1), or the size of its neighbours if it is 0.
+
+    `here` and `beside` are the outcomes of `_solved`.
+    """
     sizes = np.abs(here)
     sizes_beside = np.abs(beside)
     largest = sizes.max(axis=(1, 2), keepdims=True, initial=0.0)
@@ -216,7 +219,11 @@ def _largest(here: Floats, beside: Floats) -> Floats:
 
 
 def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
-    """Return the greatest effect of changing any number by its scale on an outcome, over the scale of each number."""
+    """Return the greatest effect of changing any number by its scale on an outcome, over the scale of each number.
+
+    `steepness` are the sizes of known slopes, (outcomes, numbers, sides). `largest` are the sizes of the outcomes, the
+    least values of the effect.
+    """
     scale = scales[..., 0]
     changes = steepness * scale
     most_by_any = changes.max(axis=(1, 2), keepdims=True, initial=0.0)

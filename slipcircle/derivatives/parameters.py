@@ -86,7 +86,7 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
 
 
 def _rests_at_zero(name: str) -> bool:
-    """Return whether zero means that the feature is absent."""
+    """Return whether zero means that the feature is absent, for a number with the given path."""
     return name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
 
 

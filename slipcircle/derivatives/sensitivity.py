@@ -54,6 +54,7 @@ def sensitivity(motion: Motion) -> Sensitivity:
 
 
 def _outcomes(motion: Any) -> list[Any]:
+    """Return the outcomes of a motion in the order of `OUTPUTS`, in SI units."""
     return [motion.outcomes[name] for name in OUTPUTS]
 
 

@@ -33,7 +33,7 @@ class Cut(NamedTuple):
     leaves: Flags
 
     def only(self, lanes: Any) -> "Cut":
-        """Return the parts of selected circles."""
+        """Return the parts for the circles with these indices."""
         return Cut._make(part[lanes] for part in self)
 
 
@@ -47,7 +47,7 @@ class _Edges(NamedTuple):
     last_clear: Floats
 
     def only(self, chosen: Any) -> "_Edges":
-        """Return selected edges."""
+        """Return the edges with these indices, or where a mask is true."""
         return _Edges._make(part[chosen] for part in self)
 
     def reversed(self) -> "_Edges":
@@ -57,7 +57,9 @@ class _Edges(NamedTuple):
 
 
 def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
-    """Return the parts of grounds (n or 1, V, 2) inside circles with centres (n, 2) and radii (n,).
+    """Return the parts of grounds inside circles.
+
+    Grounds are (n or 1, V, 2), centres (n, 2) and radii (n,), in m. The parts are over R with the origin at the centre.
 
     A vertex closer to a circle than the rounding of its coordinates lies on the circle and separates two stretches.
     """
@@ -94,7 +96,11 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
 
 
 def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Floats) -> Floats:
-    """Return R^2 - rho^2 of each vertex that is inside by more than rounding of coordinates, and 0 otherwise."""
+    """Return R^2 - rho^2 in m^2 of each vertex, (n, V), 0 unless it is inside by more than rounding of coordinates.
+
+    Here rho is the distance from the centre. ``line`` and ``from_centre`` are the vertices in space and from the
+    centres.
+    """
     r = radius[:, None]
     x, y = from_centre
     square = r * r
@@ -111,18 +117,24 @@ def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Fl
 
 
 def _doubled(vectors: Vectors) -> Vectors:
-    """Return vectors in double-double arithmetic."""
+    """Return vectors of floats as vectors in double-double arithmetic."""
     return Vectors(DoubleDouble(vectors.x), DoubleDouble(vectors.y))
 
 
 def _clearance(from_centre: Vectors, radius: Floats) -> DoubleDouble:
-    """Return R^2 - rho^2 of points in double-double arithmetic, since it is small near the circle."""
+    """Return R^2 - rho^2 of points at the distance rho from the centre, in double-double arithmetic.
+
+    It is small near the circle. Radii have the shape of the points.
+    """
     r = DoubleDouble(radius)
     return r * r - from_centre.square
 
 
 def _with_an_end_inside(edges: _Edges) -> ArrayPair:
-    """Return start and length of the part inside relative to each edge, 0 where both ends are outside."""
+    """Return start and length of the part inside the circle relative to each edge, from 0 to 1, (n, E).
+
+    Both are 0 where both ends are outside.
+    """
     first_in = edges.first_clear > 0.0
     last_in = edges.last_clear > 0.0
     share = (first_in & last_in).astype(float)
@@ -136,7 +148,11 @@ def _with_an_end_inside(edges: _Edges) -> ArrayPair:
 
 
 def _share_from_inside(edges: _Edges) -> Floats:
-    """Return the root s of D s^2 + 2 b s = g, in the form without cancellation, for edges that begin inside."""
+    """Return the part of edges that begin inside up to the circle, relative to the edge.
+
+    It is the root s of D s^2 + 2 b s = g, in the form without cancellation. D is the square of the edge, b the product
+    of its first end and the edge, and g the clearance of the first end.
+    """
     b = edges.first.dot(edges.edge)
     d = edges.edge.square
     g = edges.first_clear
@@ -157,7 +173,9 @@ def _may_pass_through(edges: _Edges) -> Flags:
 
 
 def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> ArrayPair:
-    """Return start and length of the part inside relative to edges that may pass through a circle.
+    """Return start and length of the part inside relative to edges that may pass through a circle, from 0 to 1.
+
+    Edges are given by their ends, with the centre and the radius of the circle of each, in m.
 
     The discriminant may be small and requires double-double arithmetic.
     """
@@ -176,7 +194,11 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
 
 
 def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
-    """Return circle and number of every complete stretch, and whether each circle contains an end of the ground."""
+    """Return circle and number of every complete stretch, and whether each circle contains an end of the ground.
+
+    A stretch is the ground between two crossings of a circle; numbers count from 0 from the left. The first two are
+    arrays over all stretches, the last is (n,).
+    """
     leaves_first = parts.leaves & (parts.stretch < 0)
     from_start = leaves_first.any(axis=1)  # the ground begins inside the circle
     count = parts.leaves.sum(axis=1) - from_start
@@ -193,7 +215,10 @@ def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
 
 
 def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
-    """Return the left and the right crossing of one stretch for each circle, (n,) each."""
+    """Return the left and the right crossing of one stretch for each circle, from its centre over R, (n,) each.
+
+    ``number`` is the number of the stretch of each circle, from 0.
+    """
     mine = parts.stretch == np.asarray(number)[:, None]
     lane = np.arange(len(mine))
     enters = parts.enters & mine
@@ -204,9 +229,10 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
 
 
 def moments(parts: Cut, mine: Flags) -> ArrayDict:
-    """Return integrals of ``MEASURES`` over the mass below selected parts, (n, E), for each circle.
+    """Return integrals over the mass below selected parts for each circle, by the names in ``MEASURES``, (n,).
 
-    Source: `generated.slopes`. The relative error is about 1e-15, for vectors relative to their length.
+    ``mine`` is a mask of the parts above the mass, (n, E), and lengths are over R. Source: `generated.slopes`. The
+    relative error is about 1e-15, for vectors relative to their length.
     """
     n, count = mine.shape
     out = np.zeros((len(MEASURES), n))
@@ -218,7 +244,10 @@ def moments(parts: Cut, mine: Flags) -> ArrayDict:
 
 
 def _moments(parts: Cut, mine: Flags) -> Floats:
-    """Return `moments` of one block, short edges by quadrature of rings and long edges by sectors and triangles."""
+    """Return `moments` of one block, (measures, n).
+
+    Short edges are integrated by quadrature of rings, and long edges by sectors and triangles.
+    """
     start = parts.start
     edge = parts.part.where(mine)
     end = start + edge
@@ -233,7 +262,10 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
 
 
 def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Floats:
-    """Return moments below edges by the closed forms of sectors and triangles, summed by circle."""
+    """Return moments below edges by the closed forms of sectors and triangles, summed by circle, (measures, n).
+
+    ``start`` and ``edge`` are over R, ``lane`` is the circle of each edge, and ``count`` is the number of circles.
+    """
     angle = np.arctan2(start.cross(edge), start.dot(start + edge))
     by_edge = slopes.closed(start.x, start.y, edge.x, edge.y, angle)
     by_circle = [np.bincount(lane, values, count) for values in by_edge]
@@ -241,7 +273,9 @@ def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Flo
 
 
 def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
-    """Return moments of the rings between edges and arcs.
+    """Return moments of the rings between edges and arcs, summed by circle, (measures, n).
+
+    ``edge`` are the parts of edges, 0 where an edge does not count.
 
     Along an edge g = (1-s) g_1 + s g_2 + s (1-s) d^2.
     """
@@ -268,7 +302,10 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
 
 
 def thickness(parts: Cut, mine: Flags) -> Floats:
-    """Return the greatest radial distance from the arc to the ground, for each circle."""
+    """Return the greatest radial distance from the arc to the ground over R, for each circle, (n,).
+
+    ``mine`` is a mask of the edges above the mass, (n, E).
+    """
     square = parts.part.square
     along = parts.start.dot(parts.part)
     to_foot = -along  # of the perpendicular from the centre
@@ -287,7 +324,10 @@ def thickness(parts: Cut, mine: Flags) -> Floats:
 
 
 def below_ground(parts: Cut, mine: Flags) -> Flags:
-    """Return whether the centre of each circle lies below the ground of the stretch."""
+    """Return whether the centre of each circle lies below the ground of the stretch, (n,).
+
+    ``mine`` is a mask of the edges above the mass, (n, E).
+    """
     left = parts.start
     right = left + parts.part
     from_left = left.x <= 0.0

@@ -45,7 +45,10 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
 
 
 def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
-    """Return two points, or many pairs of points, ordered from left to right."""
+    """Return two points, or the points of many pairs, ordered from left to right.
+
+    Points are (..., 2) and are returned as vectors.
+    """
     p = np.asarray(first, float)
     q = np.asarray(second, float)
     p_x = p[..., :1]
@@ -58,7 +61,10 @@ def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
 def circle_through(
     first: ArrayLike, second: ArrayLike, *, radius: ArrayLike | None = None, depth: ArrayLike | None = None
 ) -> tuple[Any, Any]:
-    """Return centre and radius of the circle through two points, by its radius or its depth below the chord.
+    """Return centre (..., 2) and radius of the circle through two points, in m, by its radius or its depth.
+
+    ``first`` and ``second`` are points (..., 2). ``depth`` is the depth of the arc below its chord. Exactly one of
+    radius and depth is required.
 
     Raises
     ------
@@ -86,6 +92,10 @@ def circle_through(
 
 
 def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> Texts:
+    """Return messages about a circle through two points.
+
+    ``chord`` joins the points, and ``half`` is half its length, in m. The radius or the depth below the chord is None.
+    """
     errors = []
     if (radius is None) == (depth is None):
         errors.append("{radius} or {depth}: give one of them")
@@ -104,6 +114,8 @@ def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> Te
 
 def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tuple[Any, Any]:
     """Return centre and radius of the circle through two points that touches a level between them from above.
+
+    Points are (..., 2) and the level is a height y, in m.
 
     Raises
     ------

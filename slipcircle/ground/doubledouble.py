@@ -47,6 +47,7 @@ def _product_error(a: Any, b: Any, product: Any) -> Any:
 
 
 def _halves(a: Any) -> tuple[Any, Any]:
+    """Return the upper and the lower half of the digits of numbers, whose sum is exact (Dekker's split)."""
     shifted = _SPLITTER * a
     high = shifted - (shifted - a)
     return high, a - high

@@ -17,7 +17,10 @@ from slipcircle.ground.ground import AS_PRINTED
 
 
 def geometry_errors(section: Any) -> Iterator[Fault]:
-    """Yield the errors of lanes whose geometry is not a section."""
+    """Yield the errors of lanes whose geometry is not a section.
+
+    An error is a mask of lanes and a function from the index of a lane to its message.
+    """
     if section.has_water:
         yield lazy_import("ponds").water_fault(*section.water)
     yield _not_one_stretch(section)
@@ -36,7 +39,10 @@ def geometry_errors(section: Any) -> Iterator[Fault]:
 
 
 def _not_one_stretch(section: Any) -> Fault:
-    """Return the error of circles that cut off no mass or several masses, or that contain an end of the ground."""
+    """Return the error of circles that cut off no mass or several masses, or that contain an end of the ground.
+
+    It is a mask of lanes and a function from the index of a lane to its message.
+    """
     ground, centre, radius = section._circle
     lane, _, left, right, held = section._candidates
     count = np.bincount(lane, minlength=len(radius))
@@ -69,14 +75,17 @@ def _not_one_stretch(section: Any) -> Fault:
 
 
 def x_of_ends(section: Any) -> Any:
-    """Return x of the left and the right end of arcs, (2, n)."""
+    """Return x of the left and of the right end of arcs in m, (2, lanes)."""
     _, centre, radius = section._circle
     left, right = section._ends
     return centre[:, 0] + radius * [left.x, right.x]
 
 
 def outside_between(section: Any) -> Fault:
-    """Return the error of masses that exceed the range of x that selects them."""
+    """Return the error of masses that exceed the range of x that selects them, ``between``.
+
+    It is a mask of lanes and a function from the index of a lane to its message.
+    """
     left, right = x_of_ends(section)
     low, high = section.between or (-np.inf, np.inf)
     rounding = AS_PRINTED * (right - left)
@@ -90,12 +99,15 @@ def outside_between(section: Any) -> Fault:
 
 
 def _pairs(numbers: Iterable[Any]) -> Texts:
-    """Return pairs of numbers as text in brackets."""
+    """Return pairs of numbers as text in brackets, such as "[1.5, 20]"."""
     return [f"[{first:.6g}, {second:.6g}]" for first, second in numbers]
 
 
 def _one_point(section: Any) -> Fault:
-    """Return the error of circles that touch the ground, so that entry and exit coincide to rounding."""
+    """Return the error of circles that touch the ground, so that entry and exit coincide to rounding.
+
+    It is a mask of lanes and a function from the index of a lane to its message.
+    """
     _, centre, radius = section._circle
     left, right = section._ends
     between = right - left
@@ -114,7 +126,10 @@ def _one_point(section: Any) -> Fault:
 
 
 def _below_base(section: Any) -> Fault:
-    """Return the error of arcs whose lowest point is below the firm layer."""
+    """Return the error of arcs whose lowest point is below the firm layer.
+
+    It is a mask of lanes and a function from the index of a lane to its message.
+    """
     _, centre, radius = section._circle
     left, right = section._ends
     holds_lowest = (left.x < 0.0) & (right.x > 0.0)
@@ -131,7 +146,10 @@ def _below_base(section: Any) -> Fault:
 
 
 def motion_errors(section: Any) -> Iterator[Fault]:
-    """Yield the errors of lanes to which the method does not apply."""
+    """Yield the errors of lanes to which the method does not apply: long arcs, other free water, no normal load.
+
+    An error is a mask of lanes and a function from the index of a lane to its message.
+    """
     half_angle = np.ravel(section.half_angle)
     half_circle = np.pi / 2 * (1 + 8e-16)
     yield (

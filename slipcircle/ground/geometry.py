@@ -26,7 +26,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def shape(self) -> Shape:
-        """Shape of the results."""
+        """Shape of the results, broadcast from radius, centres, grounds and water levels without their own axes."""
         names = ("radius", "centre", "ground", "level")
         shapes = []
         for name in names:
@@ -37,7 +37,10 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _circle(self) -> ArrayTriple:
-        """Ground, centre and radius with one axis of lanes."""
+        """Grounds (lanes or 1, V, 2), centres (lanes, 2) and radii (lanes,), in m.
+
+        A lane is one section of an ensemble.
+        """
         centres = np.add(self.centre, 0.0)
         radii = np.add(self.radius, 0.0)
         centre = np.broadcast_to(centres, (*self.shape, 2))
@@ -46,7 +49,10 @@ class SectionGeometry(TurningMass):
         return ground, centre.reshape(-1, 2), radius.reshape(-1)
 
     def _lines(self, points: Any) -> Floats:
-        """Return lines with one axis of lanes, of length 1 if all lanes share a line."""
+        """Return lines with one axis of lanes, (lanes or 1, V, 2), where 1 means that all lanes share a line.
+
+        ``points`` are (..., V, 2) in m.
+        """
         points = np.add(points, 0.0)
         own = points.shape[-2:]
         if points.ndim > 2:
@@ -54,7 +60,10 @@ class SectionGeometry(TurningMass):
         return points.reshape(-1, *own)
 
     def _top_line(self, top: Any) -> Floats:
-        """Return the top of a layer, a height, heights or points, or the ground, as lines, (circles or 1, V, 2)."""
+        """Return the top of a layer as lines, (lanes or 1, V, 2).
+
+        ``top`` is a height, one height per lane, points, or None for the ground, in m.
+        """
         ground, *_ = self._circle
         height = np.asarray(top)
         if top is None:
@@ -74,7 +83,11 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _candidates(self) -> tuple[Any, ...]:
-        """Lane, number, left and right x of candidate stretches, and whether circles contain an end of the ground."""
+        """Lane, number, left and right x of candidate stretches, and whether circles contain an end of the ground.
+
+        A stretch is a part of the ground inside the circle, counted from 0 from the left. The first four are arrays
+        over all candidates, x in m, and the last is a mask over lanes.
+        """
         _, centre, radius = self._circle
         lane, number, held = circles.stretches(self._cut)
         of_stretches = self._cut.only(lane)
@@ -105,18 +118,19 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _ends(self) -> tuple[Vectors, Vectors]:
-        """Left and right end of the arc relative to the centre, over R."""
+        """Left and right end of each arc relative to the centre, over R, each (lanes,)."""
         _, number, *_ = self._candidates
         return circles.ends(self._cut, number)
 
     @cached_property
     def _mine(self) -> Any:
+        """Mask of the edges of the ground above the mass, (lanes, edges)."""
         _, number, *_ = self._candidates
         return self._cut.stretch == number[:, None]
 
     @cached_property
     def _moments(self) -> ArrayDict:
-        """Integrals of `circles.MEASURES` over the mass."""
+        """Integrals over the mass by the names in `circles.MEASURES`, each (lanes,), with lengths over R."""
         return circles.moments(self._cut, self._mine)
 
     def _shaped(self, values: Any) -> Any:
@@ -128,6 +142,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _facing(self) -> Floats:
+        """Direction in which gravity turns the mass, 1 to the right and -1 to the left, (lanes,)."""
         left, right = self._ends
         by_weight = -np.sign(self._moments["moment_x"])
         rises = left.y < right.y
@@ -141,7 +156,10 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _angles(self) -> ArrayPair:
-        """Angles of the left and the right end, measured from straight below the centre."""
+        """Angles of the left and the right end in rad, each (lanes,).
+
+        They are measured from straight below the centre and are positive to the right.
+        """
         left, right = self._ends
         first = np.arctan2(left.x, -left.y)
         last = np.arctan2(right.x, -right.y)
@@ -149,7 +167,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _chord(self) -> Vectors:
-        """Vector from the left to the right end, over R, (n,)."""
+        """Vector from the left to the right end, over R, (lanes,)."""
         run, rise = self._cut.part.where(self._mine)
         return Vectors(run.sum(axis=1), rise.sum(axis=1))
 
@@ -179,7 +197,11 @@ class SectionGeometry(TurningMass):
         return self._shaped(np.arctan2(fall, run))
 
     def _end(self, way: float) -> Any:
-        """Return the left end where the mass faces in the given direction, and otherwise the right end."""
+        """Return one end of the arc, x and y in m, (..., 2).
+
+        It is the left end where the mass faces in the direction ``way``, 1 (right) or -1 (left), and otherwise the
+        right end.
+        """
         _, centre, radius = self._circle
         is_left = self._facing == way
         left, right = self._ends
@@ -211,6 +233,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _level(self) -> Floats:
+        """Points of the water level in m, (lanes or 1, W, 2)."""
         return self._lines(self.level)
 
     @property
@@ -220,7 +243,10 @@ class SectionGeometry(TurningMass):
 
     @property
     def water(self) -> tuple[Any, ...]:
-        """Ground and water level with one axis of lanes, whether the level is confined, and ponds."""
+        """Grounds and water levels (None if absent) as lines, whether the level is confined, and ponds.
+
+        Lines have one axis of lanes, of length 1 if all lanes share a line.
+        """
         if self.level is None:
             level = None
         else:
@@ -249,7 +275,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _span(self) -> ArrayPair:
-        """Angles of the entry and of the exit, positive down-slope, (lanes,)."""
+        """Angles of entry and exit in rad from straight below the centre, positive down-slope, each (lanes,)."""
         left, right = self._angles
         faces_right = self._facing > 0.0
         entry = np.where(faces_right, left, -right)
@@ -258,6 +284,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _water(self) -> Any:
+        """Integrals of the height of the water level above the arcs."""
         return lazy_import("heights").height_integrals(self._level, *self._circle[1:])
 
     @cached_property

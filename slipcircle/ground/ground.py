@@ -17,13 +17,16 @@ WEIGHT = (0.0, 1e6, "a positive unit weight in N/m^3")
 
 
 def leading_shape(value: Any, axes: int) -> Shape:
-    """Return the shape of an array of lanes without the last axes, which belong to one section."""
+    """Return the shape of an array of lanes without the last ``axes`` axes, which belong to one section."""
     shape = np.shape(value)
     return shape[: len(shape) - axes]
 
 
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
-    """Yield the errors of lines (n, V, 2) that do not run from left to right."""
+    """Yield the errors of lines (n, V, 2) that do not run from left to right.
+
+    ``name`` names them in messages. An error is a mask of lines and a function from the index of a line to its message.
+    """
     with quiet():
         before_first = lines[:, :1] - 1.0
         step = np.diff(lines, axis=1, prepend=before_first)
@@ -49,7 +52,10 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
 
 
 def points_errors(name: str, given: Any, many: bool) -> Texts:
-    """Return messages about points that should form a line from left to right, or about the first invalid line."""
+    """Return messages about points that should form a line from left to right, or about the first invalid line.
+
+    ``name`` is the field with this value, and ``many`` allows further axes before (V, 2).
+    """
     points = array_of(given)
     most_axes = 2
     if many:
@@ -79,7 +85,10 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
 
 
 def slope_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
-    """Return messages about the fields of one slope, which are numbers except for its lines."""
+    """Return messages about the fields of one slope, which are numbers except for its lines.
+
+    ``given`` and ``bounds`` contain values and open bounds by field.
+    """
     own = {}
     for name, limits in bounds.items():
         _, _, allowed = limits
@@ -95,7 +104,10 @@ def _is_absent(name: str, given: Values) -> bool:
 
 
 def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: Mapping[str, Bounds]) -> Texts:
-    """Return messages about the fields of sections, which may have axes of lanes before those of one section."""
+    """Return messages about the fields of sections, which may have axes of lanes before those of one section.
+
+    Values, declarations and open bounds are by field.
+    """
     own = {}
     for name, p in quantities.items():
         if p.allowed and not _is_absent(name, given):
@@ -118,7 +130,10 @@ def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: M
 
 
 def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
-    """Return messages about the centre, a pair of numbers, and the range of x, an increasing pair."""
+    """Return messages about the centre, a pair of numbers, and the range of x, an increasing pair.
+
+    Values and bounds are by field.
+    """
     wrong = []
     *_, coordinates = np.atleast_1d(given["centre"]).shape
     if coordinates != 2:
@@ -136,7 +151,10 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
 
 
 def _lines_errors(given: Values, many: bool) -> Texts:
-    """Return messages about the ground, the water level and ponds."""
+    """Return messages about the ground, the water level and ponds, from values by field.
+
+    ``many`` allows axes of lanes before the points of a line.
+    """
     errors = points_errors("ground", given["ground"], many)
     if given["level"] is not None:
         errors += points_errors("level", given["level"], many)
@@ -151,7 +169,7 @@ def _lines_errors(given: Values, many: bool) -> Texts:
 
 
 def _pond_errors(k: int, pond: Any) -> Texts:
-    """Return a message if a pond, counted from 1, does not consist of three numbers."""
+    """Return a message if pond number ``k``, counted from 1, does not consist of three numbers."""
     numbers = np.asarray(pond)
     if numbers.shape == (3,) and numbers.dtype.kind in "iuf" and np.all(np.abs(numbers) < FAR):
         first, last, _ = numbers

@@ -36,7 +36,10 @@ class HeightIntegrals(NamedTuple):
         return np.concatenate(ends, axis=1)
 
     def integral(self, first: Floats, last: Floats) -> Floats:
-        """Return integrals over arcs between two angles, (..., n)."""
+        """Return integrals of the height over the angle along arcs, (..., n), over R.
+
+        ``first`` and ``last`` are angles in rad from straight below the centre, (..., n).
+        """
         # Both ends of arcs, (..., n, 1), shifted by whole turns so that the first is within a turn from -3 pi/2.
         turn = 2 * np.pi
         ahead = first + 1.5 * np.pi
@@ -57,7 +60,10 @@ class HeightIntegrals(NamedTuple):
 
 
 def _over_parts(pieces: Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
-    """Return integrals over the parts of pieces between two angles, each from its own start to avoid cancellation."""
+    """Return integrals over the parts of pieces between two angles, each from its own start to avoid cancellation.
+
+    ``slope`` is dy/dx of the edge above each piece. Angles are in rad, (..., n, 1), and the result is (..., n, pieces).
+    """
     low, high, span, sine, cosine, height = pieces
     start = np.clip(first, low, high)
     stop = np.clip(last, low, high)
@@ -83,7 +89,7 @@ def _over_parts(pieces: Pieces, slope: Floats, first: Floats, last: Floats) -> A
 
 
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:
-    """Return height integrals of lines (n or 1, V, 2) above circles with centres (n, 2) and radii (n,), m.
+    """Return height integrals of lines above circles. Lines are (n or 1, V, 2), centres (n, 2) and radii (n,), in m.
 
     Each edge has up to three parts: before the circle, inside, and after it. A part outside and above the circle lies
     over the lower half and over the upper half, which is traversed from right to left.
@@ -116,7 +122,11 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
 
 
 def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[Pieces], list[Pieces]]:
-    """Return pieces over the lower halves of circles, for all three parts of edges, and over the upper halves."""
+    """Return pieces over the lower halves of circles, for all three parts of edges, and over the upper halves.
+
+    The three parts of an edge are inside, before and after the circle; ``line`` has the vertices from the centre, and
+    ``slope`` is dy/dx of the edges.
+    """
     start = line.starts
     last = line.ends.x
     has_part_inside = parts.part.is_nonzero
@@ -131,7 +141,10 @@ def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[Pieces], lis
 
 
 def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[Pieces, Pieces]:
-    """Return pieces over the lower and the upper half for the parts of edges outside circles between two x."""
+    """Return pieces over the lower and the upper half for the parts of edges outside circles between two x.
+
+    ``start`` is the first end of an edge, and ``slope`` its dy/dx. All lengths are over R, from the centre.
+    """
     x = np.clip(first, -1.0, 1.0)
     end_x = np.clip(last, -1.0, 1.0)
     to_first = x - start.x

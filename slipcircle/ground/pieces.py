@@ -25,18 +25,21 @@ class Pieces(NamedTuple):
     height: Floats
 
     def only(self, pieces: Any) -> "Pieces":
-        """Return selected pieces."""
+        """Return the pieces with these indices, or a slice of them."""
         return Pieces._make(column[:, pieces] for column in self)
 
     def turned(self, angle: float) -> "Pieces":
-        """Return the pieces turned by an angle."""
+        """Return the pieces turned by an angle in rad, a number of whole turns. Sines and cosines are not changed."""
         low = self.low + angle
         high = self.high + angle
         return self._replace(low=low, high=high)
 
 
 def integral_inside(parts: Cut) -> Floats:
-    """Return height integrals of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
+    """Return integrals of the height above the arc over its angle, (n, E), for arcs that do not overhang.
+
+    Each of the n by E ``parts`` is the part of an edge inside a circle; lengths are over R.
+    """
     pieces = pieces_inside(parts)
     slope = slope_of(parts.part)
     _, _, span, sine, cosine, height = pieces
@@ -44,14 +47,14 @@ def integral_inside(parts: Cut) -> Floats:
 
 
 def slope_of(edge: Vectors) -> Floats:
-    """Return the slopes of edges, 0 for scarps."""
+    """Return the slopes dy/dx of edges, 0 for vertical scarps."""
     of_scarps = np.zeros_like(edge.x)
     has_run = edge.x > 0.0
     return np.divide(edge.y, edge.x, out=of_scarps, where=has_run)
 
 
 def pieces_inside(parts: Cut) -> Pieces:
-    """Return pieces over the lower half for the parts of edges inside circles.
+    """Return pieces over the lower half of the circle for the parts of edges inside circles, (n, E).
 
     With g = 1 - rho^2, known without cancellation near the circle, the arc below a point has cos = sqrt(y^2 + g), and
     the height of the point above it is cos + y = g/(cos - y).
@@ -73,6 +76,9 @@ def pieces_inside(parts: Cut) -> Pieces:
 
 
 def span_of(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
-    """Return the angle between two points of the lower half: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
+    """Return the angle between two points of the lower half in rad: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2).
+
+    ``run`` is the difference of the sines, and ``cosine`` and ``end_cosine`` are the cosines at the two points.
+    """
     half_span = np.arctan2(run, cosine + end_cosine)
     return 2 * half_span

@@ -10,7 +10,7 @@ from slipcircle.base.kinds import Floats
 
 
 def each_lane(lines: Floats, lanes: int) -> Floats:
-    """Return lines (lanes, V, 2) from lines (lanes or 1, V, 2)."""
+    """Return lines with an axis of lanes, (lanes, V, 2), from lines (lanes or 1, V, 2) of V points, without a copy."""
     _, *of_one = lines.shape
     return np.broadcast_to(lines, (lanes, *of_one))
 
@@ -24,7 +24,7 @@ class Vectors:
 
     @classmethod
     def of(cls, points: Any) -> "Vectors":
-        """Return vectors from an array (..., 2)."""
+        """Return vectors from an array of points, (..., 2), x and y."""
         return cls(points[..., 0], points[..., 1])
 
     @property
@@ -77,7 +77,7 @@ class Vectors:
 
     @property
     def largest(self) -> Any:
-        """Greater absolute value of the two components."""
+        """Greater absolute value of the two components of each vector."""
         x = np.abs(self.x)
         y = np.abs(self.y)
         return np.maximum(x, y)
@@ -88,7 +88,7 @@ class Vectors:
         return (self.x != 0.0) | (self.y != 0.0)
 
     def where(self, mask: Any) -> "Vectors":
-        """Return the vectors selected by a mask, and 0 elsewhere."""
+        """Return the vectors where a mask is true, and 0 elsewhere."""
         x = np.where(mask, self.x, 0.0)
         y = np.where(mask, self.y, 0.0)
         return Vectors(x, y)

@@ -54,7 +54,11 @@ class Ponds(NamedTuple):
 
 
 def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Ponds:
-    """Return free water over grounds (n or 1, V, 2): ponds, and water below unconfined levels (n or 1, W, 2)."""
+    """Return free water over grounds (lanes or 1, V, 2), of ponds and of levels (lanes or 1, W, 2) above the ground.
+
+    Levels that are ``confined`` have no free water. ``ponds`` contains x of both shores and the level of each pond, in
+    m.
+    """
     pairs = _pairs(grounds, levels)
     bodies = [_bodies(ground, level, confined, ponds) for ground, level in pairs]
     lanes = len(bodies)
@@ -84,7 +88,10 @@ def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any
 
 
 def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> Bodies:
-    """Return shores, mean level and fall of the free water over a ground."""
+    """Return x of both shores, mean level and fall of each body of free water over one ground, (V, 2), in m.
+
+    ``level`` has points (W, 2) or is None.
+    """
     bodies = []
     if level is not None and not confined:
         bodies += _below(ground, level)
@@ -94,7 +101,10 @@ def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) 
 
 
 def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
-    """Return the water of a pond from shore to shore."""
+    """Return the bodies of water of one pond, x of its shores and its level, over a ground (V, 2), in m.
+
+    Each body is x of both shores, mean level and fall.
+    """
     first, last, level = pond
     line = np.array([[first, level], [last, level]])
     bodies = []
@@ -106,7 +116,10 @@ def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
 
 
 def _below(ground: Floats, level: Floats) -> Bodies:
-    """Return the water between a ground (V, 2) and a level (W, 2) above it."""
+    """Return the bodies of water between a ground (V, 2) and a level (W, 2) above it, in m.
+
+    Each is x of both shores, mean level and fall (highest minus lowest point of the level).
+    """
 
     def depth(x: Floats) -> Floats:
         height = np.interp(x, *level.T)
@@ -132,7 +145,10 @@ def _below(ground: Floats, level: Floats) -> Bodies:
 
 
 def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
-    """Return roots of a piecewise linear function in each interval, or an end of intervals without a root."""
+    """Return a root of a piecewise linear function in each interval, or an end of intervals without a root.
+
+    Intervals lie between neighbouring elements of ``x``, which increases.
+    """
     step = np.diff(x)
     quarter = step / 4
     early = linear(x[:-1] + quarter)  # inside intervals, away from vertical scarps
@@ -149,14 +165,21 @@ def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
 
 
 def water_fault(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Fault:
-    """Return the error of levels beside the ground, sloping free water, and ponds that are dry or too short."""
+    """Return the error of levels beside the ground, sloping free water, and ponds that are dry or too short.
+
+    The error is a mask of lanes and a function from the index of a lane to its message; arguments are as for
+    `free_water`.
+    """
     pairs = _pairs(grounds, levels)
     words = [_mistake(ground, level, confined, ponds) for ground, level in pairs]
     return np.array(words) != "", lambda k: words[k]
 
 
 def _mistake(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> str:
-    """Return the message about the water of one ground, empty if it is valid."""
+    """Return the message about the water of one ground (V, 2), empty if it is valid.
+
+    Arguments are as for `free_water`, with a single level.
+    """
     left, right = ground[[0, -1], 0]
     if level is not None:
         first, last = level[[0, -1], 0]
@@ -179,7 +202,7 @@ def _mistake(ground: Floats, level: Floats | None, confined: bool, ponds: Given)
 
 
 def _pond_mistake(ground: Floats, pond: Sequence[float]) -> str:
-    """Return the message about a pond, empty if it is valid."""
+    """Return the message about one pond, x of its shores and its level, over a ground (V, 2); empty if it is valid."""
     first, last, _ = pond
     bodies = _pond(ground, pond)
     if not bodies:
@@ -195,7 +218,11 @@ def _pond_mistake(ground: Floats, pond: Sequence[float]) -> str:
 
 
 def ends_above(levels: Floats, left: Floats, right: Floats) -> Fault:
-    """Return the error of levels (n or 1, W, 2) that end above masses with ends at x, (n,)."""
+    """Return the error of levels that end above masses.
+
+    Levels are (lanes or 1, W, 2), and ``left`` and ``right`` are x of the ends of the masses, (lanes,). The error is a
+    mask of lanes and a function from the index of a lane to its message.
+    """
     ends = levels[:, [0, -1], 0].T
     rounding = _ROUNDING * (right - left)
     after_left = ends > left + rounding
@@ -212,7 +239,11 @@ def ends_above(levels: Floats, left: Floats, right: Floats) -> Fault:
 
 
 def other_water(section: Any, left: Floats, right: Floats) -> Fault:
-    """Return the error of masses under free water of another level than at the exit, with ends at x, (n,)."""
+    """Return the error of masses under free water of another level than at the exit.
+
+    ``left`` and ``right`` are x of the ends of the masses, (lanes,). The error is a mask of lanes and a function from
+    the index of a lane to its message.
+    """
     _, centre, radius = section._circle
     water = section.free_water
     first = np.maximum(water.first, left)

@@ -114,7 +114,7 @@ class Section(SectionGeometry, Mass):
         raise_all("Section", errors)
 
     def takes_geometry(self, other: Section) -> bool:
-        """Return whether another section has the same lines and circle."""
+        """Return whether another section has the same arrays of lines and circle, so that results can be copied."""
         return all(getattr(self, name) is getattr(other, name) for name in _GEOMETRY)
 
     def take_geometry(self, other: Section) -> None:
@@ -132,7 +132,10 @@ class Section(SectionGeometry, Mass):
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Yield the errors of invalid sections and of sections that cannot move."""
+        """Yield the errors of invalid sections and of sections that cannot move.
+
+        An error is a mask of lanes (cases of an ensemble) and a function from the index of a lane to its message.
+        """
         yield from line_errors("ground", self._circle[0])
         if self.level is not None:
             yield from line_errors("level", self._level)
@@ -140,7 +143,10 @@ class Section(SectionGeometry, Mass):
         yield from motion_errors(self)
 
     def mistakes(self, friction: Any, effects: Effects) -> Texts:
-        """Return messages if the method does not apply, or if a water level is combined with another pore pressure."""
+        """Return messages if the method does not apply, or if a water level is combined with another pore pressure.
+
+        ``friction`` and ``effects`` are the scene's; effects are mappings of parameters by name.
+        """
         found = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
         if self.level is not None and "ratio" in effects.get("pore_pressure", {}):
             found.append(
@@ -178,7 +184,7 @@ class Section(SectionGeometry, Mass):
 
     @property
     def lanes_shape(self) -> Shape:
-        """Shape of the lanes."""
+        """Shape of the lanes (cases of an ensemble), () for a single section."""
         return self.shape
 
     @property
@@ -197,7 +203,10 @@ class Section(SectionGeometry, Mass):
 
     @cached_property
     def moments(self) -> ValueDict:
-        """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of J_r, J_theta by the dip."""
+        """Dimensionless moments by name: Theta* (3.12), I_p* (2.17), J_r (2.23), J_theta (3.13), and two slopes.
+
+        The slopes are the derivatives of J_r and J_theta with respect to the dip.
+        """
         m = self._weighted_moments
         way = self._facing
         moments = {
@@ -271,7 +280,10 @@ class Section(SectionGeometry, Mass):
         return pressure[()]
 
     def _rotations(self, rotation: Any) -> tuple[Shape, Floats]:
-        """Return the shape of results after rotations, and the rotations by lane, (rotations, lanes)."""
+        """Return the shape of results after rotations in rad, and the rotations by lane, (rotations, lanes).
+
+        ``rotation`` broadcasts with the section's shape as its last axes.
+        """
         turn = np.asarray(rotation, float)
         shape = np.broadcast_shapes(turn.shape, self.shape)
         own = len(self.shape)
@@ -281,7 +293,7 @@ class Section(SectionGeometry, Mass):
         return shape, by_lane
 
     def mean_lift(self, rotation: Any = 0.0) -> Any:
-        """Return the mean pressure that reduces the normal stress of the weight, Pa.
+        """Return the mean pressure that reduces the normal stress of the weight, Pa, after rotations in rad.
 
         Below standing water it consists of the pressure in excess of hydrostatic pressure and the weight of displaced
         water.
@@ -300,7 +312,10 @@ class Section(SectionGeometry, Mass):
         return pressure + height * np.multiply(self.radius, self.water_unit_weight)
 
     def standing_moment(self, rotation: Any = 0.0) -> Any:
-        """Return the moment of the weight of water displaced below standing water, over Theta*."""
+        """Return the moment of the weight of displaced water over gamma R^3 Theta*, after rotations in rad.
+
+        It is the weight of water that the mass displaces below standing water; gamma is the mean unit weight.
+        """
         shape, turned = self._rotations(rotation)
         nowhere = np.empty((0, *turned.shape))
         _, moment = lazy_import("standing").displaced(self, turned, nowhere)
@@ -312,7 +327,12 @@ class Section(SectionGeometry, Mass):
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape
     ) -> tuple[Tables, Farther | None]:
-        """Return the effects of water, and the depth with which cohesion grows, as tables of the rotation."""
+        """Return the effects of water, and the depth with which cohesion grows, as tables of the rotation by symbol.
+
+        ``upslope`` is true if the mass may move above its initial position, ``tolerance`` is the relative error of the
+        tables, and ``shape`` is the scene's shape. Since they extend to the loss of contact, no function to extend them
+        is returned.
+        """
         turns = rotates(effects)
         tables = {}
         for effect, given in effects.items():
@@ -327,7 +347,7 @@ class Section(SectionGeometry, Mass):
         return self._for_lanes(tables, shape), None
 
     def _for_lanes(self, tables: Tables, shape: Shape) -> Tables:
-        """Return tables for the lanes of a scene from tables for the lanes of the section."""
+        """Return tables for the lanes of a scene of this shape from tables for the lanes of the section."""
         own = self.lanes_shape
         if own in ((), shape):
             return tables
@@ -337,7 +357,7 @@ class Section(SectionGeometry, Mass):
 
     @cached_property
     def pressure_kinks(self) -> Any:
-        """Rotations at which the mean pressure is not smooth, rad, sorted, along the last axis."""
+        """Rotations at which the mean pressure is not smooth, rad, sorted, (..., kinks)."""
         kinks = [np.empty((len(self._facing), 0))]
         if self.level is not None:
             water_kinks = self._water.kinks
@@ -351,7 +371,10 @@ class Section(SectionGeometry, Mass):
 
 
 def copy_computed(source: object, target: object, names: Collection[str]) -> None:
-    """Copy those cached properties with the given names that have been computed."""
+    """Copy cached properties from one object to another.
+
+    Of the given names, only properties that have been computed are copied.
+    """
     computed = vars(source)
     for name in names:
         if name in computed:

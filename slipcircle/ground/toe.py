@@ -53,7 +53,7 @@ def rotation_range(section: Any) -> tuple[float, Any]:
 
 
 def _raised_ground(section: Any) -> Any:
-    """Return the line to which the toe may rise, (lanes, points)."""
+    """Return the line to which the toe may rise, as complex numbers x + i y in m, (lanes, points)."""
     ground, *_ = section._circle
     level = continued(ground, -FAR, FAR)
     line = level @ _PLANE
@@ -63,6 +63,6 @@ def _raised_ground(section: Any) -> Any:
 
 
 def _point(place: Any) -> Any:
-    """Return a point of each circle, (lanes, 1)."""
+    """Return a point of each circle as a complex number x + i y, (lanes, 1), from an array (..., 2)."""
     points = np.reshape(place, (-1, 1, 2))
     return points @ _PLANE

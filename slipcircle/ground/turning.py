@@ -28,7 +28,7 @@ class TurningMass:
 
     @cached_property
     def surface(self) -> Floats:
-        """Ground above the mass of a single section, from its left to its right end, m."""
+        """Points of the ground above the mass of a single section, from its left to its right end, (V, 2), m."""
         ends = [tuple(self.entry), tuple(self.exit)]
         left, right = sorted(ends)
         ground = np.asarray(self.ground, float)
@@ -39,7 +39,9 @@ class TurningMass:
         return np.concatenate([[left], between, [right]])
 
     def drowned(self, *rotations: float) -> float:
-        """How far below the water level the ground over one section's mass comes, where it is deepest, m.
+        """Return the greatest depth below the water level of the ground over one section's mass after rotations, m.
+
+        The rotations are in rad, positive down-slope; the greatest depth after any of them counts.
 
         Below standing water at the exit, which is included, how far below a higher level elsewhere.
         """

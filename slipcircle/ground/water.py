@@ -11,7 +11,7 @@ from slipcircle.tables.interpolation import TERMS, between_kinks, continuous
 
 
 def upright(mass: Mass) -> Floats:
-    """Return the rotation at which the normal load J_r cos(phi) - J_r' sin(phi) falls to 0, (lanes,)."""
+    """Return the rotation in rad at which the normal load J_r cos(phi) - J_r' sin(phi) falls to 0, (lanes,)."""
     load = mass.moment_coefficients.normal_load
     slope = mass.moment_coefficients.normal_load_slope
     rotation = np.arctan2(load, slope)
@@ -19,14 +19,21 @@ def upright(mass: Mass) -> Floats:
 
 
 def first_rotation(last: Floats, upslope: bool) -> Floats:
-    """Return the first rotation of tables: 0, or half a turn before the last rotation if the mass may move up-slope."""
+    """Return the first rotation of tables: 0, or half a turn before the last rotation if the mass may move up-slope.
+
+    Rotations are in rad, (lanes,), and ``last`` is the end of the tables.
+    """
     if upslope:
         return last - np.pi
     return np.zeros_like(last)
 
 
 def table_of(section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float) -> Data:
-    """Return a function of the rotation of a section as a table, up to loss of contact."""
+    """Return a function of the rotation of a section as a table, up to loss of contact.
+
+    Without ``rotates`` it is constant. ``upslope`` is true if the mass may move up-slope, and ``tolerance`` is the
+    relative error.
+    """
 
     def pressure(rotation: Any) -> Any:
         *axes, _ = rotation.shape

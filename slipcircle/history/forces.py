@@ -72,7 +72,10 @@ class Forces:
     # --- in any states -----------------------------------------------------------------------------------------------
 
     def outputs(self, states: States) -> ArrayDict:
-        """Return the registers of `OUTPUTS`: total and effective normal force over Theta*, and friction as entered."""
+        """Return the registers of `OUTPUTS`: total and effective normal force over Theta*, and friction as entered.
+
+        Each array has one value per state.
+        """
         places = [self._with_outputs.program.roles[name] for name in OUTPUTS]
         parts = []
         for part in states.parts():
@@ -212,7 +215,10 @@ class Forces:
 
 
 def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) -> ArrayDict:
-    """Return `Forces.statics` from the forces at rest, the forces with k_h = 1, the friction and the limit friction."""
+    """Return `Forces.statics` from the forces on a mass at rest, without shaking and with k_h = 1.
+
+    `mu` is the friction and `limit` the friction at which the mass is at its limit, one value per lane.
+    """
     driving, resisting, normal = at_rest
     pressed = normal > 0.0
     frictionless = driving - resisting

@@ -127,11 +127,14 @@ class History:
         return time
 
     def _dimensionless(self, flat_times: Floats) -> Floats:
-        """Return times in s divided by the time scale of each lane, of shape (times, lanes)."""
+        """Return times in s, one-dimensional, divided by the time scale of each lane, (times, lanes)."""
         return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).reshape(-1)
 
     def _read(self, problem: Problem, flat_times: Floats) -> Floats:
-        """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes)."""
+        """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes).
+
+        The times are one-dimensional and in any order. All results are dimensionless, the rotation in rad.
+        """
         increasing = np.argsort(flat_times, kind="stable")
         rows = read(problem, self._dimensionless(flat_times[increasing]))
         states = np.empty_like(rows)
@@ -176,6 +179,7 @@ class History:
         return self._over_time(time, values.reshape(time.size, self.problem.lanes))
 
     def _stresses(self, time: Floats) -> Stresses:
+        """Return the mean normal stresses of `Motion.at` at times in s, with the axes of the scene before the times."""
         states = self._states(time)
         outputs = self._mean_forces.outputs(states)
         unit = before(stress_unit(self.plan.scene.arc), time.ndim)
@@ -259,7 +263,7 @@ class History:
         return self._by_state(time, self.forces.holding_friction(self._states(time)))
 
     def strength_at(self, times: ArrayLike) -> Strengths:
-        """Return the strengths of `Motion.strength_at`."""
+        """Return the strengths of `Motion.strength_at` at times in s."""
         time = self._checked(times)
         unit = before(stress_unit(self.plan.scene.arc), time.ndim)
         states = self._states(time)

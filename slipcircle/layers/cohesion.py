@@ -36,10 +36,12 @@ class SoilCohesion:
 
     @cached_property
     def _laws(self) -> list[Law | None]:
+        """Laws by which the cohesion of each soil changes with slip, None for a constant cohesion."""
         return [cohesion_law(soil.cohesion) for soil in self.section.soils]
 
     @cached_property
     def _share_one_law(self) -> bool:
+        """Whether all soils whose cohesion changes share a law of slip and its length."""
         return share_one_law(self.section.soils, "cohesion")
 
     @cached_property

@@ -128,8 +128,8 @@ class CrackedSection(Section):
 def crack_place(lowered_ground: Floats, left: Floats, right: Floats, facing: Floats) -> Floats:
     """Return x over R, (n,), next to the upper end of arcs, where the ground lowered by a crack meets them.
 
-    Grounds are (n, V, 2), relative to the centre and over R, and the ends of arcs are at left and right. The result is
-    NaN without such a point.
+    Grounds are (n, V, 2), relative to the centre and over R. The ends of arcs are at x = `left` and `right`, (n,), and
+    `facing` is 1 if the mass slides to the right and -1 otherwise. The result is NaN without such a point.
     """
     x = arc_crossings(lowered_ground)
     inside = (x > left[:, None]) & (x < right[:, None])

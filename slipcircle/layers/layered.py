@@ -112,8 +112,8 @@ class RotationTables(NamedTuple):
     def likely_reach(self, friction: Parameters) -> float:
         """Return the estimated rotation of lanes from rest, at which the least strength dissipates the work of gravity.
 
-        The estimate uses a sample of the lanes and a margin. Lanes that move farther are integrated again with complete
-        tables.
+        The estimate, in rad, uses a sample of the lanes and a margin. `friction` are the parameters of the law. Lanes
+        that move farther are integrated again with complete tables.
         """
         if self.upslope or "rate" in friction or "soils" in friction:
             return np.inf

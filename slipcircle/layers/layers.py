@@ -257,6 +257,7 @@ class LayeredSection(LayeredNumbers):
 
     @cached_property
     def _columns(self) -> ArrayPair:
+        """Surfaces summed in each column and weights of the columns, see `columns_of`."""
         return columns_of(self.weight_steps, len(self._facing))
 
     @cached_property
@@ -279,6 +280,7 @@ class LayeredSection(LayeredNumbers):
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:
+        """Integrals of `circles.MEASURES` over the mass, weighted by the relative unit weight."""
         return dict(zip(MEASURES, self._moments_of_weight / self._weights_per_area, strict=True))
 
     @cached_property
@@ -295,7 +297,7 @@ class LayeredSection(LayeredNumbers):
 
     @property
     def friction(self) -> MeanFriction:
-        """Friction of the arc as a whole, for a `Scene`."""
+        """Friction of the arc as a whole, for a `Scene`: a law with coefficients weighted over the soils."""
         return self.arc_strength.friction
 
     def mistakes(self, friction: Any, effects: Effects) -> Texts:
@@ -329,7 +331,12 @@ class LayeredSection(LayeredNumbers):
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape
     ) -> tuple[Tables, Farther | None]:
-        """Return the functions of the rotation of the soils, as far as the mass is likely to move."""
+        """Return the functions of the rotation of the soils, as far as the mass is likely to move.
+
+        They are tables by name, and a function that extends them. `effects` and `friction` belong to the scene, whose
+        lanes have the given shape. `upslope` states whether the mass may move above its initial position, and
+        `tolerance` is a relative error.
+        """
         functions = {}
         for effect, terms in effects.items():
             for name, term in terms.items():
@@ -341,7 +348,7 @@ class LayeredSection(LayeredNumbers):
         return tables.laid_out(tables.likely_reach(friction)), tables.reach_farther
 
     def takes_geometry(self, other: Section) -> bool:
-        """Return whether another section differs in numbers of soils only."""
+        """Return whether another section differs in numbers of soils only, so that geometry can be copied."""
         if not isinstance(other, LayeredSection):
             return False
         return super().takes_geometry(other) and _same_cut(self, other)
@@ -354,7 +361,10 @@ class LayeredSection(LayeredNumbers):
 
 
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
-    """Return whether two sections have the same boundaries, crack, surcharges, and datums of growing cohesion."""
+    """Return whether two sections have the same boundaries, crack, surcharges, and datums of growing cohesion.
+
+    Tops and cracks must be identical objects.
+    """
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
     same_tops = all(map(operator.is_, one.tops, other.tops))

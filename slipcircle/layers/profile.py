@@ -57,7 +57,10 @@ class Part(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals)."""
+        """Return the integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals).
+
+        Directions are in rad from straight below the centre, positive to the right.
+        """
         pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
@@ -201,7 +204,8 @@ def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats)
 def _developed(values: Floats) -> ArrayTriple:
     """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
-    The head is the greater of the first two coefficients, the tail the greater of the last two.
+    The values at nodes are (integrals, columns, nodes, pieces, circles). The head is the greater of the first two
+    coefficients, the tail the greater of the last two, each (pieces, circles).
     """
     *axes, pieces, circles = values.shape
     developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)
@@ -215,7 +219,11 @@ def _developed(values: Floats) -> ArrayTriple:
 def _integrands(
     strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
 ) -> Floats:
-    """Return the integrands at nodes times half the widths of pieces, (integrals, columns, nodes, pieces, circles)."""
+    """Return the integrands at nodes times half the widths of pieces, (integrals, columns, nodes, pieces, circles).
+
+    The pieces extend from `first` to `last` in rad, (pieces, circles), and lie in the strips with the indices `strip`.
+    The weights below surfaces are (columns, surfaces, circles).
+    """
     half = (last - first) / 2
     beta = first + half * _FROM_FIRST
     x = np.sin(beta)
@@ -250,7 +258,11 @@ def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> N
 def _add_loads(
     total: Floats, loads: Sequence[Sequence[Floats]], circle: Integers, x: Floats, y: Floats, weights: Floats
 ) -> None:
-    """Add the weights of surcharges on the ground at (x, y), each with its left and its right end."""
+    """Add the weights of surcharges on the ground at (x, y), each with its left and its right end.
+
+    `total` has the integrals as first axis and is changed. `circle` are the indices of the circles, and lengths are
+    over R.
+    """
     remaining = iter(weights)
     for ends in loads:
         first, last = (end[circle, 0] for end in ends)

@@ -131,7 +131,7 @@ class Soil:
 
     @property
     def peak(self) -> Any:
-        """Friction coefficient at the start."""
+        """Friction coefficient tan(phi) at the start."""
         return friction_at_rest(self.friction)
 
     @property
@@ -149,7 +149,7 @@ class Soil:
 
     @property
     def residual(self) -> Any:
-        """Friction coefficient after much slip."""
+        """Friction coefficient tan(phi) after much slip."""
         if not isinstance(self.friction, Mapping):
             return self.friction
         if "residual" in self.friction:
@@ -216,7 +216,7 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
 
 
 def _is_layer(pair: Any) -> bool:
-    """Return whether a value is a soil with a top."""
+    """Return whether a value is a pair of a soil and its top."""
     is_pair = isinstance(pair, tuple | list) and len(pair) == 2
     return is_pair and isinstance(pair[0], Soil)
 
@@ -297,7 +297,10 @@ def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
 
 
 def _together_mistakes(soils: list[Soil], strength: str) -> Texts:
-    """Return messages about soils that cannot lie along one arc: equal names, and incompatible friction laws."""
+    """Return messages about soils that cannot lie along one arc: equal names, and incompatible friction laws.
+
+    `strength` is "base" or "mass", or empty for a section that does not move.
+    """
     by_name = {soil.name: soil for soil in soils}
     twice = sorted({soil.name for soil in soils if soil is not by_name[soil.name]})
     found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]

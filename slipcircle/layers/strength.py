@@ -88,7 +88,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _still(self) -> ArrayDict:
-        """Parts at the start by name, (parts, circles)."""
+        """Parts of `StretchIntegrals` at the start by name, (parts, circles)."""
         circles = len(self.section._facing)
         names = ["normal", "space"]
         if any(self.section.depths):
@@ -127,6 +127,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _peak(self) -> Floats:
+        """Friction coefficient of each soil at the start, (soils, lanes)."""
         return self.section.of_soils("peak")
 
     @cached_property
@@ -137,6 +138,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _residual(self) -> Floats:
+        """Friction coefficient of each soil after much slip, (soils, lanes)."""
         return self.section.of_soils("residual")
 
     @cached_property
@@ -225,6 +227,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _own_laws(self) -> bool:
+        """Whether the soils have separate friction laws."""
         return not share_one_law(self.section.soils)
 
     @property
@@ -275,6 +278,7 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _theta(self) -> Floats:
+        """Moment of inertia Theta* of the mass, (lanes,)."""
         inertia = self.section._weighted_moments["inertia"]
         return inertia
 
@@ -360,7 +364,7 @@ class ArcStrength(StretchIntegrals):
         return self._function(coefficients, needs.rotates and stays_in_space)
 
     def _standing_moment(self, needs: Needs) -> Any:
-        """Return the moment of displaced water over Theta*."""
+        """Return the moment of displaced water over Theta*, a function of the rotation if the mass rotates."""
         section = self.section
         inertia = section._moments["inertia"]
         share = section.water_unit_weight * inertia / self._weight_scale

@@ -98,7 +98,8 @@ class StretchIntegrals:
     def _joints_met(self, rotation: Floats) -> Floats:
         """Return directions in the mass at which it meets the joints after rotations (M, circles), (J, M, circles).
 
-        Directions refer to the mass at the start. Joints of the base stay behind as the mass moves.
+        Directions and rotations are in rad. Directions refer to the mass at the start. Joints of the base stay behind
+        as the mass moves.
         """
         first, last = self.span
         moved = np.zeros_like(rotation)
@@ -187,7 +188,11 @@ class StretchIntegrals:
         return self.section.heads_between(left, right)
 
     def standing(self, rotation: Floats) -> Floats:
-        """Return the reduction of the normal force by standing water from the entry, (J + 2, M, circles)."""
+        """Return the reduction of the normal force by standing water from the entry, (J + 2, M, circles).
+
+        The rotations are (M, circles) in rad, and the integrals end at joints, exit and entry. The result is multiplied
+        by `LIKE_WEIGHTS`.
+        """
         first, last = self.span
         joints = self._joints_met(rotation)
         to_exit = np.broadcast_to(last, rotation.shape)
@@ -201,7 +206,10 @@ class StretchIntegrals:
         return LIKE_WEIGHTS * taken
 
     def displaced(self, rotation: Floats) -> Floats:
-        """Return the moment of displaced water over the moment of inertia of a unit density, (1, M, circles)."""
+        """Return the moment of displaced water over the moment of inertia of a unit density, (1, M, circles).
+
+        The rotations are (M, circles) in rad. The result is multiplied by `LIKE_WEIGHTS`.
+        """
         nowhere = np.empty((0, *rotation.shape))
         _, moment = displaced(self.section, rotation, nowhere)
         inertia = self.section._moments["inertia"]
@@ -222,7 +230,10 @@ class StretchIntegrals:
         return by_soil
 
     def growth(self, rotation: Floats) -> Floats:
-        """Return parts of the resistance that grow with depth, one per soil, (soils, M, circles), over R."""
+        """Return parts of the resistance that grow with depth, one per soil, (soils, M, circles), over R.
+
+        The rotations are (M, circles) in rad.
+        """
         there = self.space(rotation)
         if not self._base_stays:
             there = there - rotation

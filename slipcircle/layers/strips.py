@@ -141,7 +141,8 @@ def _base(tops: Floats, arc: Floats) -> Integers:
 def _with_ends(base: Integers, has_width: Flags, tops: Sequence[Floats], ends: Sequence[Vectors]) -> Integers:
     """Return the layers at the arc in strips and beyond both ends, (circles, strips + 2).
 
-    Strips without width have the layer beyond the right end. `ends` are the left and the right end of the arcs.
+    Strips without width, where `has_width` is false, have the layer beyond the right end. `base` are the layers in the
+    strips, (circles, strips), and `ends` the left and the right end of the arcs.
     """
     first, last = ends
     beyond_left = _layer_at_end(tops, first, _ON_ARC)
@@ -234,7 +235,8 @@ def arc_crossings(line: Floats) -> Floats:
 def line_crossings(one: Floats, other: Floats) -> Floats:
     """Return x where the edges of two lines (n or 1, V, 2) cross, (n, E1 E2), or x of a vertex without crossing.
 
-    The vertex is the second of the first line: the first one may be far outside, where a line is continued.
+    E1 and E2 are the numbers of edges. The vertex is the second of the first line: the first one may be far outside,
+    where a line is continued.
     """
     points = Vectors.of(one)
     others = Vectors.of(other)

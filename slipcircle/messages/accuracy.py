@@ -53,6 +53,8 @@ SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 def _moves(program: Program, rounding: float, is_refined: bool = False) -> Floats:
     """Return the factors of the cells in each run, (cells, 8): perturbed inputs of the program, and step lengths.
 
+    ``rounding`` is the relative error of an input.
+
     If the limit friction is refined, its two parts and the friction are exact inputs and remain unchanged.
     """
     inputs = [name for name in program.cells[len(ix.CELLS) : program.given] if not _is_of_table(name)]
@@ -70,16 +72,19 @@ def _moves(program: Program, rounding: float, is_refined: bool = False) -> Float
 
 
 def _is_of_table(cell: str) -> bool:
-    """Return whether a cell belongs to a table, such as ``k_h.PIECE``, not to a law, as ``exponential.peak``."""
+    """Return whether a cell belongs to a table, by its name, such as ``k_h.PIECE``.
+
+    Names of cells of laws are such as ``exponential.peak``.
+    """
     _, dot, name = cell.rpartition(".")
     return bool(dot) and name.isupper()
 
 
 def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
-    """Return cells of further runs with other steps, two more orders and inputs perturbed by rounding.
+    """Return initial cells of further runs with other steps, longer series and perturbed inputs, (cells, lanes).
 
-    Run 0 is the motion itself. A single lane may have several runs at once. ``rounding`` is the relative error of an
-    input.
+    Run 0 is the motion itself, and ``runs`` is a slice of the numbers 0 to 7. A single lane may have several runs at
+    once, one per column. ``rounding`` is the relative error of an input.
     """
     start = problem.cells()
     cells = start * _moves(problem.program, rounding)[:, runs]
@@ -93,6 +98,8 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
 
 def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
     """Return the estimated relative error of each lane's peak velocity, run-out and duration.
+
+    ``final`` are the final cells of the motion by index.
 
     For a single lane it includes the states during the motion, relative to peak velocity and run-out. It is 1 if
     rounding decides whether the mass moves.
@@ -112,7 +119,10 @@ def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
 
 
 def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Floats, Any]:
-    """Return the greatest relative difference of any run from each lane's results, and whether a run ends otherwise."""
+    """Return the greatest relative difference of any run from each lane's results, and whether a run ends otherwise.
+
+    Both are (lanes,). ``rounding`` is the relative error by which inputs are perturbed.
+    """
     of_motion = np.array(_summary(final))
     sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
     spread = np.zeros(problem.lanes)
@@ -161,17 +171,23 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
 
 
 def _end_alike(status: list[float], final: Final) -> bool:
-    """Return whether all runs end with the status of the motion."""
+    """Return whether all runs end with the status of the motion. ``status`` contains the status cell of each run."""
     return {*map(_ending, status)} == {_ending(final[ix.STATUS])}
 
 
 def _ending(status: Any) -> Any:
-    """Return statuses with one code for lanes at rest and at their end time, whose durations are compared instead."""
+    """Return status cells with one code for lanes at rest and lanes at their end time.
+
+    Their durations are compared instead.
+    """
     return choose((status >= ix.ARRESTED) & (status <= ix.ENDED), float(ix.ENDED), status)
 
 
 def _summary(final: Any) -> tuple[Any, Any, Any]:
-    """Return dimensionless duration, run-out and peak velocity from final cells."""
+    """Return dimensionless duration, run-out and peak velocity from final cells, each a number or an array over lanes.
+
+    The scales are sqrt(R/g), R and sqrt(g R).
+    """
     duration = choose(
         ((final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)), final[ix.END_TIME], final[ix.REST_SINCE]
     )

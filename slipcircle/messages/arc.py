@@ -6,19 +6,28 @@ from slipcircle.core import Arc
 
 
 def swapped(arc: Arc, lane: int) -> str:
-    """Return the message for a second end that is not above the first."""
+    """Return the message for a second end that is not above the first.
+
+    ``lane`` is the index in the flattened arrays of the arc, 0 for a single arc.
+    """
     one, two = _degrees(arc, lane)
     return f"{{theta_2}} = {two:.10g} deg: must be above {{theta_1}} = {one:.10g} deg; swap them?"
 
 
 def too_wide(arc: Arc, lane: int) -> str:
-    """Return the message for an arc of more than a half circle."""
+    """Return the message for an arc of more than a half circle.
+
+    ``lane`` is the index in the flattened arrays of the arc, 0 for a single arc.
+    """
     one, two = _degrees(arc, lane)
     return f"{{theta_2}} - {{theta_1}} = {two - one:.10g} deg: must be at most 180 deg{_were_degrees(arc)}"
 
 
 def without_load(arc: Arc, lane: int) -> str:
-    """Return the message for an arc on which the weight does not press."""
+    """Return the message for an arc on which the weight does not press.
+
+    ``lane`` is the index in the flattened arrays of the arc, 0 for a single arc.
+    """
     one, two = _degrees(arc, lane)
     return (
         f"{{theta_1}} = {one:.10g} deg, {{theta_2}} = {two:.10g} deg: there is no normal load; the middle of "
@@ -27,7 +36,7 @@ def without_load(arc: Arc, lane: int) -> str:
 
 
 def _degrees(arc: Arc, lane: int) -> list[float]:
-    """Return both ends of a lane in degrees."""
+    """Return the polar angles of both ends of a lane, an index in the flattened arrays, in degrees."""
     ends = np.broadcast_arrays(arc.theta_1, arc.theta_2)
     of_lane = [end.flat[lane] for end in ends]
     return np.degrees(of_lane).tolist()

@@ -25,7 +25,7 @@ class PlanWords(NamedTuple):
 
 
 def words_of(plan: Plan) -> PlanWords:
-    """Return the description of a plan."""
+    """Return the description of a plan, with "straight-line" or "interpreted" for its program in the integrator."""
     words = _words(plan.recipe)
     binary = module()
     is_straight = binary is not None and binary.straight_line(encoded(plan.program), widest()) >= 0
@@ -46,6 +46,7 @@ def describe_integrator() -> str:
 
 @cache
 def _words(recipe: Recipe) -> PlanWords:
+    """Return the description of the plans with a recipe, without the kind of their program."""
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
     symbols = {*map(without_soil, recipe.moving)}
     of_rotation = []
@@ -73,7 +74,10 @@ def _words(recipe: Recipe) -> PlanWords:
 
 
 def _reasons(effect: str, in_time: bool) -> Iterator[str]:
-    """Yield the reasons for an integration: an effect turns the mass, or depends on a variable."""
+    """Yield the reasons for an integration: an effect turns the mass, or depends on a variable.
+
+    ``effect`` is its name, and ``in_time`` is true if one of its parameters changes with time.
+    """
     declared = ALL_EFFECTS[effect]
     for variable in declared.depends_on:
         if variable == "time" and not in_time:

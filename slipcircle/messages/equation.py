@@ -83,12 +83,13 @@ class Equation:
 
     @property
     def _quantities(self) -> dict[str, tuple[str, str]]:
+        """Meaning and LaTeX form of the quantities in the balance, by symbol."""
         if self.soils:
             return SOIL_QUANTITIES
         return EQUATION_QUANTITIES
 
     def _lines(self) -> Iterator[str]:
-        """Yield a line for each term. A quantity without terms is 0."""
+        """Yield a line of text for each term. A quantity without terms is 0."""
         last = ""
         zero = set(self._quantities)
         for term in self.sums:
@@ -101,7 +102,7 @@ class Equation:
             yield f"  {name:>12} = 0"
 
     def _values(self) -> Iterator[str]:
-        """Yield a line for each number, with the numbers of the soils last."""
+        """Yield a line of text for each number, with the numbers of the soils last."""
         of_soils = []
         for number in self.numbers:
             if isinstance(number.value, tuple):
@@ -137,7 +138,7 @@ class Equation:
         return f"$\\displaystyle {self.latex}$"
 
     def to_dict(self) -> ValueDict:
-        """Return the balance, its terms and its numbers for JSON."""
+        """Return the balance, its terms and numbers, the LaTeX form and the names of the soils for JSON."""
         keys = ("symbol", "formula", "effect", "value", "unit")
         return {
             "balance": self._balance_in_words,
@@ -171,7 +172,8 @@ def equation_of(plan: Plan) -> Equation:
 def _changing(plan: Plan, numbers: tuple[EquationTerm, ...]) -> Names:
     """Return the symbols of soil coefficients that change as the mass turns.
 
-    With the strength of the base these are all sums along the surface.
+    ``numbers`` are the coefficients of the equation. With the strength of the base these are all sums along the
+    surface.
     """
     arc: Any = plan.scene.arc
     if not rotates(plan.effects):
@@ -181,7 +183,7 @@ def _changing(plan: Plan, numbers: tuple[EquationTerm, ...]) -> Names:
 
 
 def _shown(value: Any, digits: int = 6) -> str:
-    """Return a value rounded to some digits, or the range of an array."""
+    """Return a value rounded to significant digits, the range of an array, or "..." for None."""
     if value is None:
         return "..."
     ends = (f"{end:.{digits}g}" for end in (np.min(value), np.max(value)))

@@ -69,12 +69,16 @@ def warn(scene: Scene) -> None:
 
 
 def _is_friction(name: str, unit: str) -> bool:
+    """Return whether a number is a friction coefficient, by its path and its unit, "" for a coefficient."""
     words = name.split(".")
     return "friction" in words and "rate" not in words and not unit
 
 
 def _question(name: str, value: float, unit: str) -> str:
-    """Return the question about a number, empty if the number is usual."""
+    """Return the question about a number, empty if the number is usual.
+
+    ``name`` is its path in the scene, and ``value`` is in the SI ``unit``.
+    """
     if name == "shaking.amplitude" and abs(value) > _STRONGEST:
         return f"no ground has shaken with more than {_STRONGEST:g} g; is that in m/s^2 or in %?"
     is_strength = name.startswith("surcharge.") or name.endswith("cohesion")
@@ -87,6 +91,7 @@ def _question(name: str, value: float, unit: str) -> str:
 
 
 def _of_unit(value: float, unit: str) -> str:
+    """Return the question about a value outside the usual range of its SI unit, empty if it is usual."""
     if value == 0.0 or unit not in declared.USUAL:
         return ""
     least, most = declared.USUAL[unit]
@@ -102,6 +107,7 @@ def _of_unit(value: float, unit: str) -> str:
 
 
 def _of_friction(coefficient: float) -> str:
+    """Return the question about an unusual friction coefficient tan(phi), empty if it is usual."""
     least = declared.USUAL_FRICTION[0]
     most = declared.QUESTIONED_FRICTION
     if coefficient >= 90.0:

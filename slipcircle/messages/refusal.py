@@ -51,7 +51,7 @@ def refusal(motion: Any) -> InputError:
 
 
 def _too_strong(motion: Any) -> str:
-    """Return the message for brakes that are too strong, with the inputs that brake and the remedies."""
+    """Return the message for a resistance that grows too strongly with the speed, with its causes and remedies."""
     brakes = [name for name in _REMEDIES if name in ("friction", *motion.plan.recipe.effects)]
     remedies = " or ".join(_REMEDIES[name] for name in brakes)
     return (

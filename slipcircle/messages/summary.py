@@ -40,7 +40,7 @@ def summary(motion: Any) -> str:
 
 
 def ensemble_summary(motion: Any) -> str:
-    """Return the number of lanes by status, and the range of their run-outs."""
+    """Return the number of cases of an ensemble by status and the range of their run-outs, as one line of text."""
     counts = [f"{Status[name].words}: {count}" for name, count in motion.count().items()]
     known = motion.run_out[~np.isnan(motion.run_out)]
     span = "not known"
@@ -51,7 +51,7 @@ def ensemble_summary(motion: Any) -> str:
 
 
 def swings_back(motion: Any) -> Any:
-    """Return whether a mass ends elsewhere than at its run-out."""
+    """Return whether a mass ends elsewhere than at its greatest displacement, a bool or an array."""
     return np.abs(motion.run_out - motion.end.displacement) > SWING * np.abs(motion.run_out)
 
 

@@ -45,7 +45,11 @@ class EquationTerm(NamedTuple):
 
 
 def terms_of_effects(plan: Plan, soils: tuple[Any, ...], absent: set[str]) -> list[EquationTerm]:
-    """Return the terms of gravity and effects, without terms of absent parameters, and the rotation of the weight."""
+    """Return the terms of gravity and effects, without terms of absent parameters, and the rotation of the weight.
+
+    ``soils`` are the soils along the slip surface, empty for homogeneous ground, and ``absent`` are symbols of
+    coefficients whose terms are omitted.
+    """
     names = ["gravity", *plan.effects]
     if not rotates(plan.effects):
         names.append("frozen")
@@ -62,7 +66,10 @@ def terms_of_effects(plan: Plan, soils: tuple[Any, ...], absent: set[str]) -> li
 
 
 def _indexed(term: EquationTerm, index: str) -> EquationTerm:
-    """Return a term with the index of a soil in its symbols, such as ``peak_1``, or ``i`` for a sum over soils."""
+    """Return a term with the index of a soil in its symbols, such as ``peak_1``, or ``i`` for a sum over soils.
+
+    An empty index changes nothing.
+    """
     if not index:
         return term
     effect = without_soil(term.effect)
@@ -81,7 +88,10 @@ def _indexed(term: EquationTerm, index: str) -> EquationTerm:
 
 
 def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
-    """Return the terms of the friction coefficient, a law of slip or the product of laws of slip and speed."""
+    """Return the terms of the friction coefficient, a law of slip or the product of laws of slip and speed.
+
+    ``laws`` are their names, and ``index`` is "i" for a sum over soils and otherwise empty.
+    """
     of_soils = [law for law in laws if soil_number(law)]
     shared = laws[len(of_soils) :]
     with_rate = len(shared) > (not of_soils)
@@ -99,7 +109,10 @@ def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
 
 
 def terms_of_cohesion(laws: Names) -> list[EquationTerm]:
-    """Return the moment of a cohesion that changes with slip, and its law."""
+    """Return the moment of a cohesion that changes with slip, and its law.
+
+    ``laws`` are the names of all laws of the scene.
+    """
     names = [law for law in laws if law.endswith(OF_COHESION)]
     moment = EquationTerm("T", "lambda cohesion/sigma_ref", "cohesion", latex=r"\lambda \frac{c}{\sigma_{ref}}")
     terms = []
@@ -112,19 +125,19 @@ def terms_of_cohesion(laws: Names) -> list[EquationTerm]:
 
 
 def _term_of_law(symbol: str, law: str) -> EquationTerm:
-    """Return the term of a coefficient by a law."""
+    """Return the equation of a coefficient, by its symbol, according to a law, by its name."""
     (term,) = TERMS[without_soil(law)]
     _, formula, latex = term
     return EquationTerm(symbol, formula, law, latex=latex)
 
 
 def symbols_in(formula: str) -> Texts:
-    """Return the symbols in a formula."""
+    """Return the symbols in a formula, with repetitions, in their order."""
     return re.findall(r"[A-Za-z_]\w*'?", formula)
 
 
 def used(terms: list[EquationTerm]) -> list[EquationTerm]:
-    """Return the terms without components of the weight that no other term contains."""
+    """Return the terms without components of the weight (symbols J_...) that no other term contains."""
     taken = set()
     of_weight = set()
     for term in terms:
@@ -137,7 +150,10 @@ def used(terms: list[EquationTerm]) -> list[EquationTerm]:
 
 
 def place(term: EquationTerm) -> int:
-    """Return the sort key of a term, in the order of the quantities followed by their parts."""
+    """Return the position of a term in the equation, a sort key.
+
+    Quantities of the balance precede factors of friction and other symbols.
+    """
     order = [*EQUATION_QUANTITIES]
     if term.symbol.startswith(("mu_slip", "mu_rate")):
         return len(order)
@@ -148,7 +164,10 @@ def place(term: EquationTerm) -> int:
 
 
 def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator[EquationTerm]:
-    """Yield every number that may occur in a formula, with its value."""
+    """Yield every number that may occur in a formula, with its value.
+
+    ``soils`` are the soils along the slip surface, empty for homogeneous ground.
+    """
     scene = plan.scene
     of_arc = {symbol: _per_lane(value, scene) for symbol, value in _of_the_arc(scene.arc).items()}
     for symbol, value in of_arc.items():
@@ -188,7 +207,10 @@ def _numbers_of_cohesion(scene: Scene) -> Iterator[EquationTerm]:
 
 
 def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> dict[str, tuple[Any, ...]]:
-    """Return the numbers in `SOIL_COEFFICIENTS`, each with one value per soil."""
+    """Return the numbers in `SOIL_COEFFICIENTS` by symbol, each with one value per soil.
+
+    ``of_arc`` contains the numbers of `_of_the_arc`.
+    """
     if not soils:
         return {}
     arc: Any = scene.arc
@@ -209,7 +231,7 @@ def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> d
 
 
 def _numbers_of_effect(effect: str, scene: Scene, problem: Problem) -> Iterator[EquationTerm]:
-    """Yield the numbers of an effect, and its functions of time or rotation."""
+    """Yield the numbers of an effect, by its name, and its functions of time or rotation."""
     for p in EFFECTS[effect].parameters:
         if p.symbol in problem.recipe.moving:
             argument = "the rotation" if p.kind == "rotation" else "time"
@@ -221,7 +243,7 @@ def _numbers_of_effect(effect: str, scene: Scene, problem: Problem) -> Iterator[
 
 
 def _definition(effect: str, p: Parameter) -> str:
-    """Return the formula of a parameter in terms of the scene, or its meaning."""
+    """Return the formula of an effect's parameter ``p`` in terms of the scene, or its meaning in words."""
     start = f"{p.symbol}* = "
     for formula in EFFECTS[effect].formulas:
         if formula.startswith(start):
@@ -231,7 +253,10 @@ def _definition(effect: str, p: Parameter) -> str:
 
 
 def _of_the_arc(arc: Mass) -> Parameters:
-    """Return the numbers in `COEFFICIENTS`. The integrator stores them divided by Theta."""
+    """Return the numbers in `COEFFICIENTS` by symbol.
+
+    All are dimensionless except for the reference stress in Pa. The integrator stores them divided by Theta.
+    """
     coefficients = arc.moment_coefficients
     theta = arc.dimensionless.moment_of_inertia
     return {
@@ -247,7 +272,10 @@ def _of_the_arc(arc: Mass) -> Parameters:
 
 
 def _per_lane(value: Any, scene: Scene) -> Any:
-    """Return a float for a single scene, and otherwise an array of the scene's shape."""
+    """Return a float for a single scene, and otherwise an array of the scene's shape.
+
+    ``value`` is a number or an array over lanes (cases of an ensemble).
+    """
     if not scene.shape:
         return float(np.ravel(value)[0])
     if np.ndim(value) == 1 and np.size(value) == np.prod(scene.shape):  # one a lane

@@ -30,7 +30,7 @@ CLASSES = tuple(name.replace("_", " ") for name in VelocityTimes._fields)
 
 
 def velocity_class(motion: Any) -> str:
-    """Return the class of the peak velocity of a single motion, empty if it does not move."""
+    """Return the class of a single motion's peak velocity, such as "very rapid", or "" if the mass does not move."""
     if not motion.moves:
         return ""
     return CLASSES[int(np.searchsorted(LIMITS, motion.peak.velocity, side="right"))]
@@ -55,7 +55,10 @@ def velocity_times(motion: Any) -> VelocityTimes:
 
 
 def _time_above(motion: Any, times: Floats, limit: float) -> float:
-    """Return the time in s between the first and the last of ``times`` during which a motion is faster than a limit."""
+    """Return the time in s during which a motion is faster than a limit in m/s.
+
+    ``times`` are increasing sample times in s; only the time between the first and the last is included.
+    """
     faster = _speed(motion, times) > limit
     before = faster[:-1]
     after = faster[1:]
@@ -76,4 +79,5 @@ def _time_above(motion: Any, times: Floats, limit: float) -> float:
 
 
 def _speed(motion: Any, times: Floats) -> Floats:
+    """Return the absolute velocity of a motion along the arc at times in s, m/s."""
     return np.abs(motion.at(times).velocity)

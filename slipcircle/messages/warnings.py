@@ -19,7 +19,7 @@ MANY_PHASES = 100
 
 
 def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> Names:
-    """Return warnings about odd input, lift-off, conditioning, water and range of validity.
+    """Return warnings about odd input, lift-off, conditioning, water and range of validity, one text each.
 
     ``written`` converts a name and a value in SI units to the number as the user wrote it.
     """
@@ -29,6 +29,7 @@ def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = 
 
 
 def _lift_offs(motion: Any) -> Iterator[str]:
+    """Yield a warning for each time at which contact is lost, or one warning if there are many."""
     times = motion.lift_off
     if len(times) > LISTED:
         more = f"{len(times) - 1} times more until {times[-1]:.6g} s"

@@ -276,6 +276,7 @@ def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:
 
 
 def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
+    """Return `_net` for all distances in one call."""
     problem = now.problem
     repeats = len(distance)
     lanes = np.tile(now.lanes, repeats)
@@ -323,7 +324,10 @@ def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integr
 
 
 def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> ArrayPair:
-    """Return rotation and omega of lanes at dimensionless times, (times, lanes), which may differ between lanes."""
+    """Return rotation and omega of lanes at dimensionless times, (times, lanes), which may differ between lanes.
+
+    `integrate_lanes` integrates all lanes of the problem.
+    """
     all_times = np.zeros((len(times), now.cells.shape[1]))
     all_times[:, now.lanes] = times
     outputs = 2 + len(now.problem.program.states)

@@ -96,7 +96,7 @@ class _Implicit(integrator.Lanes):
 
     @property
     def status(self) -> float:
-        """Status of the lane."""
+        """Status of the lane, a number of `generated.layout` such as `MOVING`."""
         return float(self.cells[ix.STATUS, 0])
 
     def advance(self) -> None:
@@ -220,6 +220,7 @@ class _Implicit(integrator.Lanes):
     # --- one step ----------------------------------------------------------------------------------------------------
 
     def _tables(self, count: int) -> list[Data]:
+        """Return the tables of this lane repeated for `count` evaluations."""
         columns = np.repeat(self.columns, count)
         return [table.data.lanes(columns) for table in self.tables]
 
@@ -246,6 +247,7 @@ class _Implicit(integrator.Lanes):
         return engine().registers(self.program, self._tables(times.size), self._cells_at(times, states))
 
     def _at(self, time: float, states: Floats) -> Present:
+        """Return the present state with its registers, from a dimensionless time and the states, (states, 1)."""
         return Present(time, states, self._registers_at(np.array([time]), states))
 
     def _within(self, step: Step, start: Present, time: float) -> Present:

@@ -71,7 +71,10 @@ def record_numbers(shaking: Parameters) -> ValueDict:
 
 
 def in_time(called: Effects) -> dict[str, Series | Pulse]:
-    """Return the functions of time in a single scene's effects, times their factors, by ``effect.parameter``."""
+    """Return the functions of time in a single scene's effects, times their factors, by `effect.parameter`.
+
+    `called` are the effects by name, with resolved parameters.
+    """
     functions = {}
     for effect, given in called.items():
         for name, value in given.items():
@@ -81,7 +84,7 @@ def in_time(called: Effects) -> dict[str, Series | Pulse]:
 
 
 def _water(given: Parameters) -> ValueDict:
-    """Return the pore-pressure parameters, with lists over time converted to functions of time."""
+    """Return the pore-pressure parameters, with lists over time converted to functions of time in s."""
     rest = dict(given)
     rest.pop("time", None)
     if "record" in given:
@@ -131,7 +134,10 @@ def _as_series(given: Parameters) -> ValueDict:
 
 
 def _check_strength(given: Parameters) -> None:
-    """Raise an error if a record exceeds every recorded ground motion, since its unit or scale must be wrong."""
+    """Raise an error if a record exceeds every recorded ground motion, since its unit or scale must be wrong.
+
+    The argument contains the parameters of shaking, over gravity.
+    """
     for name in ("horizontal", "vertical"):
         record = given.get(name)
         if not isinstance(record, Series):

@@ -172,7 +172,10 @@ def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
 
 
 def _constant(function: Function, end: Floats) -> Floats:
-    """Return the coefficients of constant functions with the values at the end, (1, TERMS, functions, n)."""
+    """Return the coefficients of constant functions with the values at the end, (1, TERMS, functions, n).
+
+    The ends are rotations in rad, (n,).
+    """
     value = function(end[None])[:, 0]
     coefficients = np.zeros((1, TERMS, *value.shape))
     coefficients[0, 0] = value

@@ -189,7 +189,7 @@ def of_list(argument: str, places: Floats, values: Floats) -> Data:
 
 
 def _held_lines(places: Floats, values: Floats) -> Data:
-    """Return the linear interpolation of samples, continued by the first and the last value."""
+    """Return the linear interpolation of samples at increasing places, continued by the first and the last value."""
     first = float(values[0])
     last = float(values[-1])
     return lines(places, values, first, last)

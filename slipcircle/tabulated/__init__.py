@@ -29,6 +29,7 @@ class GivenArc(Arc[Numbers]):
     """Arc with tabulated instead of computed coefficients, which are valid only in its initial position."""
 
     def _mistakes(self) -> Texts:
+        """Return messages about the fields and about the tabulated coefficients."""
         return super()._mistakes() + _given_mistakes(self.given)
 
     def __post_init__(self) -> None:
@@ -71,12 +72,13 @@ class GivenArc(Arc[Numbers]):
 
     @cached_property
     def _quotients(self) -> tuple[Any, Any, Any]:
+        """Limit friction, static normal stress and polar moment over inertia, from the tabulated coefficients."""
         d = self.dimensionless
         return d.limit_friction, d.static_normal_stress, d.polar_moment_per_inertia
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
-        """Amplitudes of the driving moment and the normal load, which vary as sine and cosine of the dip."""
+        """Amplitudes of the driving moment and the normal load over Theta*. They vary as sine and cosine of the dip."""
         driving_moment = self.dimensionless.limit_friction * self.normal_load
         of_level, radial_of_level = super().amplitudes_per_inertia
         is_level = np.equal(self.dip, 0.0)
@@ -86,12 +88,12 @@ class GivenArc(Arc[Numbers]):
 
     @cached_property
     def normal_load(self) -> Any:
-        """Radial weight over the moment of inertia."""
+        """Radial weight over the moment of inertia at the start, J_r/Theta*, both dimensionless."""
         return self.dimensionless.radial_weight_per_inertia
 
 
 def _given_mistakes(given: Any) -> Texts:
-    """Return messages about the tabulated coefficients."""
+    """Return messages about the tabulated coefficients, ``given`` by the names of `GIVEN`."""
     if not isinstance(given, Mapping):
         return [f"given = {given!r}: must be a mapping of coefficients, or None"]
     found = [f"given: {name!r} is missing" for name in GIVEN if name not in given]

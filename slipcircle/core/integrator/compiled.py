@@ -40,7 +40,11 @@ def module() -> Any:
 
 @cache
 def level() -> str:
-    """Return the vector level of the integrator, the widest available or the requested level; empty for NumPy."""
+    """Return the name of the vector level (width of SIMD instructions) of the compiled integrator; empty for NumPy.
+
+    The level named by the variable SLIPCIRCLE_COMPILED takes precedence if it is available, otherwise the widest is
+    used.
+    """
     if module() is None:
         return ""
     levels = module().LEVELS
@@ -50,7 +54,7 @@ def level() -> str:
 
 @cache
 def widest() -> Any:
-    """Return the number of the vector level."""
+    """Return the number by which the compiled module identifies the vector level named by `level`."""
     return module().LEVELS[level()]
 
 
@@ -80,7 +84,10 @@ def encoded(program: Program) -> bytes:
 
 
 def program_integers(program: Program) -> list[int]:
-    """Return sizes, roles, operations, states and tables of a program."""
+    """Return the integers that describe a program to the C integrator.
+
+    They are its sizes, roles, operations on cells, operations on series, states and tables, in this order.
+    """
     rates, others = program.split
     series = _encoded_series(program, rates)
     later = _encoded_series(program, others)
@@ -109,16 +116,20 @@ def program_integers(program: Program) -> list[int]:
 
 
 def _begin(register: int) -> int:
-    """Return the index of the first coefficient of a register, -1 without a register."""
+    """Return the index of the first coefficient of a register in the array of all coefficients, -1 without a register.
+
+    ``register`` is its number in the program, negative if the program does not have it.
+    """
     return -1 if register < 0 else register * STRIDE
 
 
 def _results(kind: str, names: Sequence[Any]) -> Sequence[int]:
+    """Return the operands of an operation that are its results, which precede its arguments."""
     return names[: RESULTS.get(kind, 1)]
 
 
 def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
-    """Return selected operations on series in the order of the program."""
+    """Return operations on series as integers. ``chosen`` are their indices in ``program.series``."""
     code = list[int]()
     for k in chosen:
         kind, *names = program.series[k]
@@ -169,12 +180,20 @@ def integrate(
 
 
 def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
-    """Begin phases in the states of lanes and return their registers, as `generated.integrator.begin_phase` does."""
+    """Begin phases in the states of lanes and return their registers, (registers, lanes).
+
+    A phase is a motion between two standstills. ``cells`` (cells, lanes) are changed in place, as by
+    `generated.integrator.begin_phase`.
+    """
     return registers(program, tables, cells, 1)
 
 
 def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
-    """Return registers of lanes within their phases, as `generated.integrator.registers` does."""
+    """Return the values of registers of lanes within their phases, (registers, lanes).
+
+    ``tables`` are the functions of the program, ``cells`` are (cells, lanes), and ``begins`` is 1 to begin a phase
+    first and otherwise 0. See `generated.integrator.registers`.
+    """
     binary = module()
     count = cells.shape[1]
     values = np.zeros((len(program.registers), count))
@@ -186,7 +205,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
 
 
 def _pieces(tables: Sequence[Data], count: int) -> tuple[Any, ...]:
-    """Return tables as tuples for the C integrator."""
+    """Return tables as tuples for the C integrator. ``count`` is the number of lanes."""
     rows = []
     for t in tables:
         across = count if t.coefficients.ndim == 3 else 0

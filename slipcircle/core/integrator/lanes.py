@@ -36,7 +36,7 @@ def integrate(
 
 
 def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, log: Log | None) -> Floats:
-    """Return `integrate` for lanes that do not creep."""
+    """Return the final cells, (cells, lanes), of lanes that do not creep. The arguments are those of `integrate`."""
     while True:
         if log is not None:
             log.clear()
@@ -59,7 +59,10 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
 
 
 def _decide_again(problem: Problem, cells: Floats) -> None:
-    """Solve lanes that start close to their limit friction again, with the exact limit friction."""
+    """Solve lanes that start close to their limit friction again, with the exact limit friction.
+
+    ``cells`` are the final cells of the first solution, (cells, lanes), in which these lanes are replaced.
+    """
     lanes = problem.refine(cells[ix.CLOSE])
     if len(lanes):
         refined = problem.cells(lanes)
@@ -68,7 +71,11 @@ def _decide_again(problem: Problem, cells: Floats) -> None:
 
 
 def _stop_swinging(problem: Problem, cells: Floats) -> bool:
-    """Have lanes that turned back too often end at their first standstill; return whether there are any."""
+    """Change the problem so that lanes that turned back too often end at their first standstill.
+
+    ``cells`` are the final cells of the first solution. Return whether there are such lanes, so that the problem must
+    be solved again.
+    """
     turns_on = cells[ix.TURNS] > ix.MOST_TURNS
     ends = np.isfinite(cells[ix.END_TIME])
     swings = turns_on & ~ends & (cells[ix.STATUS] == ix.TOO_LONG)
@@ -79,7 +86,10 @@ def _stop_swinging(problem: Problem, cells: Floats) -> bool:
 
 
 def _go_on(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:
-    """Continue lanes that exceed the number of explicit steps and still move, by implicit steps."""
+    """Continue lanes that exceed the number of explicit steps and still move, by implicit steps.
+
+    Their final ``cells`` (cells, lanes), samples and log are updated in place.
+    """
     many_steps = cells[ix.STEPS] > ix.MOST_STEPS
     moving = cells[ix.OMEGA] > 0.0
     stopped = cells[ix.STATUS] == ix.TOO_LONG

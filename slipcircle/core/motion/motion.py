@@ -58,14 +58,14 @@ class Motion(Conversions, Generic[Numbers]):
         return problem_of(self.plan, self.invalid).begin_with(**cells)
 
     def _shaped(self, values: Any) -> Any:
-        """Return one number per lane in the scene's shape, or a Python number for a single scene."""
+        """Return one number per case in the scene's shape, or a Python number for a single scene."""
         if self.shape:
             return np.reshape(values, self.shape)
         return values.item() if hasattr(values, "item") else values
 
     @cached_property
     def status(self) -> Any:
-        """State at the end, a `Status`."""
+        """State at the end, a `Status`; for an ensemble an array of their numbers."""
         status = statuses(self._final, self.invalid, self.plan.scene)
         return status if self.shape else Status(status)
 
@@ -84,26 +84,27 @@ class Motion(Conversions, Generic[Numbers]):
 
     @property
     def moves(self) -> Any:
-        """Whether the mass moves at all."""
+        """Whether the mass moves at all, a bool or an array with one value per case of an ensemble."""
         return self._solved & (self._final[ix.PHASES] > 0.0)
 
     @property
     def arrested(self) -> Any:
-        """Whether the mass is at rest at its end, for good or until a force changes after its end time."""
+        """Whether the mass rests at the end of its motion, for good or until a force changes; a bool or an array."""
         status = self._final[ix.STATUS]
         return (status == ix.PAUSED) | (status == ix.ARRESTED)
 
     @property
     def turnings(self) -> Any:
-        """Number of times the mass has turned back."""
+        """Number of times the mass has turned back by the end, an integer or an array over the cases of an ensemble."""
         return self._whole_number(ix.TURNS)
 
     @property
     def slips(self) -> Any:
-        """Number of times the mass has begun to slide."""
+        """Number of times the mass has gone from rest to sliding by the end, an integer or an array over the cases."""
         return self._whole_number(ix.PHASES)
 
     def _whole_number(self, entry: int) -> Any:
+        """Return one of the final cells, by its index, as an integer or an array of integers in the scene's shape."""
         count = self._final[entry]
         return count.astype(int) if self.shape else int(count)
 
@@ -200,7 +201,7 @@ class Motion(Conversions, Generic[Numbers]):
         return any(table.kind == "time" for table in self.problem.program.tables)
 
     def _final_state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
-        """Return a state of each lane from its final cells, without speed and rate where it does not move."""
+        """Return the state at ``time`` in s from cells with these indices. Speed and rate are 0 unless ``moving``."""
         speed = choose(moving, self._final[omega], 0.0)
         gain = choose(moving, self._final[rate], 0.0)
         angle, speed, gain = map(self._known, (self._final[rotation], speed, gain))
@@ -252,10 +253,7 @@ class Motion(Conversions, Generic[Numbers]):
         return self._history.friction_at(times)
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
-        """Return the friction coefficient that would hold the mass at rest in its position, at times as in `at`.
-
-        The result is NaN where contact is lost.
-        """
+        """Return the friction that would keep the mass at rest, NaN where contact is lost, at times as in `at`."""
         return self._history.holding_friction_at(times)
 
     def strength_at(self, times: ArrayLike) -> Any:
@@ -300,12 +298,13 @@ class Motion(Conversions, Generic[Numbers]):
     # --- at the start ------------------------------------------------------------------------------------------------
 
     def _at_start(self, quantity: str) -> Any:
+        """Return a quantity at the start by its name, by the starting method if it applies and else by the closure."""
         by_start = self.plan.scene.by_start(quantity, self)
         return by_start[0] if by_start else self._shaped(self._history.forces.statics[quantity])
 
     @property
     def limit_friction(self) -> Any:
-        """Friction coefficient at limit equilibrium at the start, in the direction in which gravity pulls."""
+        """Friction coefficient tan(phi) at limit equilibrium at the start, in the direction in which gravity pulls."""
         return self._at_start("limit_friction")
 
     @property
@@ -328,7 +327,7 @@ class Motion(Conversions, Generic[Numbers]):
 
     @property
     def friction(self) -> Any:
-        """Friction coefficient at the start."""
+        """Friction coefficient tan(phi) at the start, a number or an array over the cases of an ensemble."""
         return self._at_start("friction")
 
     # --- accuracy ----------------------------------------------------------------------------------------------------

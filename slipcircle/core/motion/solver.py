@@ -70,7 +70,11 @@ def _is_finite(motion: Motion) -> bool:
 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
-    """Return the motion of a plan, or its status if it has no result. Invalid lanes are allowed."""
+    """Return the motion of a plan.
+
+    Lanes (scenes of an ensemble) marked in the mask ``invalid`` are not solved. A scene without a result raises no
+    error; the motion's status states the reason.
+    """
     scene = chosen.scene
     lanes = math.prod(scene.shape)
     if lanes <= BLOCK:

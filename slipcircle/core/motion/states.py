@@ -66,7 +66,10 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
 
 
 def statuses(final: Any, invalid: Any, scene: Any) -> Any:
-    """Return the status of each lane of a scene, as a number, from its final cells."""
+    """Return the status of each lane (scene of an ensemble) as a number of `Status`.
+
+    ``final`` are the final cells, (cells, *shape), and ``invalid`` is a mask of lanes that are not valid scenes.
+    """
     ended = final[ix.STATUS]
     has_shape = isinstance(ended, np.ndarray)
     status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else int(STATUS_OF_END[int(ended)])
@@ -124,7 +127,12 @@ class State:
 
 
 def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stress: Callable[[], Any]) -> State:
-    """Return a state in SI units from dimensionless numbers, which have the shape of the scene and of the times."""
+    """Return a state in SI units.
+
+    ``time`` is in s and ``rotation`` in rad. ``omega`` and ``rate`` are the angular velocity times sqrt(R/g) and its
+    derivative times R/g. Their arrays have the shape of the scene followed by the shape of the times. ``stress`` is a
+    function without arguments that returns the normal stress in Pa.
+    """
     axes = getattr(time, "ndim", 0) - len(scene.shape)
     scale = before(scene.arc.time_scale, axes)
     radius = before(plain(scene.arc.radius), axes)
@@ -138,5 +146,8 @@ def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stre
 
 
 def before(values: Any, axes: int) -> Any:
-    """Return numbers of lanes with further axes for times. A single number is returned unchanged."""
+    """Return an array over lanes, followed by as many axes of length 1 as the times have ``axes``.
+
+    A single number is returned unchanged.
+    """
     return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))

@@ -44,7 +44,7 @@ class Plan:
 
     @property
     def left_out(self) -> Names:
-        """Known effects that the scene does not use. Soils have their own cohesion and pore pressure."""
+        """Names of effects that the scene does not use. Cohesion and pore pressure given by soils count as used."""
         known = (*self.effects, *self.scene.arc.own_effects)
         return tuple(effect for effect in EFFECTS if effect not in known)
 
@@ -100,7 +100,10 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
 
 
 def recipe_of(scene: Scene) -> Recipe:
-    """Return the effects, laws and parameters from which the program of a scene is linked."""
+    """Return the names of effects and laws, and the symbols of parameters that vary or are absent.
+
+    The program of a scene is linked from them.
+    """
     effects = in_order(tuple(scene.called))
     moving: list[str] = []
     absent: list[str] = []

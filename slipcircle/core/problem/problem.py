@@ -70,7 +70,10 @@ class Problem:
     near: tuple[float, Callable[[Any], Any]] = (0.0, bool)
 
     def cells(self, which: Any = EVERY) -> Floats:
-        """Return the initial cells of all or some lanes, one column each."""
+        """Return the initial cells of all or some lanes, (cells, lanes).
+
+        Cells are the numbers by which the integrator describes a lane; ``which`` is a NumPy index of lanes.
+        """
         if self.lanes == 1 and which is EVERY:
             return self._only_lane.copy()
         places = self.program.places
@@ -82,7 +85,7 @@ class Problem:
         return cells
 
     def begin_with(self, **cells: Any) -> "Problem":
-        """Replace initial cells by name, each a number for every lane; return the problem itself."""
+        """Replace initial cells by name, each a number or an array over lanes; return the problem itself."""
         for name, values in cells.items():
             flat = np.ravel(values)
             self.start = {**self.start, name: float(flat[0]) if self.lanes == 1 else flat}
@@ -90,9 +93,9 @@ class Problem:
         return self
 
     def refine(self, margins: Floats) -> Any:
-        """Use the exact limit friction in lanes that decide close to it; return these lanes.
+        """Use the exact limit friction in lanes that decide close to it; return the indices of these lanes.
 
-        ``margins`` are the least margins of the decisions at rest in a first solution, in units of rounding.
+        ``margins`` are the least margins of the decisions at rest in a first solution, in units of rounding, (lanes,).
         """
         least, limit_parts = self.near
         if "LIMIT_REST" in self.start or not margins.size or margins[margins.argmin()] >= least:
@@ -117,20 +120,26 @@ class Problem:
         return column[:, None]
 
     def tables(self, which: Any = None) -> list[Data]:
-        """Return the tables of all or some lanes in the order of the program."""
+        """Return the tables (piecewise functions) of all or some lanes in the order of the program.
+
+        ``which`` is a NumPy index of lanes.
+        """
         tables = [self.data[table.name] for table in self.program.tables]
         return tables if which is None else [table.lanes(which) for table in tables]
 
     def reach_farther(self, rotation: Floats, lane: Any = EVERY) -> bool:
         """Extend functions of the rotation to their full range if a lane exceeds them, and return whether one does.
 
-        ``lane`` is the index of the lane of each rotation, by default all lanes in order.
+        ``rotation`` is in rad, and ``lane`` is the index of the lane of each rotation, by default all lanes in order.
         """
         return self.farther is not None and self.farther(self.data, rotation, lane)
 
 
 def problem_of(plan: Plan, invalid: Any = False) -> Problem:
-    """Return the problem of a plan. Lanes marked in ``invalid`` are not solved."""
+    """Return the initial value problem of a plan.
+
+    Lanes marked in ``invalid``, a mask in the scene's shape, are not solved.
+    """
     scene = plan.scene
     lanes = math.prod(scene.shape)
     numbers = Numbers(scene.arc, scene.shape, plain(scene.strength_factor))
@@ -160,7 +169,10 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
 
 
 def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
-    """Return `Problem.near`, for forces that do not change in time and strengths that are not scaled."""
+    """Return `Problem.near`, the margin of decisions and the function of the exact limit friction.
+
+    It is zero and without function unless forces are constant in time and strengths are unscaled.
+    """
     arc = plan.scene.arc
     if arc._limit_parts is None or arc.given is not None or plan.recipe.moving or np.any(strength != 1.0):
         return 0.0, bool
@@ -169,7 +181,10 @@ def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any],
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
-    """Return arrays with one axis of lanes. Numbers that all lanes share remain numbers."""
+    """Return numbers by name as arrays with one axis of lanes, (lanes,).
+
+    ``shape`` is the scene's shape, with which arrays broadcast. Numbers that all lanes share remain numbers.
+    """
     if not shape:
         return numbers
     flat = {}
@@ -184,7 +199,8 @@ def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
 def order_and_step(accuracy: float, lanes: int, shaken: bool = False) -> tuple[int, float]:
     """Return the order of the series for a truncation error, and the step over the radius of convergence.
 
-    Single scenes are solved to rounding.
+    ``accuracy`` is the requested relative error, and ``shaken`` is true for scenes with shaking. Single scenes (one
+    lane) are solved to rounding.
     """
     attainable = max(accuracy if lanes > 1 else min(accuracy, FINEST), 1e-16)
     step = STEP if attainable > FINEST else STEP_TO_ROUNDING
@@ -213,14 +229,21 @@ class Numbers:
         self.tables: dict[str, Data] = {}
 
     def add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
-        """Add a piecewise function with the scale of its argument and the factor of its values."""
+        """Add a piecewise function by its name in the program.
+
+        ``scale`` is its argument over the dimensionless argument in the program, and ``factor`` multiplies its values.
+        """
         self.tables[name] = table
         self.start[f"{name}.PIECE"] = table.first
         self.start[f"{name}.SCALE"] = scale
         self.start[f"{name}.SCALED_BY"] = factor
 
     def add_effect(self, effect: str, parameters: Parameters) -> None:
-        """Add the parameters of an effect: numbers by symbol, functions of time as tables."""
+        """Add the parameters of an effect in dimensionless form: numbers by symbol, functions of time as tables.
+
+        ``effect`` is its name, with the number of the soil if it belongs to one, and ``parameters`` are in SI units by
+        name.
+        """
         symbols = symbols_of(effect)
         if not symbols:
             return
@@ -245,7 +268,10 @@ class Numbers:
                 self.add_table(symbol, lazy_import("tables").of_time(value), self.mass.time_scale, scaled)
 
     def add_rotations(self, plan: Plan, lanes: int) -> Farther | None:
-        """Add the functions of the rotation of the mass, and return the function that extends them, if needed."""
+        """Add the mass's functions of the rotation, and return the function that extends them, if one is needed.
+
+        ``lanes`` is the number of scenes.
+        """
         if not plan.recipe.moving:
             return None
         scene = plan.scene
@@ -259,7 +285,10 @@ class Numbers:
         return farther
 
     def add_law(self, name: str, parameters: Parameters, strength: Any) -> None:
-        """Add a law times a factor of strength as a table or as dimensionless numbers."""
+        """Add a friction or cohesion law times a factor ``strength``, as a table or as dimensionless numbers.
+
+        ``name`` may contain the number of a soil, and ``parameters`` are in SI units by name.
+        """
         law = without_soil(name)
         units = {
             "": 1.0 / strength,
@@ -279,7 +308,7 @@ class Numbers:
                 self.start[f"{name}.{p.name}"] = plain(parameters[p.name]) / units[p.unit]
 
     def add_start(self, velocity: Any, end_time: Any) -> None:
-        """Add the initial velocity, the end time, and initial values of the integrator's records."""
+        """Add the initial velocity in m/s, the end time in s, and initial values of the integrator's records."""
         start = self.start
         with may_overflow(self.shape):
             start["omega"] = plain(velocity) / self.radius * self.mass.time_scale
@@ -290,16 +319,19 @@ class Numbers:
 
 
 def _one_way(shaking: Parameters) -> float:
-    """Return 1 if shaking may start the mass down-slope only, otherwise 0."""
+    """Return 1 if shaking may start the mass down-slope only, otherwise 0.
+
+    ``shaking`` contains the effect's parameters.
+    """
     varies = callable(shaking.get("horizontal"))
     two_way = shaking.get("two_way", False)
     return float(varies and not two_way)
 
 
 def _first_only(recipe: Recipe, start: Parameters) -> Any:
-    """Return 1 if nothing brings the mass to rest, and 2 if water or heat may lift it, otherwise 0.
+    """Return 1 if nothing brings the mass to rest, and 2 if water or heat may lift it, otherwise 0, for each lane.
 
-    Such a mass is integrated to its first standstill.
+    Such a mass is integrated to its first standstill. ``start`` contains the initial cells by name.
     """
     swings, lifts, pressures, laws = _swing_of(recipe)
     if not swings:

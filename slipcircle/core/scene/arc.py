@@ -160,7 +160,7 @@ class Arc(Mass, Generic[Numbers]):
             freeze(self, self.quantities)
 
     def _mistakes(self) -> list[str]:
-        """Return messages about the fields."""
+        """Return messages about the fields: numbers out of bounds, shapes that do not broadcast, impossible arcs."""
         values = {name: getattr(self, name) for name in self.quantities}
         kind: Any = type(self)
         found = mistakes(values, bounds(kind)) or shape_mistakes(values)
@@ -171,7 +171,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @property
     def _is_plain_arc(self) -> bool:
-        """Whether this is a single arc with a normal load, a quick check before `geometry_errors`."""
+        """Whether the ends are two floats of a valid arc with normal load, so that `geometry_errors` is not needed."""
         first, last = self.theta_1, self.theta_2
         if type(first) is not float or type(last) is not float:
             return False
@@ -184,7 +184,10 @@ class Arc(Mass, Generic[Numbers]):
         return super().parts() | {"dip": (self.dip, DIP)}
 
     def with_parts(self, changed: Values) -> Any:
-        """Return the arc with other values of some numbers. Nothing is checked."""
+        """Return the arc with other values of some numbers, by name.
+
+        Another ``dip`` turns both ends. Nothing is checked.
+        """
         fields = dict(changed)
         if "dip" in fields:
             turn = self.facing * (self.dip - fields.pop("dip"))
@@ -192,7 +195,10 @@ class Arc(Mass, Generic[Numbers]):
         return super().with_parts(fields)
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Yield the errors of invalid arcs and of arcs without a normal load."""
+        """Yield the errors of invalid arcs and of arcs without a normal load.
+
+        An error is a mask of lanes (cases of an ensemble) and a function from the index of a lane to its message.
+        """
         with np.errstate(invalid="ignore"):  # J_r/Theta* is NaN beyond a half disc, and for ends that are NaN
             normal_load = np.ravel(self._radial_amplitude * self._cosine_of_dip)
         faults = {
@@ -204,6 +210,7 @@ class Arc(Mass, Generic[Numbers]):
             yield lanes, partial(self._complaint, fault)
 
     def _complaint(self, fault: str, lane: int) -> str:
+        """Return the message about one lane; ``fault`` is the name of a function of `slipcircle.messages.arc`."""
         sentence: str = getattr(lazy_import("arc"), fault)(self, lane)
         return sentence
 
@@ -219,7 +226,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def _lean(self) -> Any:
-        """Dip in the sense of the angles, negative where the chord falls to the left."""
+        """Dip in the sense of the angles, rad, negative where the chord falls to the left."""
         middle = np.add(self.theta_1, self.theta_2) / 2
         return 1.5 * np.pi - middle
 
@@ -257,7 +264,10 @@ class Arc(Mass, Generic[Numbers]):
         return limit_friction, static, polar_per_inertia
 
     def _limit_parts(self, shape: Shape, lanes: Any) -> Any:
-        """Return the exact limit friction of some lanes as the next float above and the rest, (2, lanes)."""
+        """Return the exact limit friction of some lanes as the next float above and the rest, (2, lanes).
+
+        ``shape`` is the scene's shape, and ``lanes`` are indices into its flattened lanes.
+        """
         ends = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (self.theta_1, self.theta_2)]
         return np.array([*map(lazy_import("decimals").limit_parts, *ends)]).T
 
@@ -268,7 +278,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def _radial_amplitude(self) -> Any:
-        """C_r/Theta*, NaN beyond a half disc."""
+        """Amplitude of the normal load J_r/Theta* with the dip, C_r/Theta*; NaN beyond a half disc."""
         return kernels.radial_weight_per_inertia(self.half_angle)
 
     @cached_property
@@ -291,7 +301,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def normal_load(self) -> Any:
-        """J_r/Theta* at the start."""
+        """Radial weight over moment of inertia at the start, J_r/Theta*, both dimensionless; a number or an array."""
         return self.amplitudes_per_inertia[1] * self._cosine_of_dip
 
     @cached_property
@@ -345,7 +355,11 @@ class Arc(Mass, Generic[Numbers]):
         return self._end(self.theta_1, self.theta_2)
 
     def _end(self, rightward: Any, leftward: Any) -> Any:
-        """Return a point of the arc, by its angle for a mass that slides to the right, and to the left."""
+        """Return an end of the arc, x and y in m.
+
+        Its polar angle in rad is ``rightward`` for a mass that slides to the right and ``leftward`` for a mass that
+        slides to the left.
+        """
         angle = choose(np.greater(self.facing, 0.0), rightward, leftward)
         return _point(self.radius, np.sin(angle), np.cos(angle))
 
@@ -372,5 +386,5 @@ class Arc(Mass, Generic[Numbers]):
 
 
 def _point(distance: Any, sine: Any, cosine: Any) -> Any:
-    """Return the point at a distance from the centre in a direction, x and y in m."""
+    """Return the points at distances from the centre in m in directions given by sine and cosine, (..., 2)."""
     return np.stack([distance * cosine, distance * sine], axis=-1)

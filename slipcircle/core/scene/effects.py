@@ -27,7 +27,10 @@ def soil_number(name: str) -> str:
 
 @lru_cache(maxsize=256)
 def symbols_of(effect: str) -> TextDict:
-    """Return the symbols of an effect's parameters in the balance by name, with the number of its soil."""
+    """Return the symbols of an effect's parameters in the equation of motion, by the names of the parameters.
+
+    Symbols of an effect of one soil end with its number.
+    """
     number = soil_number(effect)
     declared = ALL_EFFECTS[without_soil(effect)].parameters
     return {p.name: p.symbol + number for p in declared if p.symbol}
@@ -54,7 +57,10 @@ def in_order(effects: Names) -> Names:
 
 
 def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
-    """Return effects by name, each with its parameters, and messages about invalid effects."""
+    """Return effects by name, each with its parameters, and messages about invalid effects.
+
+    ``effects`` is the scene's field, names or a mapping from names to parameters.
+    """
     if isinstance(effects, str) or not hasattr(effects, "__iter__"):
         return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
     given = effects if isinstance(effects, MAPPING) else {name: {} for name in effects}
@@ -70,7 +76,10 @@ def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
 
 
 def declared_parameters(name: str, given: Parameters) -> tuple[Parameter, ...]:
-    """Return the parameters that an effect may have. For cohesion they depend on its law."""
+    """Return the declarations of the parameters that an effect may have.
+
+    For cohesion they depend on its law, which ``given``, its parameters by name, contains.
+    """
     if name != "cohesion" or "law" not in given:
         return EFFECTS[name].parameters
     law = COHESION_LAWS.get(given["law"])
@@ -78,7 +87,10 @@ def declared_parameters(name: str, given: Parameters) -> tuple[Parameter, ...]:
 
 
 def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
-    """Return messages about the parameters of an effect."""
+    """Return messages about the parameters of an effect.
+
+    ``name`` is the name of the effect, and ``parameters`` are by name.
+    """
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
@@ -97,7 +109,10 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
 
 
 def cohesion_mistakes(given: Any, path: str) -> list[str]:
-    """Return a message for each mistake in a cohesion that changes with slip, a law by name or a function."""
+    """Return a message for each mistake in a cohesion that changes with slip, a law by name or a function.
+
+    ``path`` names the cohesion in the messages.
+    """
     if callable(given):
         return []
     parameters = dict(given)
@@ -113,7 +128,10 @@ def cohesion_mistakes(given: Any, path: str) -> list[str]:
 
 
 def cohesion_law(given: Any) -> Law | None:
-    """Return the law of a cohesion that changes with slip, as a friction law with parameters; None for a number."""
+    """Return the name and the parameters of the law of a cohesion that changes with slip; None for a number.
+
+    ``given`` is a number, a function, a law with its parameters, or the parameters of the effect "cohesion".
+    """
     if isinstance(given, MAPPING) and "law" not in given:  # of an effect
         given = given.get("cohesion", 0.0)
     if callable(given):
@@ -125,7 +143,10 @@ def cohesion_law(given: Any) -> Law | None:
 
 
 def resolved(name: str, given: Frozen) -> Frozen:
-    """Return an effect's parameters after checks, with functions of time built from their parts."""
+    """Return an effect's parameters after checks, with functions of time built from their parts.
+
+    ``name`` is the name of the effect, and ``given`` are its parameters as entered.
+    """
     if name in WITHOUT_PARAMETERS and not given:
         return given
     raise_all("", effect_mistakes(name, given))

@@ -17,7 +17,7 @@ COEFFICIENT: Bounds = (-5e-324, np.inf, "a friction coefficient, tan(phi): a num
 
 
 def law_mistakes(given: Any) -> list[str]:
-    """Return a message for each mistake in a scene's friction."""
+    """Return a message for each mistake in a scene's friction, a number, a law with parameters, or a function."""
     if callable(given):
         return []
     if type(given) is float or not isinstance(given, MAPPING):
@@ -31,7 +31,10 @@ def law_mistakes(given: Any) -> list[str]:
 
 
 def rate_mistakes(given: Any, path: str = "rate") -> list[str]:
-    """Return a message for each mistake in a law of speed, which multiplies a law of slip or the friction of soils."""
+    """Return a message for each mistake in a law of speed, which multiplies a law of slip or the friction of soils.
+
+    ``given`` is the law's name and parameters, and ``path`` names it in the messages.
+    """
     if not isinstance(given, MAPPING):
         return [f"{path} = {shown(given)}: must be a law of speed with its parameters"]
     return _named_faults(given, path, RATE_LAWS)
@@ -43,7 +46,10 @@ def may_have_rate(law: str) -> bool:
 
 
 def _named_faults(given: Parameters, path: str, known: Names) -> list[str]:
-    """Return a message for each mistake in a law by name."""
+    """Return a message for each mistake in a law by name.
+
+    ``path`` names it in the messages, and ``known`` are the names of the laws allowed there.
+    """
     name = given.get("law")
     if name not in known:
         names = ", ".join(known)
@@ -86,7 +92,7 @@ def law_names(given: Any) -> Names:
 
 
 def depends_on(laws: Names) -> Names:
-    """Return the variables on which a product of laws depends."""
+    """Return the variables on which a product of laws depends, such as "slip", "speed" and "time"."""
     variables: dict[str, None] = {}
     for name in laws:
         law = LAWS.get(without_soil(name))

@@ -134,24 +134,37 @@ class Mass:
     # --- optional methods, not needed by a plain arc -----------------------------------------------------------------
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Yield the errors of lanes that are not valid masses or cannot move."""
+        """Yield the errors of lanes that are not valid masses or cannot move.
+
+        A lane is one case of an ensemble. An error is a mask of lanes and a function from the index of a lane to its
+        message.
+        """
         return iter(())
 
     def mistakes(self, friction: Any, effects: Effects) -> list[str]:
-        """Return messages about combinations of friction and effects for which the mass has no motion."""
+        """Return messages about combinations of friction and effects for which the mass has no motion.
+
+        ``friction`` is the scene's, and ``effects`` are parameters by the effect's name.
+        """
         if "gradient" in effects.get("cohesion", {}):
             return ["{effects.cohesion.gradient}: needs a ground, below which the cohesion grows, in place of an arc"]
         return []
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """Return effects with those of the mass: cohesion by a law, a section's water level, strengths of soils."""
+        """Return effects with the mass's own effects: cohesion by a law, a section's water level, strengths of soils.
+
+        Effects are mappings of parameters by the effect's name.
+        """
         if not self.cohesion_laws(effects.get("cohesion", {})):
             return effects
         moment = self.moment_coefficients.resistance_factor / self.reference_stress  # moment of 1 Pa
         return {**effects, "cohesion": {}, f"softening_cohesion{OF_COHESION}": {"moment": moment}}
 
     def cohesion_laws(self, cohesion: Parameters) -> tuple[Law, ...]:
-        """Return the laws by which cohesion changes with slip, from the scene or from its soils."""
+        """Return the laws by which cohesion changes with slip, from the scene or from its soils.
+
+        ``cohesion`` contains the parameters of that effect; each law has a name and parameters.
+        """
         law = cohesion_law(cohesion)
         return () if law is None else ((law[0] + OF_COHESION, law[1]),)
 
@@ -171,7 +184,7 @@ class Mass:
 
     @property
     def quantities(self) -> dict[str, Parameter]:
-        """Declarations of the fields that are numbers, by name."""
+        """Declarations (unit, bounds, meaning) of the fields that are numbers, by the name of the field."""
         kind: Any = type(self)
         return declared(kind)
 
@@ -185,11 +198,11 @@ class Mass:
         return parts_of_fields(self)
 
     def with_parts(self, changed: Values) -> Any:
-        """Return the mass with other values of some parts. Nothing is checked."""
+        """Return the mass with other values of some parts, by the names in `parts`. Nothing is checked."""
         return replace_unchecked(self, changed)
 
     def together(self, values: Values) -> Values:
-        """Return other values of numbers with the values of all numbers that they determine."""
+        """Return ``values`` of some numbers by name, with the values of further numbers that they determine."""
         return values
 
     def numbers_without_effect(self) -> Collection[str]:
@@ -197,17 +210,20 @@ class Mass:
         return ()
 
     def drowned(self, *rotations: float) -> float:
-        """Return the greatest depth of the ground over the mass below a water level after rotations, m."""
+        """Return how far the ground over the mass comes below a water level after any of the rotations in rad, m.
+
+        The base class has no water and returns 0.
+        """
         return 0.0
 
     # --- position after a rotation about the centre -------------------------------------------------------------------
 
     def placed(self, points: Any, rotation: Any) -> Any:
-        """Return the positions of points of the mass, (..., 2), after a rotation, m."""
+        """Return the positions of points of the mass, (..., 2) in m, after a rotation in rad about the centre."""
         return lazy_import("journey").placed(self, points, rotation)
 
     def journey(self, rotation: Any) -> Any:
-        """Return the displacement of toe and centroid by a rotation, a `slipcircle.history.Journey`."""
+        """Return the displacement of toe and centroid by a rotation in rad, a `slipcircle.history.Journey`."""
         return lazy_import("journey").journey(self, rotation)
 
     # --- derived quantities -------------------------------------------------------------------------------------------
@@ -235,7 +251,7 @@ class Mass:
 
     @cached_property
     def scales(self) -> Values:
-        """Scales of the parameters of effects, by the names in `generated.effects`."""
+        """Scales that make the parameters of effects dimensionless, by the names in `generated.effects`."""
         return {
             "half_angle": self.half_angle,
             "gravity": self.gravity,

@@ -25,7 +25,10 @@ class Data(NamedTuple):
     first: Any = 0.0  # a number, or an array over lanes
 
     def lanes(self, which: Any) -> "Data":
-        """Return the table of selected lanes."""
+        """Return the table of selected lanes.
+
+        ``which`` is an index of lanes; a table without an axis of lanes is unchanged.
+        """
         if self.coefficients.ndim < 3:
             return self
         breaks = self.breaks

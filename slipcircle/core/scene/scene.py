@@ -241,12 +241,12 @@ class Scene(Generic[Numbers]):
 
     @cached_property
     def law(self) -> Any:
-        """Friction of the scene, or of the soils of its mass."""
+        """Friction of the scene, or of the soils of its mass, as a number, a law with parameters, or a function."""
         return self.friction if self.arc.friction is None else self.arc.friction
 
     @cached_property
     def laws(self) -> tuple[Law, ...]:
-        """Laws of friction, whose product is the friction, and of cohesion, each with its parameters."""
+        """Name and parameters of each law of friction, whose product is the friction, and of each law of cohesion."""
         return (*law_parts(self.law), *self.arc.cohesion_laws(self.checked_effects.get("cohesion", {})))
 
     @property
@@ -260,7 +260,11 @@ class Scene(Generic[Numbers]):
         return self.arc.effects_with_own(self.checked_effects)
 
     def by_start(self, quantity: str, motion: Any, kept: float = 1.0) -> Any:
-        """Return a result by the starting method and the name of the method, or None for the closure."""
+        """Return a result by the starting method and the name of the method, or None if the closure applies.
+
+        ``quantity`` is the name of the result, such as "factor_of_safety", and ``kept`` is the remaining share of
+        cohesion. Only scenes of a subclass have a starting method.
+        """
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
@@ -282,7 +286,7 @@ class Scene(Generic[Numbers]):
         return found
 
     def with_parts(self, changed: Values) -> Any:
-        """Return the scene with other parts. Nothing is checked."""
+        """Return the scene with other parts, by the names in `parts`. Nothing is checked."""
         of_mass = {name: changed[name] for name in self.arc.parts() if name in changed}
         effects = {name: changed[name] for name in EFFECTS if name in changed}
         fields = {name: value for name, value in changed.items() if name not in of_mass | effects}
@@ -319,7 +323,10 @@ _UNUSUAL: Mapping[str, Callable[[Any], bool]] = {
 
 
 def _is_unusual(number: tuple[str, Any]) -> bool:
-    """Return whether a value is an unusual number, according to the last part of its name."""
+    """Return whether a named value is an unusual friction, cohesion or unit weight.
+
+    ``number`` is a pair of name and value in SI units; the last part of the name determines the check.
+    """
     name, value = number
     check = _UNUSUAL.get(name.rpartition(".")[2])
     return check is not None and isinstance(value, int | float) and check(value)
@@ -342,7 +349,10 @@ def accuracy_mistakes(accuracy: Any) -> list[str]:
 
 
 def checked(scene: Any, what: str) -> Scene:
-    """Return the argument if it is a scene, and otherwise raise an error that names the operation."""
+    """Return the argument if it is a scene, and otherwise raise an error.
+
+    ``what`` names the operation in the message.
+    """
     if not isinstance(scene, Scene):
         asked = f"load({scene!r})" if isinstance(scene, str) else "load(name)"
         raise ValueError(f"{what}: scene = {scene!r}: must be a Scene; {asked} gives that of a file, or one that ships")

@@ -38,13 +38,19 @@ class Leaf(NamedTuple):
 def number(
     unit: str, lower: float = -INFINITY, upper: float = INFINITY, allowed: str = "", **more: Any
 ) -> dict[str, Parameter]:
-    """Return the metadata of a dataclass field that is a number, with its SI unit and open bounds."""
+    """Return the metadata of a dataclass field that is a number, with its SI unit and open bounds.
+
+    ``allowed`` describes the allowed values in messages, and ``more`` are further fields of `Parameter`.
+    """
     return {"number": Parameter("", unit, lower, upper, allowed=allowed, **more)}
 
 
 @lru_cache
 def declared(kind: Any) -> dict[str, Parameter]:
-    """Return the numbers that the fields of a dataclass declare, by name. The name is also the key of one without."""
+    """Return the declarations of the numbers among the fields of a dataclass, by field.
+
+    ``kind`` is the class. A declaration without key has the field's name as key.
+    """
     found = {}
     for field in fields(kind):
         p = field.metadata.get("number")
@@ -56,7 +62,7 @@ def declared(kind: Any) -> dict[str, Parameter]:
 
 @lru_cache
 def bounds(kind: Any) -> dict[str, Bounds]:
-    """Return the open bounds and the allowed values in words of the numbers of `declared`."""
+    """Return lower and upper open bound and the allowed values in words of the numbers in `declared`, by field."""
     return {name: (one.lower, one.upper, one.allowed) for name, one in declared(kind).items()}
 
 
@@ -73,7 +79,10 @@ def parts_of_fields(node: Any) -> Parts:
 
 
 def parts(node: Any, kind: Any = None) -> Parts:
-    """Return the parts of a node by name, each with its value and its declaration."""
+    """Return the parts of a node by name, each with its value and its declaration.
+
+    ``kind`` is the declaration of the node itself, None for an object or a mapping of nodes.
+    """
     if hasattr(type(node), "parts"):
         found: Parts = node.parts()
         return found
@@ -87,7 +96,10 @@ def parts(node: Any, kind: Any = None) -> Parts:
 
 
 def _of_points(points: Any, p: Parameter) -> Parts:
-    """Return the coordinates of points by their places, such as ``3.y``."""
+    """Return the coordinates of points by place, such as ``3.y``, each with its declaration.
+
+    ``points`` have axes of lanes first, and ``p`` declares them.
+    """
     lanes: Any = np.asarray(points)
     declarations = [replace(p, axes=0, key=axis) for axis in "xy"]
     found: Parts = {}
@@ -97,7 +109,10 @@ def _of_points(points: Any, p: Parameter) -> Parts:
 
 
 def _of_effect(given: Values, parameters: tuple[Parameter, ...]) -> Parts:
-    """Return the parts of an effect, with scale and peak of shaking by a record, of which one determines the other."""
+    """Return the parts of an effect from its values by name and the declarations of its parameters.
+
+    For shaking by a record they contain both scale and peak, of which one determines the other.
+    """
     found: Parts = {p.name: (given.get(p.name), p) for p in parameters}
     if callable(given.get("horizontal")):
         of_record = lazy_import("forcing").record_numbers(given)
@@ -109,7 +124,10 @@ def _of_effect(given: Values, parameters: tuple[Parameter, ...]) -> Parts:
 
 
 def _of_law(law: Any, laws: Mapping[str, Any]) -> Parts:
-    """Return the parts of a law, or of a constant, which has no name of its own."""
+    """Return the parts of a law, or of a constant, whose only part has the name "".
+
+    ``laws`` are the known laws by name.
+    """
     if callable(law):
         return {}
     if not isinstance(law, MAPPING):
@@ -129,7 +147,8 @@ def walked(
 ) -> Any:
     """Return a node whose leaves have the values that a function returns; the node itself if none has changed.
 
-    Unless ``absent``, numbers and effects without a value are not visited.
+    Unless ``absent``, numbers and effects without a value are not visited. ``kind``, ``path`` and ``key`` are the
+    declaration, the path and the key in scene files of the node itself.
     """
     known = parts(node, kind)
     new: ValueDict = {}
@@ -176,7 +195,7 @@ def numbers(node: Any) -> ValueDict:
 
 
 def put(node: Any, values: Values) -> Any:
-    """Return a node with other values of its numbers, by path. Values are not checked."""
+    """Return a node with other values of its numbers, by path such as ``friction.peak``. Values are not checked."""
     remaining = dict(values)
     changed = walked(node, lambda leaf: remaining.pop(leaf.path, leaf.value))
     raise_all("", [f"{path}: is not a number of this scene" for path in remaining])
@@ -184,7 +203,7 @@ def put(node: Any, values: Values) -> Any:
 
 
 def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
-    """Return a node with every stored number changed by a function."""
+    """Return a node in which every stored number, also within points, is replaced by the value of a function of it."""
 
     def visit(leaf: Leaf) -> Any:
         value = leaf.value
@@ -195,7 +214,10 @@ def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
 
 
 def _with_parts(node: Any, new: Values, known: Parts) -> Any:
-    """Return a node with other parts."""
+    """Return a node with other parts.
+
+    ``new`` contains the changed parts by name, and ``known`` all parts of the node.
+    """
     if hasattr(node, "with_parts"):
         return node.with_parts(new)
     if hasattr(type(node), "parts"):
@@ -228,7 +250,10 @@ def replace_unchecked(instance: Any, values: Values) -> Any:
 
 
 def _with_coordinates(points: Any, new: Values, whole: bool) -> Any:
-    """Return points with other coordinates, numbers or arrays over lanes, by their places; ``whole`` if all change."""
+    """Return points with other coordinates, numbers or arrays over lanes, by places such as ``3.y``.
+
+    ``whole`` is true if all coordinates change.
+    """
     axes = 1 + max(place.count(".") for place in new)
     own = points.shape[points.ndim - axes :]
     lanes = () if whole else points.shape[: points.ndim - axes]
@@ -243,7 +268,7 @@ def _with_coordinates(points: Any, new: Values, whole: bool) -> Any:
 
 @lru_cache(maxsize=256)
 def _places(shape: Shape) -> dict[str, Shape]:
-    """Return the index of each coordinate in points of this shape by its place, such as ``3.y``."""
+    """Return the index of each coordinate by its place, such as ``3.y``, in points of this shape, (V, 2) or (2,)."""
     places = {}
     for *point, axis in np.ndindex(shape):
         place = [*map(str, point), "xy"[axis]]

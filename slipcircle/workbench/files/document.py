@@ -128,7 +128,10 @@ class Document:
         return f"{self._heading(path)}: {self._tables[path].title}"
 
     def _heading(self, path: str) -> str:
-        """Return the heading of a table as a file writes it, such as "a table [water]" or "tables [[layers]]"."""
+        """Return the heading of a table as a file writes it, such as "a table [water]" or "tables [[layers]]".
+
+        `path` is the path of the table.
+        """
         if self._tables[path].repeats == "numbered":
             return f"tables [[{path}]]"
         return f"a table [{path}]"

@@ -140,9 +140,11 @@ class Key(Parameter):
         return least and value < self.high and abs(value) < math.inf
 
     def _limit(self, value: Any) -> bool:
+        """Return whether a value is a limit such as "<60" within the bounds."""
         return isinstance(value, str) and self._number(Interval.of_limit(value).limit)
 
     def _pair(self, value: Any) -> bool:
+        """Return whether a value is a list of two numbers within the bounds."""
         return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
 
 

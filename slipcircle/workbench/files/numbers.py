@@ -73,7 +73,7 @@ def by_name(scene: Any) -> dict[str, Key]:
 def number_in(scene: Any, path: str) -> Key:
     """Return the declaration of a number of a scene by its key or name, also of a number without a value.
 
-    `path` is "friction.angle_deg" or "friction.coefficient", for example.
+    `path` is a key such as "friction.angle_deg" or a name such as "friction".
     """
     known = by_key(scene)
     path = str(path)

@@ -80,7 +80,10 @@ def _with_points(table: Values, path: str, key: str, folder: Path, mistakes: Tex
 
 
 def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, str]:
-    """Return the points of a file from left to right and their unit, stated by the file or by ``unit``.
+    """Return the points of a file from left to right and their unit, stated by the file or by `unit`.
+
+    `file` is the name of the file in the folder, with the layer of a drawing after #. `key` is the name of the key that
+    states the unit, for messages.
 
     Raises
     ------

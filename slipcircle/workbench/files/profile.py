@@ -127,7 +127,10 @@ def _unknown_soils(places: Mapping[str, str], names: Texts) -> Iterator[str]:
 
 
 def idle_loads(loads: Surcharges, circle: Critical) -> Iterator[str]:
-    """Yield a message for each surcharge that lies wholly or partly beside the ground or the sliding mass."""
+    """Yield a message for each surcharge that lies wholly or partly beside the ground or the sliding mass.
+
+    Surcharges are tuples (left and right x in m, pressures there in Pa), and `circle` has the range of the mass.
+    """
     ground = np.asarray(circle.slope.ground)[[0, -1], 0].tolist()
     for k, (left, right, _, _) in enumerate(loads, 1):
         for (first, last), what in ((ground, "ground"), (circle.between, "mass that slides")):

@@ -100,6 +100,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
 
 
 def _object(properties: Values, title: str, required: Texts) -> ValueDict:
+    """Return the schema of an object with the given properties and no others, and the names of required properties."""
     return {
         "type": "object",
         "title": title,
@@ -110,7 +111,7 @@ def _object(properties: Values, title: str, required: Texts) -> ValueDict:
 
 
 def _schema_of_key(key: Key) -> ValueDict:
-    """Return the schema of a key; a number may be uncertain unless it is fixed."""
+    """Return the schema of a key by its kind; a number may be uncertain unless it is fixed."""
     number: ValueDict = {"type": "number"} | {_LIMITS[k]: v for k, v in key.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}

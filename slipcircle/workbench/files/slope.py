@@ -146,7 +146,10 @@ def motion_mistakes(given: Arguments, layered: bool) -> Texts:
 
 
 def _deep_enough(found: Critical, section: Section) -> Critical:
-    """Return the factors of safety of a circle, or raise an error if a tension crack cuts off its mass."""
+    """Return the factors of safety of a circle, or raise an error if a tension crack cuts off its mass.
+
+    `found` are these factors, and `section` is the mass along the circle without a crack.
+    """
     slope = found.slope
     if slope.crack and not any(found.factors_of_safety.values()):
         uncracked = at_circle(replace(slope, crack=0.0, crack_water=0.0), section)

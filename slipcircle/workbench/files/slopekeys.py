@@ -29,27 +29,36 @@ _MOST_COHESION = 1e8  # Pa, of the soil of a homogeneous slope; larger values ar
 
 
 def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
+    """Return the declaration of an optional length in m, for the key NAME_m. `lower` is its open lower bound."""
     return Parameter(name, "m", lower, LIMITS["m"][1], help, f"{name}_m", optional=True, kind="fixed")
 
 
 def _weight(help: str, optional: bool = False) -> Parameter:
+    """Return the declaration of a unit weight in N/m^3, for the key unit_weight_kN_m3."""
     return Parameter("unit_weight", "N/m^3", 0.0, 1e5, help, "unit_weight_kN_m3", 1e3, optional=optional, kind="fixed")
 
 
 def _points(name: str, title: str) -> dict[str, Key]:
+    """Return the declaration of a list of points in m by its key, points_m for the ground and NAME_m otherwise."""
     key = "points_m" if name == "ground" else f"{name}_m"
     return _of_points(name, key, title, "a list of two points or more, [[x, y], [x, y], ...] (m)", "points")
 
 
 def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
+    """Return the declaration of two numbers in m by its key NAME_m. `form` describes them for messages."""
     return _of_points(name, f"{name}_m", title, f"two numbers, {form} (m)", "pair")
 
 
 def _of_points(name: str, key: str, help: str, allowed: str, kind: str) -> dict[str, Key]:
+    """Return the declaration of an optional key with coordinates in m, by the key.
+
+    `name` is the name of its argument.
+    """
     return {key: Key(name, "m", help=help, key=key, optional=True, kind=kind, allowed=allowed, written="m")}
 
 
 def _place(name: str, help: str) -> Parameter:
+    """Return the declaration of a required coordinate in m, for the key NAME_m."""
     return replace(_length(name, help, -INFINITY), optional=False)
 
 

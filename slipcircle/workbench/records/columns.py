@@ -39,6 +39,7 @@ def _words(text: str) -> list[str]:
 
 
 def _says(text: str, words: str) -> bool:
+    """Return whether any word of a text matches a regular expression completely."""
     return any(re.fullmatch(words, word) for word in _words(text))
 
 
@@ -53,6 +54,7 @@ def is_direction(text: str) -> bool:
 
 
 def _is_time(name: str) -> bool:
+    """Return whether the first word of a name marks a column of times."""
     first, *_ = _words(name)
     return re.fullmatch(_TIME, first) is not None
 

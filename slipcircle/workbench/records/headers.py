@@ -108,6 +108,8 @@ _KIK_NET = dict(zip("123456", ("NS1", "EW1", "UD1", "NS2", "EW2", "UD2"), strict
 def header_of(name: str, text: str) -> Header | None:
     """Return the header at the beginning of a file in a known format; None for a table.
 
+    `name` is the name of the file for messages, and `text` its content.
+
     Raises
     ------
     ValueError
@@ -153,7 +155,10 @@ def _header(found: re.Match[str] | None, units: str) -> Header | None:
 
 
 def channels(text: str) -> Iterator[str]:
-    """Yield the channels of a file of COSMOS, CSMIP, GeoNet or traces. Any other file is a single channel."""
+    """Yield the texts of the channels of a file of COSMOS, CSMIP, GeoNet or traces.
+
+    Any other file is a single channel.
+    """
     title = r"^(?:[ \t]*(?:corrected|uncorrected|raw) (?:accel|veloc|displ)|TIMESERIES )"
     starts = [start.start() for start in re.finditer(title, text, re.IGNORECASE | re.MULTILINE)]
     starts = [k for last, k in pairwise([-1, *starts]) if last < 0 or text.count("\n", last, k) > 1]

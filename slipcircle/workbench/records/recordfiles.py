@@ -54,7 +54,10 @@ class Options(NamedTuple):
     of_all: bool = True  # whether the roles apply to every table, or only to tables with as many columns
 
     def roles(self, quantity: RecordedQuantity) -> Names:
-        """Return the roles of the columns from a sequence or a text with commas."""
+        """Return the roles of the columns from a sequence or a text with commas.
+
+        The role of values is the role of `quantity`, acceleration or pore pressure.
+        """
         parts = self.columns.split(",") if isinstance(self.columns, str) else self.columns
         roles = tuple(str(part).strip().lower() for part in parts)
         known = ("time", quantity.role, "vertical", SKIP)
@@ -80,6 +83,8 @@ class Channel(NamedTuple):
 
 def contents(quantity: RecordedQuantity, name: str, path: Path, options: Options) -> list[Channel]:
     """Return the channels of a file, or the columns other than times and skipped columns.
+
+    `quantity` is acceleration or pore pressure, and `name` the name of the file for messages.
 
     Raises
     ------

@@ -218,7 +218,11 @@ class Suite:
 
     @classmethod
     def of(cls, records: Any, strict: bool = False, gravity: float = 9.81) -> "Suite":
-        """Return a suite from a suite, from paths as for `read_suite`, or from `Series` (a sequence or mapping)."""
+        """Return a suite from a suite, from paths as for `read_suite`, or from `Series` (a sequence or mapping).
+
+        The names of `Series` are the keys of the mapping or numbers from 1. `strict` and `gravity`, in m/s^2, apply to
+        files.
+        """
         if isinstance(records, Suite):
             return records
         if isinstance(records, str | PathLike):
@@ -359,7 +363,10 @@ def _read(file: str, channel: int, **reading: Any) -> Series:
 
 
 def _shaking(file: str, channel: Channel, options: Options, holds: str, gravity: float) -> tuple[Series, str]:
-    """Return a record from 0 s, and the unit stated by its file or given by the user."""
+    """Return a record from 0 s, and the unit stated by its file or given by the user.
+
+    The arguments are those of `read_record`.
+    """
     stated = channel.samples.units if channel.samples else ""
     with_unit = options._replace(units=stated or options.units)
     samples = checked_samples(ACCELERATION, file, channel.samples, with_unit)
@@ -375,6 +382,7 @@ def _entry(
     reading: Values | None = None,
     is_vertical: bool = False,
 ) -> Entry:
+    """Return the entry of a record with its intensity measures. `unit` is the unit in its file."""
     digest = hashlib.sha256(series.time.tobytes() + series.values.tobytes()).hexdigest()
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
     reading = reading or {}

@@ -34,6 +34,8 @@ class NumberTable(NamedTuple):
 def number_table(quantity: RecordedQuantity, name: str, text: str) -> NumberTable:
     """Return the layout of a table of numbers.
 
+    `quantity` is acceleration or pore pressure, `name` the name of the file for messages, and `text` its content.
+
     Raises
     ------
     ValueError
@@ -104,7 +106,7 @@ def _columns(quantity: RecordedQuantity, above: Texts, separator: str | None, wi
 def _parts(line: str, separator: str | None, width: int) -> tuple[str | None, Texts]:
     """Return a separator, and the fields of a line that it splits into `width` parts, or an empty list.
 
-    The given separator of the rows of numbers is tried first. The result is None for blanks.
+    The given separator of the rows of numbers is tried first. The separator None means blanks.
     """
     stated = re.sub(r"^[^:]*:|\([+-]\)", "", line).strip(" /")
     for mark in (separator, *SEPARATORS, "/"):
