@@ -79,9 +79,7 @@ def antiderivative(integrand: Expr, x: Symbol, half_width: str = "1") -> Expr:
 def _check_continuity(primitive: Expr, integrand: Expr, x: Symbol, half_width: str) -> None:
     """Compare each increment of an antiderivative in x over a grid with the quadrature of its integrand.
 
-    The grid extends from -half_width to half_width, a decimal.
-
-    The grid extends from minus to plus half the width, a decimal.
+    The grid extends from minus to plus the half-width, a decimal.
     """
     others = sorted((primitive.free_symbols | integrand.free_symbols) - {x}, key=default_sort_key)
     variables = (x, *others)
