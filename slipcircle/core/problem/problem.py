@@ -110,7 +110,7 @@ class Problem:
 
     @cached_property
     def _only_lane(self) -> Floats:
-        """Column of the initial cells of a single lane."""
+        """Column of the initial cells of a single lane, (cells, 1), computed once."""
         place_of = self.program.places.get
         column = np.zeros(len(self.program.cells))
         for name, value in self.start.items():
@@ -350,7 +350,11 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
 
 @lru_cache(maxsize=256)
 def _swing_of(recipe: Recipe) -> tuple[bool, bool, Names, Names]:
-    """Return whether a mass may swing on, whether water always lifts it, cells of pressures, and laws of cohesion."""
+    """Return four traits of the scenes with a recipe, by which `_first_only` decides.
+
+    They are whether a mass may swing on, whether water or heat always lifts it, the names of cells of pore pressures of
+    soils, and the names of laws of cohesion.
+    """
     effects = recipe.effects
     swings = rotates(effects) and COHESIVE.isdisjoint(recipe.moving)
     laws = tuple(law for law in recipe.laws if OF_COHESION in law)

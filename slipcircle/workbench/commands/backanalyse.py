@@ -91,7 +91,7 @@ def _record(fit: BackAnalysis) -> ValueDict:
 
 
 def _column(fit: BackAnalysis, solution: Solution) -> TextDict:
-    """Return the cells of a solution by label: fitted values, outcomes with observations, and the misfit."""
+    """Return the cells of a solution as text by label: fitted values, outcomes with observations, and the misfit."""
     cells, errors = {}, solution.standard_errors or {}
     for name, value in solution.values.items():
         error = errors.get(name, 0.0)
@@ -116,7 +116,10 @@ def _column(fit: BackAnalysis, solution: Solution) -> TextDict:
 
 
 def _observation(fit: BackAnalysis, name: str, computed: float) -> str:
-    """Return an observation in brackets: its interval, or its value with its standard error; empty if not observed."""
+    """Return an observation in brackets: its interval, or its value with its standard error; "" if not observed.
+
+    ``name`` is that of the outcome, and ``computed`` its value in SI units.
+    """
     if name not in fit.observed:
         return ""
     factor, _ = printed(OBSERVABLE[name].unit)

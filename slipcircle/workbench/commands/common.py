@@ -75,7 +75,7 @@ def choose_units(options: argparse.Namespace) -> None:
 
 
 def with_scene_context(scene: Scene, work: Callable[[Scene], T]) -> T:
-    """Return ``work(scene)``; a ValueError is raised again with the name of the scene and the key in its file."""
+    """Return ``work(scene)``; a ValueError is raised again with the scene's name and the key in its file."""
     try:
         return work(scene)
     except InputError as error:

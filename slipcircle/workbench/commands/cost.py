@@ -104,7 +104,10 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _parts(title: str, rows: Sequence["CostRow"], machine: str, wanted: Mapping[str, float]) -> Iterator[ResultTable]:
-    """Yield the table of measured rows, with notes below it."""
+    """Yield the table of measured rows, with notes below it.
+
+    ``machine`` describes the computer, and ``wanted`` is the requested accuracy or budget by name.
+    """
     fastest = {row.group: min(x.seconds for x in rows if x.group == row.group) for row in rows}
     cells = []
     for row in rows:
@@ -119,10 +122,12 @@ def _parts(title: str, rows: Sequence["CostRow"], machine: str, wanted: Mapping[
 
 
 def _error(error: float) -> str:
+    """Return a relative error as text."""
     return f"{error:.1e}" if error else "0"
 
 
 def _notes(rows: Sequence["CostRow"], machine: str, wanted: Mapping[str, float]) -> Iterator[str]:
+    """Yield the sentences below the table of measured rows; the arguments are those of `_parts`."""
     from slipcircle.workbench.cost.rows import RECOMMENDED, price_of_a_digit
     from slipcircle.workbench.cost.scenes import ALONE
 
@@ -154,5 +159,6 @@ def _measured(row: "CostRow") -> str:
 
 
 def _shown(wanted: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+    """Yield the name and the text of the requested accuracy or budget."""
     for name, value in wanted.items():
         yield name, time_text(1e9 * value) if name == "budget" else f"{value:g}"

@@ -52,6 +52,7 @@ def add_synthetic(parser: Any) -> None:
 
 
 def _synthetic(text: str) -> tuple[int, float, float]:
+    """Return number, Arias intensity in m/s and duration in s of synthetic records from ``COUNT:ARIAS:DURATION``."""
     try:
         count, arias, duration = text.split(":")
         return int(count), float(arias), float(duration)
@@ -111,4 +112,5 @@ def records_part(suite: Suite) -> ResultTable:
 
 
 def _counted(count: int, noun: str) -> str:
+    """Return a count with a noun in singular or plural."""
     return f"{count} {noun}{'s' * (count > 1)}"

@@ -62,6 +62,7 @@ def _check_options(options: argparse.Namespace) -> None:
 
 
 def _report(motions: Sequence[Motion], sources: Sequence[bytes], line: str) -> str:
+    """Return the HTML report on motions, with the contents of their scene files and the typed command line."""
     from slipcircle.workbench.outputs.report import report
 
     return report(motions, sources, line)
@@ -79,6 +80,7 @@ def _live(motion: Motion, varied: str | None) -> str:
 
 
 def _warnings(motions: Sequence[Motion]) -> Iterator[str]:
+    """Yield the warnings of all motions, each with the name of the scene."""
     for motion in motions:
         scene = motion.plan.scene
         for warning in warnings_of(motion):

@@ -84,7 +84,7 @@ def suite_tables(study: Study, compared: Sequence[Comparison]) -> Iterator[Resul
 
 
 def _by_record_part(study: Study, scale: int) -> ResultTable:
-    """Return a table of the displacement, peak velocity, slips and rotation for each record at a scale."""
+    """Return a table of the displacement, peak velocity, slips and rotation for each record at a scale's index."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
     heads = _HEADS | {name: headed(*words) for name, words in _MEASURED.items()}
@@ -118,7 +118,10 @@ def _statistics_part(study: Study) -> ResultTable:
 
 
 def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) -> ResultTable:
-    """Return a table of published regressions and the displacements at a scale, with notes on their ranges."""
+    """Return a table of published regressions and the displacements at a scale, with notes on their ranges.
+
+    ``compared`` are the comparisons at this scale, given by its index.
+    """
     head = ["regression", "in range", headed("predicted", "m"), "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
     divided = f"displacements are divided by {factor}, the ratio of the displacement on the arc to that of a block"

@@ -156,11 +156,12 @@ def _check_options(options: argparse.Namespace) -> None:
 
 
 def _table(columns: Mapping[str, Sequence[Any]]) -> bytes:
+    """Return columns by head as the bytes of a CSV file."""
     return files.csv_table(columns, zip(*columns.values(), strict=True))
 
 
 def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
-    """Return the scene with the distributions of ``--uncertain``, which precede the file's for the same key."""
+    """Return the scene with the distributions of ``--uncertain``, texts ``KEY=NAME:A:B`` that precede the file's."""
     if not given:
         return scene
     forms = (":".join((name, *d.parameters)) for name, d in DISTRIBUTIONS.items())
@@ -171,6 +172,7 @@ def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
 
 
 def _compute(scene: Scene, levels: Values, options: argparse.Namespace) -> Study:
+    """Return the study of a scene on a grid of levels by key, if there are any, under records or for samples."""
     with engine(options.engine, options.workers, options.scheduler) as executor:
         if levels:
             return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)
@@ -232,7 +234,10 @@ def _of_grid(study: Study) -> _Tables:
 
 
 def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> ResultTable | str:
-    """Return a table of the outcomes on a grid, run-outs for two inputs; for a large grid, the counts by status."""
+    """Return a table of the outcomes on a grid, run-outs for two inputs; for a large grid, the counts by status.
+
+    ``keys`` are those of the inputs; ``statuses`` has the integer of `Status` of each scene.
+    """
     words = [Status(s).reason or Status(s).words for s in statuses]
     counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
     part = _run_outs(study, keys, words, counts) if len(keys) == 2 else _outcomes(study, keys, words)
@@ -242,7 +247,10 @@ def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> Re
 
 
 def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str) -> ResultTable:
-    """Return a table of the run-outs on a grid of two inputs; cells without a run-out show the status."""
+    """Return a table of the run-outs on a grid of two inputs; cells without a run-out show the status.
+
+    ``keys`` are those of the inputs, ``words`` the statuses of all scenes as text.
+    """
     down, along = (level.tolist() for level in study.design.levels)
     run_outs = study.samples["run_out"].tolist()
     factor, _ = printed(OUTCOMES["run_out"].unit)
@@ -253,7 +261,10 @@ def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str
 
 
 def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> ResultTable:
-    """Return a table with one row for each scene of a grid: inputs, outcomes, starting factor of safety, status."""
+    """Return a table with one row for each scene of a grid: inputs, outcomes, starting factor of safety, status.
+
+    ``keys`` are those of the inputs, ``words`` the statuses of all scenes as text.
+    """
     heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
     heads |= {f"{FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
     factors = {name: printed(q.unit)[0] for name, q in OUTCOMES.items()}

@@ -97,7 +97,7 @@ def values_by_key(option: str, texts: Sequence[str], form: str, read: Callable[[
 
 
 def bounds(text: str) -> Pair | None:
-    """Return two numbers, parsed from ``LOW:HIGH``; None for empty text."""
+    """Return two numbers, parsed from ``LOW:HIGH``, in the unit of their key; None for empty text."""
     if not text:
         return None
     low, high = map(float, text.split(":"))
@@ -105,14 +105,14 @@ def bounds(text: str) -> Pair | None:
 
 
 def distribution_parameters(text: str) -> ValueDict:
-    """Return a distribution as in a scene file, a mapping of parameters, parsed from ``NAME:A:B``."""
+    """Return a distribution as a mapping of parameters, parsed from ``NAME:A:B`` such as ``normal:10:1``."""
     name, *numbers = text.split(":")
     parameters = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
     return {"distribution": name} | dict(zip(parameters, map(float, numbers), strict=True))
 
 
 def levels(text: str) -> Floats:
-    """Return the levels of a grid, parsed from ``FROM:TO:COUNT`` or from ``A,B,C``."""
+    """Return the levels of a grid, parsed from ``FROM:TO:COUNT`` (evenly spaced) or from ``A,B,C``, (count,)."""
     if text.count(":") == 2:
         first, last, number = text.split(":")
         return np.linspace(float(first), float(last), int(number))

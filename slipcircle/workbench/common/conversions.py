@@ -29,7 +29,7 @@ def motion_table(motion: Motion) -> str:
 
 
 def _span(values: Any, unit: str) -> str:
-    """Return the least and the greatest of the values that are not NaN, in words with the unit."""
+    """Return the least and the greatest of the values that are not NaN, as text in the given unit; "-" without any."""
     known = values[~np.isnan(values)]
     return f"{shown(known.min())} to {shown(known.max())} {unit}" if known.size else "-"
 
@@ -87,7 +87,10 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
 
 
 def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[ValueDict, ValueDict]:
-    """Return coordinates by axis, with time as the last axis if given, and columns over all axes."""
+    """Return coordinates by axis, and columns by name over all axes.
+
+    The axes are those of the ensemble, followed by time in s if ``times`` are given.
+    """
     axes = {}
     for name, size in zip(_dimensions(motion), motion.shape, strict=True):
         axes[name] = np.arange(size)
@@ -102,6 +105,7 @@ def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[ValueDic
 
 
 def _units(motion: Motion) -> TextDict:
+    """Return the SI unit of each result and each quantity over time by name."""
     return {q.name: q.unit for q in (*results(motion), *HISTORY.values())}
 
 

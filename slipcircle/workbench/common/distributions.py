@@ -151,7 +151,7 @@ def distribution_of(given: Values) -> Any:
 
 
 def distribution_record(frozen: Any) -> ValueDict:
-    """Return a distribution as values of JSON: its SciPy expression, or its class, moments and quantiles."""
+    """Return a frozen distribution as values of JSON: its SciPy expression, or its class, moments and quantiles."""
     name = str(getattr(getattr(frozen, "dist", None), "name", ""))
     standard = getattr(statistics(), name, None)
     if name and type(standard) is type(frozen.dist):
@@ -166,7 +166,10 @@ def distribution_record(frozen: Any) -> ValueDict:
 
 
 def distribution_mistakes(given: Values, limits: Pair) -> Texts:
-    """Return a message for each mistake in the mapping of a distribution whose number has these limits."""
+    """Return a message for each mistake in the mapping of a distribution.
+
+    ``limits`` are the least and greatest value of its number, in the same unit.
+    """
     name = given.get("distribution")
     if name is None:
         return ["distribution: is missing: one of " + ", ".join(DISTRIBUTIONS)]
@@ -186,7 +189,7 @@ def distribution_mistakes(given: Values, limits: Pair) -> Texts:
 
 
 def _limit_mistakes(distribution: Any, lower: float, upper: float) -> Texts:
-    """Return a message for each limit of its number that a distribution exceeds.
+    """Return a message for each limit of its number, ``lower`` or ``upper``, that a distribution exceeds.
 
     The tails of a normal distribution are ignored: samples out of bounds are counted when they are drawn.
     """

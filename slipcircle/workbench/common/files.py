@@ -67,6 +67,7 @@ def replacing(name: PathName) -> Iterator[IO[bytes]]:
 
 @contextmanager
 def _replacing(name: PathName) -> Iterator[IO[bytes]]:
+    """Open a file as `replacing` does, without conversion of errors."""
     if _is_device(name):
         with open(name, "wb") as device:
             yield device

@@ -63,6 +63,7 @@ class _Content(pickle.Pickler):
 
 
 def _name(value: Any) -> str:
+    """Return the name of an object, or of its type, for messages."""
     return str(getattr(value, "__qualname__", getattr(value, "__name__", type(value).__qualname__)))
 
 

@@ -100,11 +100,12 @@ def _in_summary(_: Any) -> bool:
 
 
 def _not_slow(motion: Any) -> str:
+    """Return in words why the run-out of a slow motion is not given; "" if it is."""
     return motion.no_slow_run_out and f"not given: {motion.no_slow_run_out}"
 
 
 def _by_method(name: str, motion: Any) -> str:
-    """Return a further factor of safety and its method in words; "" if it is unknown."""
+    """Return a further factor of safety, "residual" or "at_rest", and its method in words; "" if it is unknown."""
     further = motion.further_factors
     factor = getattr(further, name)
     method = getattr(further, f"{name}_method")
@@ -333,7 +334,7 @@ def json_text(record: Any) -> str:
 
 
 def to_error(value: float, error: float) -> str:
-    """Return a number in words, to two digits of its error; as `shown` if the error is not positive."""
+    """Return a number in words, to two digits of its error in the same unit; as `shown` if that is not positive."""
     if not error > 0.0:
         return shown(value)
     last = math.floor(math.log10(error)) - 1  # position of the last digit
@@ -350,7 +351,10 @@ def time_text(nanoseconds: float) -> str:
 
 
 def prefixed(values: Any, unit: str) -> tuple[float, str]:
-    """Return a factor to a convenient unit for stresses, energies and forces, and that unit with its prefix."""
+    """Return the factor from an SI unit to a convenient unit for stresses, energies and forces, and that unit's name.
+
+    The greatest of the values, in the SI unit, determines the prefix.
+    """
     size = float(np.max(np.abs(values), initial=0.0))
     factor, name = printed(unit)
     if name == "psf" and factor * size >= 1e3:

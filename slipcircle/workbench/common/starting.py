@@ -56,7 +56,7 @@ def starts(motion: Motion) -> tuple[Start, Start] | None:
 
 
 def _start(motion: Motion | None, scene: SlopeScene) -> Start:
-    """Return the start of a scene, and the motion from there."""
+    """Return the start of a scene, and the motion from there, which is None if it has no result."""
     value = float("nan")
     if motion is not None:
         value = motion.yield_coefficient if "shaking" in scene.called else motion.factor_of_safety
@@ -64,13 +64,13 @@ def _start(motion: Motion | None, scene: SlopeScene) -> Start:
 
 
 def start_words(motion: Motion, of_methods: tuple[Start, ...]) -> str:
-    """Return in words the run-out from the factor of safety of each of these methods."""
+    """Return in words the run-out from the factor of safety of each start; ``motion`` is that of the scene."""
     symbol = "k_y" if "shaking" in motion.plan.scene.called else "F"
     return "; ".join(_words(symbol, of_methods))
 
 
 def _words(symbol: str, both: tuple[Start, ...]) -> Iterator[str]:
-    """Yield in words the run-out from the factor of safety of each method."""
+    """Yield in words the run-out of each start; ``symbol`` is "F" or, under shaking, "k_y"."""
     for method, _, value, motion in both:
         if motion is None:
             yield f"no result from {_WHOSE[method]} {symbol}"

@@ -69,7 +69,10 @@ def end_words(motion: Motion) -> TextDict:
 
 
 def _observation(motion: Motion, name: str, seen: Any) -> str:
-    """Return the observed value of an outcome with its error in words, or whether the motion is in the interval."""
+    """Return an observed value with its error in words, or whether the outcome is in the observed interval.
+
+    ``name`` is that of the outcome, and ``seen`` a number, a pair or an interval in SI units.
+    """
     factor, unit = printed(OBSERVABLE[name].unit)
     if isinstance(seen, Interval):
         side = "inside" if seen.low <= observable(motion, name) <= seen.high else "outside"

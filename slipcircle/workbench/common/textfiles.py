@@ -25,6 +25,8 @@ NUMBER_AND_STEP = re.compile(r"\s*(\d{1,15})[\s,;]+0?\.\d+\s*", re.ASCII)  # of 
 def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds: str) -> str:
     """Return the text of a regular file with newlines between its lines, in UTF-8, UTF-16 or Latin-1.
 
+    In messages ``name`` is the file, and ``kinds`` are the formats that it may have.
+
     Raises
     ------
     ValueError
@@ -63,7 +65,10 @@ def decoded(data: bytes) -> str:
 
 
 def without_comment(line: str) -> str:
-    """Return a line without its comment, which a mark begins at the start or after a blank, and outer blanks."""
+    """Return a line without its comment and outer blanks.
+
+    A comment begins with #, % or ! at the start of the line, or with # or ! after a blank.
+    """
     plain = line.strip()
     if plain[:1] in ("#", "%", "!"):
         return ""
@@ -71,13 +76,19 @@ def without_comment(line: str) -> str:
 
 
 def split(line: str, separator: str | None) -> Texts:
-    """Return the fields of a line without quotes; a separator at the end of the line adds no field."""
+    """Return the fields of a line without quotes; a separator at the end of the line adds no field.
+
+    The separator None stands for blanks.
+    """
     fields = [field.strip().strip('"') for field in line.split(separator)]
     return fields[:-1] if len(fields) > 1 and not fields[-1] and fields[-2] else fields
 
 
 def first_row(name: str, text: str, quantity: str) -> tuple[int, str | None, int]:
-    """Return the number of lines above the first row of numbers, its separator, and its number of columns.
+    """Return the index, separator and number of columns of the first line of numbers in a text.
+
+    The index is the number of lines above; the separator None stands for blanks. In messages ``name`` is the file and
+    ``quantity`` what it records.
 
     A row of numbers followed by two rows of another length, such as a date, belongs to the header, and so does the
     number of samples with their step.
@@ -98,7 +109,7 @@ def first_row(name: str, text: str, quantity: str) -> tuple[int, str | None, int
 
 
 def _is_count(text: str, line: int) -> bool:
-    """Return whether a line states the number of the lines or numbers below it, and their time step."""
+    """Return whether the line with an index states the number of the lines or numbers below it, and their time step."""
     *_, first, below = text.split("\n", line + 1)
     stated = NUMBER_AND_STEP.fullmatch(first)
     return stated is not None and int(stated[1]) in (
@@ -108,7 +119,7 @@ def _is_count(text: str, line: int) -> bool:
 
 
 def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:
-    """Return the separator and number of columns of a line of numbers; empty for another line.
+    """Return the index, separator and number of columns of a line of numbers, in a list; empty for another line.
 
     Some of the numbers may be times of day. The result is a list of at most one tuple, which begins with ``k``.
     """
@@ -124,7 +135,11 @@ def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:
 def fields_below(
     name: str, below: Iterable[str], above: int, separator: str | None, width: int = 1
 ) -> tuple[Texts, Lines]:
-    """Return the fields below a header and the line number of each; a table of ``width`` > 1 must be complete."""
+    """Return the fields of all lines below a header in one list, and the line number of each field.
+
+    ``below`` are these lines, ``above`` is the number of lines above them; None separates by blanks. ValueError if a
+    line of a table of ``width`` > 1 has another number of fields.
+    """
     fields, lines = list[str](), array("q")
     for k, line in enumerate(map(without_comment, below), above + 1):
         if not line:
@@ -142,7 +157,7 @@ def fields_below(
 
 
 def parsed_numbers(name: str, fields: Sequence[str], lines: Lines) -> Floats:
-    """Return the fields of a file as numbers; an invalid field raises an error with its line."""
+    """Return the fields of a file as numbers; an invalid field raises ValueError with the file's name and its line."""
     joined = "".join(fields)
     try:
         if "_" in joined or not joined.isascii():  # numbers in Python's spelling
@@ -153,6 +168,7 @@ def parsed_numbers(name: str, fields: Sequence[str], lines: Lines) -> Floats:
 
 
 def _number(name: str, line: int, field: str) -> float:
+    """Return a field as a number, also with a Fortran exponent such as 1.5D3; ValueError names file and line."""
     if not NUMBER.fullmatch(field):
         raise ValueError(f"{name}, line {line}: {field.strip()[:40]!r}: must be a number; mend or remove the line")
     return float(field.replace("d", "E").replace("D", "E"))
@@ -167,7 +183,7 @@ def plain_numbers(cells: Texts) -> Floats:
 
 
 def is_even(numbers: Floats, longest: float) -> bool:
-    """Return whether numbers increase by equal steps, up to rounding, that are shorter than ``longest``."""
+    """Return whether numbers increase by equal steps, up to rounding, and these are shorter than ``longest``."""
     if numbers.size < 2 or not np.all(np.abs(numbers) < 1e300):
         return False
     even, step = np.linspace(numbers[0], numbers[-1], numbers.size, retstep=True)
@@ -176,7 +192,7 @@ def is_even(numbers: Floats, longest: float) -> bool:
 
 
 def check_count(name: str, count: int, stated: float) -> None:
-    """Raise an error if the number of values in a file differs from the number stated in its header."""
+    """Raise an error if the number of values in a file, ``count``, is not the one ``stated`` in its header."""
     if count != stated:
         raise ValueError(
             f"{name}: holds {count} values, but its header says {stated:.0f}; is the file cut short, or another's "

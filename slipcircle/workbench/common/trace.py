@@ -94,7 +94,7 @@ def toe_words(motion: Motion) -> str:
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
-    """Return motions over time as CSV in full precision; with several, the first column is the name.
+    """Return motions over time as CSV in full precision and SI units; with several, the first column is the name.
 
     Times are in s, by default equidistant.
     """

@@ -133,7 +133,10 @@ def published(key: str) -> tuple[str, str, float]:
 
 
 def spelt_like(typed: str, key: str) -> str:
-    """Return a published key rewritten in the unit of a typed key, if both have the same quantity."""
+    """Return a published key rewritten in the unit of a typed key, if both have the same quantity.
+
+    ``spelt_like("width_ft", "height_m")`` is "height_ft".
+    """
     spelling, unit, _ = published(typed)
     end = suffix(unit)
     of_published = spelling[len(typed) - len(end) :]
@@ -153,7 +156,11 @@ def unit_of(text: str, quantity: RecordedQuantity = ACCELERATION) -> str | None:
 
 
 def seconds_of(unit: str, text: str, default: str = "s") -> float:
-    """Return a time in s from a text such as "0.02 sec", or from a text and a unit; 0 if it is not a time."""
+    """Return a time in s from a text such as "0.02 sec"; 0 if it is not a time.
+
+    ``unit`` replaces the unit in the text if it is not empty, and ``default`` applies without any. With Hz or sps the
+    text is a rate.
+    """
     found = re.match(r"(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+)\s*([^\d\s/,;]*)", text, re.IGNORECASE)
     if found is None or not 0.0 < float(found[1]) < 1e9:
         return 0.0
@@ -164,12 +171,18 @@ def seconds_of(unit: str, text: str, default: str = "s") -> float:
 
 
 def period_of(unit: str, text: str) -> float:
-    """Return the period in s of a rate such as "50Hz" or "200"; 0 if the text is not a rate."""
+    """Return the period in s of a rate such as "50Hz" or "200"; 0 if the text is not a rate.
+
+    It is in Hz unless ``unit``, or else the text, names another unit.
+    """
     return seconds_of(unit, text, "Hz")
 
 
 def over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floats:
     """Return accelerations in units of gravity, positive if they drive the mass down-slope.
+
+    ``units`` is a key of `UNITS`, and ``gravity`` is in m/s^2. Accelerations of the ground, with ``holds`` equal to
+    "ground", change their sign.
 
     Accelerations of the ground, with ``holds`` equal to "ground", change their sign.
     """
@@ -178,7 +191,7 @@ def over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floa
 
 
 def check_strength(name: str, values: Floats, units: str) -> None:
-    """Reject accelerations beyond any recorded ground motion, and suggest a unit that makes them plausible."""
+    """Reject accelerations, in a unit of `UNITS`, beyond any recorded ground motion, and suggest a plausible unit."""
     most = float(np.max(np.abs(values), initial=0.0))
     peak = most * UNITS[units] / 9.81
     if peak <= STRONGEST:

@@ -42,7 +42,7 @@ class Exact(NamedTuple):
     least: float  # least size to which errors are relative
 
     def errors(self, results: NDArray[Any]) -> Floats:
-        """Return the relative errors of results at the points; infinite where a result is not finite."""
+        """Return the relative errors of results at the points, (points,); infinite where a result is not finite."""
         size = np.maximum(np.abs(self.nearest), self.least)
         with np.errstate(all="ignore"):
             errors = np.abs((results - self.nearest) - self.rest) / size
@@ -65,7 +65,7 @@ def of_kernel(name: str) -> list[CostRow]:
 
 
 def ways(name: str) -> Iterator[Way]:
-    """Yield the tiers of a kernel as this machine runs them, the same tiers on NumPy, and the printed form."""
+    """Yield all ways to compute a kernel: its tiers (accuracies), compiled and on NumPy, and the printed form."""
     for level in dict.fromkeys((_compiled.LEVEL, "numpy")):
         form, _ = _compiled.LEVELS[level]
         for tier in kernels.TEXTS[name]:
@@ -79,7 +79,7 @@ def ways(name: str) -> Iterator[Way]:
 
 
 def as_printed(name: str, x: Floats) -> Floats:
-    """Return a kernel as the paper prints it, otherwise by its closed form or as a quotient of two kernels."""
+    """Return a kernel at x in rad as the paper prints it, else by its closed form or as a quotient of two kernels."""
     with np.errstate(all="ignore"):
         if hasattr(printed, name):
             value = getattr(printed, name)(x)
@@ -125,7 +125,7 @@ def exact_values(name: str, kind: str = "float64") -> Exact:
 
 @cache
 def _balls(kind: str) -> dict[float, ValueDict]:
-    """Return every base quantity at every input as balls, by input and name."""
+    """Return every base quantity at every input as python-flint's balls (intervals), by input and name."""
     from flint import arb, ctx
 
     values = {}

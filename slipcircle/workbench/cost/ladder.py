@@ -59,7 +59,10 @@ def effect_ladder(scene: Scene) -> list[Rung]:
 
 
 def _solved(scene: Scene, effects: Names, full: Motion) -> Motion:
-    """Return the motion with some of the effects; for the duration of the ``full`` motion if it does not end."""
+    """Return the motion with some of the effects; for the duration of the ``full`` motion if it does not end.
+
+    ``effects`` are their names.
+    """
     arc = scene.arc
     if isinstance(arc, Section) and "pore_pressure" in {*full.plan.effects} - {*effects}:
         arc = replace(arc, level=None)  # the water level would add the effect

@@ -61,7 +61,7 @@ class CostRow:
 
 
 def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
-    """Return the processor seconds of each piece of work, several times.
+    """Return the processor seconds of one call of each piece of work, measured up to 9 times.
 
     All pieces run in turns, so that disturbances affect them alike.
     """
@@ -88,17 +88,17 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
 
 
 def medians(works: Sequence[Callable[[], object]]) -> list[float]:
-    """Return the median processor seconds of each piece of work."""
+    """Return the median processor seconds of one call of each piece of work."""
     return [median(sample) for sample in interleaved(works)]
 
 
 def _timed(work: Callable[[], object], loops: int) -> float:
-    """Return the processor seconds of one loop."""
+    """Return the mean processor seconds of one call of ``work`` over a number of loops."""
     return max(timeit(work, timer=time.process_time, number=loops) / loops, 1e-9)
 
 
 def with_verdicts(rows: Iterable[CostRow]) -> list[CostRow]:
-    """Return the rows of a group with verdicts: the fastest way that beats each, or that it is on the frontier."""
+    """Return the rows of a group with verdicts: beaten by the fastest of the better ways, or on the frontier."""
     rows = list(rows)
     judged_rows = []
     for row in rows:
@@ -112,14 +112,14 @@ def with_verdicts(rows: Iterable[CostRow]) -> list[CostRow]:
 
 
 def _beats(one: CostRow, other: CostRow) -> bool:
-    """Return whether one way is faster or more accurate by more than a tie, and not worse in the other respect."""
+    """Return whether row ``one`` is faster or more accurate than ``other`` by more than a tie, and else not worse."""
     if one.seconds > other.seconds or one.error > other.error + ULP:
         return False
     return one.seconds * MARGIN < other.seconds or one.error * MARGIN + ULP < other.error
 
 
 def recommended(rows: Sequence[CostRow], accuracy: float | None = None, budget: float | None = None) -> list[CostRow]:
-    """Return the rows with the recommended way marked.
+    """Return the rows with the recommended way marked, if there is one.
 
     This is the most accurate way within a ``budget`` in s; without a budget, the fastest way whose error and bound are
     at most ``accuracy``.

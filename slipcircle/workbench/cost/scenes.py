@@ -52,7 +52,7 @@ def of_scene(scene: Scene, vary: Mapping[str, Pair] | None = None) -> list[CostR
 
 
 def _pass(scene: Scene, ranges: Ranges, cases: int) -> float:
-    """Return the time in s that the most accurate solution of an ensemble takes."""
+    """Return the processor time in s of the most accurate solution of an ensemble with this number of cases."""
     ensemble, invalid = _varied(scene, ranges, cases)
     start = time.process_time()
     solve(ensemble, REFERENCE, invalid=invalid)
@@ -60,7 +60,10 @@ def _pass(scene: Scene, ranges: Ranges, cases: int) -> float:
 
 
 def _ranges(scene: Scene, vary: Mapping[str, Pair]) -> Ranges:
-    """Return the ranges of an ensemble in SI units by name, and whether all its numbers rise together."""
+    """Return the ends of the range of each number in SI units by name, and whether all numbers rise together.
+
+    ``vary`` are given ranges by key, in the unit of the key.
+    """
     ranges: dict[str, tuple[float, ...]] = {}
     if vary:
         for key, ends in vary.items():
@@ -84,7 +87,7 @@ def _ranges(scene: Scene, vary: Mapping[str, Pair]) -> Ranges:
 
 
 def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
-    """Return an ensemble that covers ranges of a scene's numbers, and a mask of its invalid cases."""
+    """Return an ensemble of ``cases`` scenes that covers ranges from `_ranges`, and a mask of its invalid cases."""
     by_name, together = ranges
     shares = np.linspace(0.0, 1.0, cases)
     values = {}
@@ -97,7 +100,10 @@ def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
 
 
 def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[CostRow]:
-    """Return a row for each requested accuracy, with one recommended."""
+    """Return a row for each requested accuracy, with one recommended.
+
+    ``invalid`` is the mask of invalid cases or False, and ``cases`` the number of scenes.
+    """
     reference = solve(ensemble, REFERENCE, invalid=invalid)
     motions = [solve(ensemble, float(way), invalid=invalid) for way in track(ACCURACIES, "accuracies solved")]
     seconds = medians([partial(solve, ensemble, float(way), invalid=invalid) for way in ACCURACIES])

@@ -103,6 +103,7 @@ def _tables(path: str, table: Table) -> Iterator[str]:
 
 
 def _with_source(declared: Law | Effect) -> str:
+    """Return the description of a law or an effect with its source in brackets."""
     if declared.source:
         return f"{declared.help} ({declared.source})"
     return declared.help
@@ -116,6 +117,7 @@ def _of_uncertain_numbers() -> str:
 
 
 def _title(head: str, words: str) -> list[str]:
+    """Return an entry as lines: a head, and words beside it that are wrapped to `WIDTH`."""
     return textwrap.wrap(words, WIDTH, initial_indent=f"{head:<{INDENT - 2}}  ", subsequent_indent=" " * INDENT)
 
 

@@ -75,7 +75,7 @@ def sensitivity_part(
 
 
 def _label(table: Sensitivity, key: Key) -> str:
-    """Return the key of a number; for a coordinate, also the number of coordinates."""
+    """Return the key of a number as text; for a coordinate, also the number of coordinates in the table."""
     count = sum(map(_is_point, table.parameters))
     if count > 1 and _is_point(key.name):
         return f"{key.key}, of {count} coordinates"
@@ -83,7 +83,10 @@ def _label(table: Sensitivity, key: Key) -> str:
 
 
 def _cell(table: Sensitivity, output: str, parameter: str, key: Key) -> str:
-    """Return a derivative as text: per unit of the key, in brackets relative, and its kind unless it is smooth."""
+    """Return a derivative of an output by a parameter as text: per unit of the key, and in brackets relative.
+
+    Its kind follows unless the dependence is smooth.
+    """
     at = table.at[output]
     value = float(key.from_si(table.at[parameter]))
     per_si = table.derivative(output, parameter)
@@ -102,7 +105,7 @@ def _cell(table: Sensitivity, output: str, parameter: str, key: Key) -> str:
 
 
 def _note(table: Sensitivity, names: Mapping[str, float]) -> str:
-    """Return the explanation of the columns and terms of a table, and the number of omitted rows."""
+    """Return the explanation of the columns and terms of a table, and how many numbers it omits; it lists ``names``."""
     notes = ["change per unit of the key, and in brackets in per cent per per cent of it"]
     notes.append("F = 1 at: the nearest value at which the mass begins or ceases to slide on this circle")
     kinds = {table.kind(output, parameter) for output in table.outputs for parameter in names}

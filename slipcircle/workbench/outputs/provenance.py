@@ -48,7 +48,11 @@ def _of_file(file: str) -> Iterator[Input]:
 
 
 def _of_table(tables: Values, sources: Mapping[str, str], path: str, given: Values) -> Iterator[Input]:
-    """Yield the inputs of a table of a file and of its subtables; ``sources`` are the comments by path."""
+    """Yield the inputs of the table at a path of a file and of its subtables.
+
+    ``tables`` are the declared tables by path, ``sources`` the comments by path, and ``given`` is the content of the
+    table.
+    """
     keys, prefix = tables[path].keys, f"{path}." if path else ""
     for name, value in given.items():
         where = f"{prefix}{name}"

@@ -73,7 +73,7 @@ def report_page(
 
 
 def _heading(title: str, files: Iterable[bytes]) -> tuple[str, Raw]:
-    """Return the title, and the date with the contents of the first [report] table in the scene files."""
+    """Return the title, and the date with the contents of the first [report] table in the scene files (their bytes)."""
     reports = (tomllib.loads(content.decode("utf-8-sig")).get("report") for content in files)
     try:
         now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())
@@ -111,7 +111,7 @@ def chapter(
 
 
 def _scrolling(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
-    """Return a table that scrolls on a narrow screen, also by keyboard."""
+    """Return an HTML table that scrolls on a narrow screen, also by keyboard, from rows of texts."""
     return Raw(f'<div class="scroll" tabindex="0">{html_table(rows, head)}</div>')
 
 
@@ -143,7 +143,10 @@ def slope_parts(scene: Scene, with_tables: bool = True) -> Iterator[ResultTable 
 
 
 def input_parts(plan: Plan, file: bytes) -> Iterable[ResultTable | Raw]:
-    """Yield inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
+    """Yield inputs with units and sources, effects, friction law, equation of motion, and assumptions.
+
+    ``file`` is the content of the scene file.
+    """
     given = []
     for path, *cells in scene_inputs(plan.scene, file.decode("utf-8-sig")):
         given.append([Raw(f'<code class="path">{escaped(path)}</code>'), *cells])
@@ -184,7 +187,10 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
 
 
 def _of_motion(motion: Motion, file: bytes) -> Iterable[ResultTable | Raw]:
-    """Yield the chapter of a motion below its slide: pictures, all results, inputs, accuracy and energy."""
+    """Yield the chapter of a motion below its slide: pictures, all results, inputs, accuracy and energy.
+
+    ``file`` is the content of its scene file.
+    """
     plan = motion.plan
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())

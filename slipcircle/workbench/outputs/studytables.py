@@ -45,7 +45,7 @@ def study_tables(study: Study, verbose: bool = True) -> Iterator[ResultTable]:
 
 
 def _of_outcomes(estimate: Callable[[str], Any]) -> Iterator[Any]:
-    """Yield the estimate of each outcome in its unit of output."""
+    """Yield for each outcome the result of ``estimate(name)``, an `Estimate` or a number, in its unit of output."""
     return (in_unit(estimate(name), quantity.unit) for name, quantity in OUTCOMES.items())
 
 
@@ -68,7 +68,10 @@ def _method_words(method: str) -> str:
 
 
 def _moments(study: Study, heads: Sequence[str], verbose: bool) -> ResultTable:
-    """Return a table of the mean and standard deviation of each outcome, if verbose also by linear propagation."""
+    """Return a table of the mean and standard deviation of each outcome, if verbose also by linear propagation.
+
+    ``heads`` are the heads of the columns of outcomes.
+    """
     rows: list[list[Any]] = []
     notes = ["intervals of standard deviations are omitted, as they depend on few samples in the tails"]
     for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
@@ -98,6 +101,7 @@ def _indices(study: Study) -> ResultTable:
 
 
 def _quantile_notes(study: Study) -> Iterator[str]:
+    """Yield notes below the table of quantiles: why intervals are missing, and what "beyond" means."""
     if study.design.replicates > 1:
         yield NO_INTERVAL
     if study.without_result:

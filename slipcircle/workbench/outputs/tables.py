@@ -183,7 +183,7 @@ def stretches_part(motion: Motion) -> ResultTable | None:
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
-    """Return columns by label as rows of one table; cells of missing labels are empty."""
+    """Return columns of texts by label as rows: the label and a cell of each column, empty without this label."""
     return [[label, *(c.get(label, "") for c in columns)] for label in dict.fromkeys(chain.from_iterable(columns))]
 
 
@@ -191,7 +191,7 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 
 
 def stability_columns(critical: Critical) -> tuple[TextDict, TextDict]:
-    """Return the factors of safety of a slip circle, and its geometry with free water, by labels."""
+    """Return the factors of safety of a slip circle, and its geometry with free water, as texts by label."""
     factors = _factors(critical.factors_of_safety, critical.slope.k_h)
     without = critical.factors_of_safety_without_k_h or {}
     factors |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
@@ -235,7 +235,7 @@ def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> TextDic
 
 
 def _point(xy: Sequence[float], radius: float) -> str:
-    """Return coordinates in the unit of output as text, to the last place of the printed radius."""
+    """Return x and y in m as text in the unit of output, to the last place of the printed radius, also in m."""
     factor, unit = printed("m")
     places = DIGITS - 1 - math.floor(math.log10(factor * radius))
     return ", ".join(f"{round(factor * value, places) + 0.0:.12g}" for value in xy) + f" {unit}"
@@ -297,7 +297,7 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
 
 
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
-    """Yield the lines of a table in blocks: the first column and as many others as fit, until all are printed."""
+    """Yield the lines of a table, at most ``width`` characters, in blocks of the first and as many columns as fit."""
     every_row = [head, *rows] if head else rows
     first, *rest = ([*map(cell_text, column)] for column in zip(*every_row, strict=True))
     yield from wrap(clean(title), width)
@@ -318,7 +318,7 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
 
 
 def cell_text(cell: Any) -> str:
-    """Return a cell as printable text: an estimate with its interval, a number in some digits."""
+    """Return a cell as printable text: an `Estimate` with its interval, or a number with four digits."""
     if isinstance(cell, Estimate):
         return interval_text(cell)
     if isinstance(cell, float):
@@ -327,17 +327,17 @@ def cell_text(cell: Any) -> str:
 
 
 def _total(columns: Sequence[Sequence[str]], most: int) -> int:
-    """Return the total width of columns wrapped at some width, with the gaps before them."""
+    """Return the total width in characters of columns wrapped at ``most`` characters, with the gaps before them."""
     return sum(_widths(columns, most)) + _GAP * len(columns)
 
 
 def headed(name: str, unit: str) -> str:
-    """Return the head of a column, with the unit of output for an SI unit."""
+    """Return the head of a column: its name, and in brackets the unit of output for its SI unit."""
     return f"{name} ({printed(unit)[1]})"
 
 
 def in_unit(cell: Any, unit: str) -> Any:
-    """Return an outcome in an SI unit, or an estimate of one, in the unit of output."""
+    """Return an outcome in an SI unit, or an `Estimate` of one, converted to the unit of output."""
     factor, _ = printed(unit)
     if isinstance(cell, Estimate):
         return Estimate(*(factor * x for x in cell))
@@ -367,7 +367,7 @@ def interval_text(e: Estimate) -> str:
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
-    """Return the widths of columns wrapped at some width, without breaking words."""
+    """Return the widths of columns in characters, wrapped at ``most`` characters without breaking words."""
     widths = []
     for column in columns:
         words = " ".join(column).split()

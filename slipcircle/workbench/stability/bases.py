@@ -24,13 +24,19 @@ class Arcs(NamedTuple):
     valid: Any  # others have no slices
 
     def from_centre(self, lines: Floats) -> Floats:
-        """Return lines (1 or n, V, 2) relative to the centre of each arc, over R."""
+        """Return lines relative to the centre of each arc, over its radius, (n, V, 2).
+
+        The lines are (1 or n, V, 2), in m.
+        """
         from_centre = lines - self.centre[:, None]
         return from_centre / self.radius[:, None, None]
 
 
 def angle_from_below(centre: Floats, point: Floats) -> Floats:
-    """Return the angle of points as seen from centres, (n, 2) each, from straight below, positive to the right."""
+    """Return the angles in rad of points seen from centres, from straight below, positive to the right.
+
+    Points and centres are (n, 2), in m.
+    """
     to_right, upwards = (point - centre).T
     return np.arctan2(to_right, -upwards)
 
@@ -49,14 +55,18 @@ class BaseStresses(NamedTuple):
     excess: Any  # pressure of free water minus the pressure of this water, on the ground
 
     def turned(self, way: Floats) -> BaseStresses:
-        """Return the stresses for angles of the opposite sense where ``way`` is -1."""
+        """Return the stresses for angles of the opposite sense where ``way``, 1 or -1 by interval, is -1."""
         same = np.ones(len(way))
         sense = np.stack([same, way, same])
         return BaseStresses(*(values * (sense if values.ndim == 2 else sense[:, None]) for values in self))
 
 
 class Bases:
-    """Surfaces above a point inside each interval, and the soil at its base."""
+    """Surfaces above a point inside each interval, and the soil at its base.
+
+    ``arc`` is the index of the arc of each interval, and ``inside`` the angle of the point from straight below the
+    centre in rad.
+    """
 
     def __init__(self, slope: SlopeArrays, arcs: Arcs, arc: NDArray[np.int64], inside: Floats) -> None:
         self.slope = slope
@@ -72,7 +82,12 @@ class Bases:
         self._look_up_soil()
 
     def surface(self, k: Any) -> ArrayPair:
-        """Return the height of surfaces above the centre over R, as constant + gradient sine."""
+        """Return constant and gradient of surfaces: their height above the centre over R is constant + gradient sine.
+
+        ``k`` is the index of a surface in `Columns`, or indices: (surfaces, 1), or one for each interval.
+
+        ``k`` is the index of a surface in `Columns`, or an array of indices (surfaces, 1).
+        """
         columns = self.slope.columns
         row = 0 if len(columns.bounds) == 1 else self.arc
         gradient = columns.gradient[k, row, self.column]
@@ -81,7 +96,7 @@ class Bases:
         return (below_centre - self.centre_y) / self.scale, gradient
 
     def above(self, k: Any) -> Floats:
-        """Return the height of surfaces above the arc, over R."""
+        """Return the height of the surface with index ``k`` above the arc, over R, by interval."""
         constant, gradient = self.surface(k)
         return constant + gradient * self.sine + self.depth
 
@@ -102,21 +117,31 @@ class Bases:
         self.water = self.of_slope(self.slope.water_unit_weight) / self.unit_weight
 
     def of_layer(self, rows: Floats, layer: Any) -> Floats:
-        """Return a property of the layer of each interval, from values of all layers (layers, 1 or slopes)."""
+        """Return a property at the base of each interval, from its values in all layers, (layers, 1 or slopes).
+
+        ``layer`` is the index of the layer, by interval. The result is (intervals,), or (slopes, intervals) if slopes
+        share an arc.
+        """
         if rows.shape[1] == 1:
             return rows[layer, 0]
         by_interval: Floats = rows[layer].T if self.is_shared else rows[layer, self.arc]
         return by_interval
 
     def of_slope(self, value: Any) -> Floats:
-        """Return a property of the slope, or of each slope, by interval."""
+        """Return a property of the slope, or of each slope, by interval.
+
+        The result is (intervals,), or (slopes, 1) if slopes share an arc.
+        """
         values = np.asarray(value, float)
         if values.size == 1:
             return np.broadcast_to(values, len(self.arc))
         return values[:, None] if self.is_shared else values[self.arc]
 
     def loads(self, surfaces: Any) -> tuple[Floats, Floats, Floats]:
-        """Return the steps of the unit weight below surfaces above the arc, with the surfaces (surfaces, intervals)."""
+        """Return steps of the unit weight over gamma, 0 where a surface is below the arc, and constants and gradients.
+
+        The rows are the surfaces with the given indices, (surfaces, intervals); heights are as in `surface`.
+        """
         steps = self.slope.steps[surfaces]
         constant, gradient = self.surface(surfaces[:, None])
         is_above = constant + gradient * self.sine + self.depth > 0.0
@@ -127,18 +152,21 @@ class Bases:
         return by_interval, constant, gradient
 
     def _linear(self, constant: Any, of_sine: Any, of_cosine: Any) -> Floats:
-        """Return three numbers for each interval, with an axis of slopes where these share an arc."""
+        """Return the coefficients of 1, sine and cosine in one array, (3, intervals).
+
+        An axis of slopes precedes the last one if slopes share an arc.
+        """
         stacked = np.stack(np.broadcast_arrays(constant, of_sine, of_cosine))
         axes = 3 if self.is_shared else 2
         return stacked.reshape(3, *(1,) * (axes - stacked.ndim), *stacked.shape[1:])
 
     def _above_arc(self, k: Any, factor: Any) -> Floats:
-        """Return the height of a surface above the arc times a factor."""
+        """Return a factor times the height of the surface ``k`` above the arc over R, as coefficients of `_linear`."""
         constant, gradient = self.surface(k)
         return self._linear(constant * factor, gradient * factor, 1.0 * factor)
 
     def stresses(self) -> BaseStresses:
-        """Return the stresses by interval."""
+        """Return the stresses on the base of each interval over gamma R."""
         none = self._linear(0.0, 0.0, 0.0)
         pond, displaced = (none, none) if self.slope.ponds is None else self._free_water(self.slope.ponds)
         soil = self._soil_weight()
@@ -149,7 +177,10 @@ class Bases:
         return BaseStresses(soil, load, pond, displaced, pressure, cohesion, none, none, pond)
 
     def _free_water(self, ponds: Ponds) -> ArrayPair:
-        """Return the pressure of free water on the ground, and minus the weight of water displaced by soil below it."""
+        """Return pressure of free water on the ground, and minus the weight of water displaced by soil below it.
+
+        Both are over gamma R, as coefficients of 1, sine and cosine, (3, intervals).
+        """
         depth = np.zeros((3, len(self.arc)))
         filled = np.zeros(len(self.arc))
         constant, gradient = self.surface(0)
@@ -165,7 +196,7 @@ class Bases:
         return self.water * depth, -self._above_arc(0, self.water * filled)
 
     def _soil_weight(self) -> Floats:
-        """Return the vertical stress of the soil, from its sums down to the layer at the base."""
+        """Return the vertical stress of the soil over gamma R, from its sums down to the layer at the base."""
         slope = self.slope
         weight = self._of_sums(slope.weights)
         if slope.saturates:
@@ -174,7 +205,10 @@ class Bases:
         return weight / self.unit_weight
 
     def _of_sums(self, sums: Floats) -> Floats:
-        """Return the stress of layers down to the base from sums (3, layers, 1 or slopes, columns), over R."""
+        """Return the stress of all layers above the base, over R, as coefficients of `_linear`.
+
+        The sums are `SlopeArrays.weights` or `SlopeArrays.gains`, (3, layers, 1 or slopes, columns).
+        """
         columns = self.slope.columns
         row = 0 if len(columns.bounds) == 1 else self.arc
         slope: Any = 0
@@ -186,7 +220,10 @@ class Bases:
         return self._linear(constant, gradient, weight)
 
     def _pore_pressure(self, soil: Floats, scale: Floats) -> Floats:
-        """Return r_u times the stress of the soil, or the head below the water level, and a uniform pressure."""
+        """Return the pore pressure over gamma R: r_u times the soil's stress, or the head, and a uniform pressure.
+
+        ``soil`` is the vertical stress over gamma R, and ``scale`` is gamma R in Pa, by interval.
+        """
         slope = self.slope
         ratio = self.soil.pore_ratio
         uniform = self.of_slope(slope.pressure) / scale
@@ -198,7 +235,7 @@ class Bases:
         return pressure
 
     def _load(self) -> Floats:
-        """Return the pressure of surcharges, Pa."""
+        """Return the pressure of surcharges in Pa, as coefficients of `_linear`."""
         load = self._linear(0.0, 0.0, 0.0)
         for x1, x2, q1, q2 in self.slope.surcharge:
             inside = (self.x > x1) & (self.x < x2)
@@ -211,7 +248,7 @@ class Bases:
         return load
 
     def _cohesion(self) -> Floats:
-        """Return the cohesion at the base, which may increase with the depth below a line, Pa."""
+        """Return the cohesion at the base in Pa, as coefficients of `_linear`; it may increase with depth."""
         cohesion = self._linear(self.soil.cohesion, 0.0, 0.0)
         if not self.slope.datums:
             return cohesion

@@ -52,7 +52,7 @@ class Columns(NamedTuple):
     gradient: Floats
 
     def at(self, slope: Any, x: Floats) -> Any:
-        """Return the column at each x, for the slope of the given number."""
+        """Return the index of the column at each x in m; ``slope`` is the index of the slope of each x."""
         if len(self.bounds) == 1:
             return np.searchsorted(self.bounds[0], x)
         passed = self.bounds[slope] < x[:, None]
@@ -100,6 +100,7 @@ class SlopeArrays:
         return [self._over_ground(level_line(level, self.ground)) for level in np.unique(self.ponds.level, axis=0)]
 
     def _over_ground(self, line: Floats) -> Floats:
+        """Return a line continued horizontally to both ends of the ground."""
         x = self.ground[..., 0]
         return continued(line, x.min(), x.max())
 
@@ -116,11 +117,11 @@ class SlopeArrays:
 
     @cached_property
     def _datum_lines(self) -> list[Floats]:
-        """Return lines below which the cohesion of layers grows, over the whole ground."""
+        """Return the lines below which the cohesion of layers grows, over the whole ground, (1 or n, V, 2) each."""
         return [self._over_ground(line) for line in self.datums.values()]
 
     def ground_height(self, x: Floats) -> Floats:
-        """Return the height of the ground at x (n,), or of n grounds each at its x."""
+        """Return the height of the ground in m at each x, (n,); with n grounds, of each ground at its own x."""
         by_slope = x[None] if len(self.ground) == 1 else x[:, None]
         height, _ = edge_below(self.lines[0], by_slope, by_slope)
         return np.ravel(height)
@@ -141,7 +142,7 @@ class SlopeArrays:
         return Columns(bounds, middle, height, gradient)
 
     def _kinks(self) -> Floats:
-        """Return x of vertices and crossings of lines, and of ends of loads and free water, (1 or n, any), sorted."""
+        """Return sorted x of vertices and crossings of lines, and of ends of loads and free water, (1 or n, any)."""
         kinks = [line[:, 1:-1, 0] for line in (*self.lines, *self._datum_lines)]
         kinks += [np.array([[x1, x2]]) for x1, x2, *_ in self.surcharge]
         if self.ponds is not None:
@@ -175,7 +176,10 @@ class SlopeArrays:
 
     @cached_property
     def weights(self) -> Floats:
-        """Sums of height, gradient and 1 times the steps of the unit weight down to each layer."""
+        """Sums over the tops of all layers down to each: unit weight step times height, gradient and 1.
+
+        Their shape is (3, layers, 1 or n, columns), and their units are N/m^2, N/m^3 and N/m^3.
+        """
         return self._sums(0)
 
     @cached_property
@@ -184,7 +188,10 @@ class SlopeArrays:
         return self._sums(self.level_surface + 1)
 
     def _sums(self, first: int) -> Floats:
-        """Return sums over the surfaces of all layers from the first surface, (3, layers, 1 or n, columns)."""
+        """Return sums as in `weights`, (3, layers, 1 or n, columns).
+
+        The tops of layers are the surfaces from index ``first``.
+        """
         tops = slice(first, first + len(self.tops) + 1)
         height = self.columns.height[tops]
         gradient = self.columns.gradient[tops]
@@ -193,7 +200,10 @@ class SlopeArrays:
         return np.cumsum(values * step, axis=1)
 
     def _surfaces(self, lines: list[Floats]) -> list[Floats]:
-        """Return heights and gradients of surfaces, each (2, n, columns), from the lines above the ground."""
+        """Return heights and gradients of surfaces, (2, n, columns) each, from those of the lines above the ground.
+
+        The surfaces are the tops of layers, the water level and the tops of wet parts of layers.
+        """
         layers = len(self.tops) + 1
         tops = lines[:1]
         for line in lines[1:layers]:
@@ -208,7 +218,7 @@ class SlopeArrays:
 
 
 def level_line(height: Any, ground: Floats) -> Floats:
-    """Return a horizontal line, or one per height, from one end of the ground to the other, (1 or n, 2, 2)."""
+    """Return horizontal lines at a height, () or (n,), between the ends of the ground, (1 or n, 2, 2), in m."""
     height = np.reshape(height, (-1, 1))
     ends = ground[:, [0, -1], 0]
     slopes = max(len(height), len(ground))
@@ -217,7 +227,7 @@ def level_line(height: Any, ground: Floats) -> Floats:
 
 
 def _sorted(kinks: list[Floats]) -> Floats:
-    """Return sorted x of one slope without repetitions, or of n slopes, (1 or n, any)."""
+    """Return x of several arrays (1 or n, any) sorted, without repetitions if there is one slope, (1 or n, any)."""
     slopes = max(map(len, kinks))
     of_slopes = [np.broadcast_to(x, (slopes, x.shape[1])) for x in kinks]
     x = np.concatenate(of_slopes, axis=1)
@@ -225,7 +235,9 @@ def _sorted(kinks: list[Floats]) -> Floats:
 
 
 def _crossings(lines: list[Floats], bounds: Floats) -> Floats:
-    """Return x where two lines cross between bounds (1 or n, B), or x of the bound before, (1 or n, any).
+    """Return x where two lines cross between bounds (1 or n, B), elsewhere x of the bound before, (1 or n, any).
+
+    The lines are (1 or n, V, 2) each.
 
     Lines have kinks at bounds only.
     """
@@ -245,5 +257,5 @@ def _crossings(lines: list[Floats], bounds: Floats) -> Floats:
 
 
 def _lower(one: Floats, other: Floats) -> Floats:
-    """Return height and gradient of the lower of two lines."""
+    """Return height and gradient of the lower of two lines, each line given as height and gradient, (2, ...)."""
     return np.where(one[0] < other[0], one, other)

@@ -30,7 +30,10 @@ _NEGLIGIBLE = 1e-9  # distance of vertices without effect, as a share of the siz
 
 
 def least(search: Search, tell: Callable[[str], None]) -> Floats:
-    """Return the best circles as rows, the best first, after descents from the valleys of a coarse family."""
+    """Return the best circles, (circles, 4) as in `family`, the best first, after a coarse family and descents.
+
+    ``tell`` is called with a line of progress.
+    """
     many_soils = len(search.arrays.tops) >= MANY_SOILS
     rough, kept = _condensed(search, _ROUGH, _DEVIATION, np.empty(0))
     coarse, fine = (_MANY_KINKS, _MANY_KINKS) if many_soils else (COARSE, FINE)
@@ -49,7 +52,10 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
 
 
 def _on_fine_lines(search: Search, best: Floats, step: Floats) -> Floats:
-    """Return the best circles, the best first, after descents on lines with all vertices near their ends."""
+    """Return the best circles, the best first, after descents on lines with all vertices near their ends.
+
+    ``best`` and ``step`` are circles on the complete lines and the steps of their grids, (circles, 4) as in `family`.
+    """
     fine, kept = _condensed(search, _FINE, _NEGLIGIBLE, best[:, :2])
     along = search.along[kept]
     ends = best[:, :2]
@@ -68,7 +74,10 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats) -> Floats:
 
 
 def _screened(search: Search) -> ArrayPair:
-    """Return the best circles of the coarse family and circles that touch a boundary near them, with their steps."""
+    """Return the best circles of a coarse family, and circles near them that touch a boundary, with their steps.
+
+    Both are (circles, 4) as in `family`.
+    """
     q, steps = search.coarse_family(touching=False)
     values = search.evaluate(q, _SAMPLED)
     best = in_order(values)[:_SCREENED]
@@ -84,6 +93,8 @@ def _screened(search: Search) -> ArrayPair:
 
 def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tuple[Search, Integers]:
     """Return a search on condensed lines, and the indices of the vertices kept on the ground.
+
+    A line keeps at most ``most`` vertices, until the others are within ``deviation``, as in `salient`.
 
     Vertices near the lengths ``ends`` along the ground, and vertices of upright parts, keep their heights. A search
     without long lines is returned itself.
@@ -118,7 +129,7 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
 
 
 def _few(line: Floats, most: int) -> Floats:
-    """Return a line (1, V, 2) reduced to at most ``most`` of its vertices."""
+    """Return a line (1, V, 2) with at most ``most`` of its vertices if it has many."""
     if line.shape[1] <= MANY_VERTICES:
         return line
     (points,) = line
@@ -127,7 +138,10 @@ def _few(line: Floats, most: int) -> Floats:
 
 
 def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats) -> Floats:
-    """Return circles of a search on condensed lines as circles on the complete lines."""
+    """Return circles of a search on condensed lines as circles on the complete lines, (circles, 4) as in `family`.
+
+    ``q`` are the circles, and ``kept`` the indices of the ground vertices that the condensed ground retains.
+    """
     found = q.copy()
     if len(condensed.boundary_edges) != len(search.boundary_edges):  # then boundaries have other numbers
         left = condensed.points(q[:, 0])
@@ -170,14 +184,16 @@ def salient(line: Floats, most: int, deviation: float) -> Integers:
 
 
 def _edges(kept: Integers, count: int) -> Any:
-    """Return for each of ``count`` vertices the index of the edge between kept vertices that contains it."""
+    """Return the index of the edge, between sorted vertices ``kept``, that contains each of ``count`` vertices."""
     every = np.arange(count)
     edge = np.searchsorted(kept, every, side="right") - 1
     return np.minimum(edge, len(kept) - 2)
 
 
 def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
-    """Return the line through the kept vertices, with heights fitted to the complete line unless they are exact.
+    """Return the line through the vertices with indices ``kept``, with heights fitted to the complete line.
+
+    Heights of vertices in the mask ``exact``, (V,), are unchanged.
 
     The least-squares fit preserves areas and moments, so that forces on a mass below are nearly the same.
     """

@@ -226,12 +226,16 @@ class SlopeScene(Scene[Numbers]):
         return factor.dtype.kind == "f" and np.array_equal(factor, np.asarray(self.set_by_start, float), equal_nan=True)
 
     def _start_with(self, factor: Any) -> None:
-        """Set the strength factor."""
+        """Set the strength factor, a number or an array in the shape of the scene, and mark it as set by the start."""
         for name in ("strength_factor", "set_by_start"):
             object.__setattr__(self, name, factor)
 
     def by_start(self, quantity: str, motion: Motion, kept: float = 1.0) -> Any:
-        """Return a factor of safety or yield coefficient by the starting method; None if the closure's applies."""
+        """Return a factor of safety or yield coefficient and the starting method; None if the closure's applies.
+
+        ``quantity`` is one of "factor_of_safety", "yield_coefficient", "residual" and "at_rest"; ``kept`` is the share
+        of the cohesion that remains at rest.
+        """
         if quantity not in _BY_START or self.start == OF_CLOSURE or not self.starts_by_method:
             return None
         if quantity == "yield_coefficient":  # under shaking, the strength factor has made it the closure's value
@@ -257,14 +261,14 @@ class SlopeScene(Scene[Numbers]):
 
 
 def at_circle(slope: Slope, section: Section) -> Critical:
-    """Return the given circle of a section of a slope with its factors of safety."""
+    """Return the circle of a section, which lies on a slope, with its factors of safety."""
     left, right = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
     found = circle_of(slope, np.array([section.centre]), np.array([section.radius]), left, right)
     return replace(found, refused=int(None in found.factors_of_safety.values()))
 
 
 def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
-    """Return one circle, given by arrays of one, with its factors of safety."""
+    """Return one circle with its factors of safety; its centre and ends of arc are (1, 2), its radius (1,), in m."""
     if slope.level is not None:
         fault = ends_above(np.asarray(slope.level)[None], left[:, 0], right[:, 0])
         raise_all("Slope", complaint([fault], ()))
@@ -300,14 +304,15 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
 
 
 def _point(points: Floats) -> Pair:
+    """Return the point of an array (1, 2) as a tuple x, y."""
     return float(points[0, 0]), float(points[0, 1])
 
 
 def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
-    """Return the factors of one circle by method, None for a method without a result."""
+    """Return the factors of one circle by method, None for a method without a result, from arrays (1,)."""
     return {method: _known(factors[method]) for method in METHODS}
 
 
 def _known(values: Floats) -> float | None:
-    """Return the number of one circle, or None if it is NaN."""
+    """Return the number in an array (1,), or None if it is NaN."""
     return float(values[0]) if np.isfinite(values[0]) else None

@@ -24,7 +24,11 @@ _SUBSETS = np.array(_NONE_AND_SUBSETS[1:])
 
 
 class Descent:
-    """Circles (n, 4) as in `family`, each with the steps of its grid, and the least value so far."""
+    """Circles (n, 4) as in `family`, each with the steps of its grid, and the least value so far.
+
+    ``step`` are the first steps, (n, 4), ``greatest_length`` is the length of the ground in m, and ``finest`` the final
+    step over the first step.
+    """
 
     def __init__(self, q: Floats, step: Floats, greatest_length: float, finest: float = FINEST) -> None:
         self.q = q.copy()
@@ -37,12 +41,12 @@ class Descent:
 
     @property
     def unfinished(self) -> Any:
-        """Return the numbers of circles whose steps are not yet small."""
+        """Return the indices of circles whose steps are not yet small."""
         is_coarse = self._step > self._finest * self._first_step
         return np.flatnonzero(np.any(is_coarse, axis=1))
 
     def proposals(self) -> Floats:
-        """Return for each unfinished circle its neighbours, itself, and the minima of parabolas."""
+        """Return circles to evaluate, (unfinished, 34, 4): 27 on a grid and 7 minima of parabolas."""
         live = self.unfinished
         step = self._step[live, None, :3]
         grid = _OFFSETS * step
@@ -57,7 +61,10 @@ class Descent:
         return near
 
     def move(self, near: Floats, values: Floats) -> None:
-        """Move to the best proposals, choose the next steps, and abandon circles far above the least value."""
+        """Move to the best proposals, choose the next steps, and abandon circles far above the least value.
+
+        ``near`` are the `proposals`, and ``values`` their factors, (unfinished, 34), infinite where there is none.
+        """
         live = self.unfinished
         rows = np.arange(len(live))
         least = np.min(values, axis=1)
@@ -88,7 +95,11 @@ class Descent:
         self._scale_steps(live, on_rim, smooth)
 
     def _scale_steps(self, live: Any, on_rim: Any, smooth: Any) -> None:
-        """Increase steps where the best neighbour is on the rim of a grid, and set them to 0 for hopeless circles."""
+        """Increase steps where the best neighbour is on the rim of a grid, and set them to 0 for hopeless circles.
+
+        ``live`` are the indices of unfinished circles, for which ``on_rim`` and ``smooth`` (described by a parabola)
+        are masks.
+        """
         shrink = np.where(smooth, _SHRINK_SMOOTH, _SHRINK)
         scale = np.where(on_rim, _GROWTH, shrink)
         step = self._step[live] * scale[:, None]
@@ -102,7 +113,7 @@ class Descent:
 
 
 def tied(values: Floats) -> Floats:
-    """Return the greatest values that are equal to the given values within rounding."""
+    """Return the greatest values that count as equal to the given values, which are larger by 1e-10 of their size."""
     return values + _TIE * np.abs(values)
 
 
@@ -116,14 +127,19 @@ def in_order(values: Floats) -> Any:
 
 
 def _is_smooth(leaps: Floats) -> Any:
-    """Return whether the parabola in all numbers has its minimum within the grid but not in its middle, (n,)."""
+    """Return whether the parabola along all three axes has its minimum within the grid but not in its middle, (n,).
+
+    ``leaps`` are the results of `_leaps`.
+    """
     in_all_numbers = leaps[:, -1]
     within_grid = np.all(np.abs(in_all_numbers) < 1.0, axis=1)
     return within_grid & np.any(in_all_numbers, axis=1)
 
 
 def _leaps(values: Floats) -> Floats:
-    """Return steps from the middle of grids to the minima of parabolas, (n, subsets, 3), along some of the axes each.
+    """Return steps from the middle of grids to the minima of parabolas, (n, 7, 3), one for each subset of the axes.
+
+    ``values`` are those at the points of the grids, (n, 27); a step is in units of the grid.
 
     A step x solves H x = -g, g and H the gradient and the curvature along these axes. It stays 0 along the others:
     factors have kinks where an end passes a vertex of the ground, and no values beyond limits.
@@ -150,7 +166,7 @@ def _leaps(values: Floats) -> Floats:
 
 
 def _derivatives(grid: Floats) -> ArrayPair:
-    """Return first and second derivatives in the middle of grids (n, 3, 3, 3) of unit steps, (n, 3) and (n, 3, 3)."""
+    """Return first and second derivatives, (n, 3) and (n, 3, 3), in the middle of grids (n, 3, 3, 3) of unit steps."""
     gradient = np.empty((len(grid), 3))
     curvature = np.empty((len(grid), 3, 3))
     with np.errstate(invalid="ignore"):

@@ -76,7 +76,10 @@ def circle_factors(
 def factors_by(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, rule: Rule = EXACT
 ) -> ArrayPair:
-    """Return factors of safety (or yield coefficients) by one method, and the direction in which each mass slides."""
+    """Return factors of safety (or yield coefficients) by a method, (n,), and the direction in which each mass slides.
+
+    The direction is 1 to the right, -1 to the left, 0 without drive. Circles are given as for `circle_factors`.
+    """
     every_surface = method in ("paper", YIELD) or np.any(slope.k_h)
     driven = driven_slices(slope, centre, radius, left, right, rule, bool(every_surface))
     with quiet():
@@ -84,7 +87,7 @@ def factors_by(
 
 
 def factor_by(method: str, driven: Driven) -> Floats:
-    """Return the factors of safety of arcs by one method, or yield coefficients."""
+    """Return the factors of safety of arcs, (n,), by "paper", "ordinary" or "bishop", or yield coefficients ("k_y")."""
     return _VALUES[method](driven)
 
 
@@ -100,7 +103,10 @@ def driven_slices(
     rule: Rule = EXACT,
     every_surface: bool = True,
 ) -> Driven:
-    """Return the slices of arcs and their driving moments."""
+    """Return the slices of arcs and their driving moments; circles are given as for `circle_factors`.
+
+    With ``every_surface``, slices contain all surfaces at which the unit weight changes, otherwise the ground alone.
+    """
     arcs = _arcs(slope, centre, radius, left, right)
     cracked = bool(np.any(slope.crack))
     slices = slices_above(slope, arcs, _TO_FACE if cracked else rule, every_surface)
@@ -125,7 +131,7 @@ def driven_slices(
 
 
 def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Arcs:
-    """Return arcs between two points, valid if they are nowhere vertical and their centre is above the ground."""
+    """Return arcs between points, (n, 2); invalid are those somewhere vertical or with the centre below the ground."""
     first = angle_from_below(centre, left)
     last = angle_from_below(centre, right)
     overhangs = (first < -np.pi / 2) | (last > np.pi / 2)
@@ -136,7 +142,10 @@ def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, righ
 
 
 def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
-    """Return arcs that begin at the bottom of a tension crack, where the ground is its depth above them."""
+    """Return arcs that begin at the bottom of a tension crack, where the ground is the crack's depth above them.
+
+    ``facing`` is the direction of sliding as in `Driven`. Arcs without such a point become invalid.
+    """
     depth = np.reshape(slope.crack, (-1, 1))
     lowered_ground = slope.lines[0] - np.stack([np.zeros_like(depth), depth], axis=-1)
     sine = crack_place(arcs.from_centre(lowered_ground), np.sin(arcs.first), np.sin(arcs.last), facing)
@@ -150,7 +159,10 @@ def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
 
 
 def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
-    """Return the moment of water in a crack at the upper end of the arc, gamma_w h^2/2 at a third of its height."""
+    """Return the moment over gamma R^3 of water in the crack at the upper end: gamma_w h^2/2 at a third of its height.
+
+    ``bottom`` is the angle of the bottom of the crack from straight below the centre, rad, (n,).
+    """
     height = slope.crack_water / radius
     unit_weight = slope.water_unit_weight / slope.soils.unit_weight[0]
     return unit_weight * height**2 / 2 * (np.cos(bottom) - height / 3)
@@ -225,7 +237,10 @@ def _bishop(driven: Driven) -> Floats:
 
 
 def bishop_normal(slices: Slices, factor: Floats) -> Any:
-    """Return the effective normal stress of Bishop's simplified method."""
+    """Return the effective normal stress of Bishop's simplified method over gamma R at the points of the slices.
+
+    ``factor`` is the factor of safety of each arc.
+    """
     sine = slices.sine
     cosine = slices.cosine
     effective = slices.vertical()
@@ -234,7 +249,7 @@ def bishop_normal(slices: Slices, factor: Floats) -> Any:
 
 
 def lever_range(slices: Slices) -> ArrayPair:
-    """Return the least and greatest 1/F for which m_alpha remains above its least value, for each arc."""
+    """Return the least and greatest 1/F, each (n,), for which m_alpha remains above `LEAST_LEVER` on an arc."""
     greatest = 1.0 / _LEAST_FACTOR
     friction = slices.friction * slices.way
     ends = slices.ends.reshape(2, *(1,) * (friction.ndim - 1), -1)

@@ -49,13 +49,13 @@ def _length(vectors: Floats) -> Floats:
 
 
 def _upwards(vectors: Floats) -> Floats:
-    """Return unit vectors perpendicular to vectors to the right, (n, 2)."""
+    """Return unit vectors perpendicular to vectors (n, 2): upwards for vectors to the right."""
     x, y = vectors.T
     return np.stack([-y, x], axis=1) / _length(vectors)[:, None]
 
 
 def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
-    """Return half the opening of arcs from left to right that touch lines through edges (n, 2, 2), or NaN.
+    """Return half the opening in rad of arcs between points (n, 2) that touch lines through edges (n, 2, 2), or NaN.
 
     With the centre t above the middle of the chord, half of which is h, its distance from the line, a + b t, is the
     radius: (a + b t)^2 = h^2 + t^2.
@@ -83,13 +83,17 @@ def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
 
 
 def _lengths_along(line: Floats) -> Floats:
-    """Return the lengths along a line (V, 2) up to its vertices."""
+    """Return the lengths along a line (V, 2) from its first vertex to each vertex, (V,), in m."""
     lengths = _length(np.diff(line, axis=0))
     return np.append(0.0, np.cumsum(lengths))
 
 
 class Search:
-    """Slope, method to minimise, limits, and all circles evaluated so far."""
+    """Slope, method to minimise, limits, and all circles evaluated so far.
+
+    ``entry`` and ``exit`` are the least and greatest x of the ends of arcs in m, or None; ``depth`` is the least
+    thickness in m. Circles ``q`` are (n, 4): the numbers that the module describes.
+    """
 
     def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
         self.slope = slope
@@ -109,7 +113,7 @@ class Search:
         return other
 
     def _set_lines(self, arrays: SlopeArrays) -> None:
-        """Search on the lines of these arrays."""
+        """Search on the lines of these arrays, of one slope."""
         self.arrays = arrays
         (self.ground,) = arrays.ground
         self.along = _lengths_along(self.ground)
@@ -121,14 +125,17 @@ class Search:
         self.boundary_edges = np.concatenate(edges)
 
     def points(self, lengths: Floats) -> Floats:
-        """Return points of the ground at lengths along it."""
+        """Return points of the ground, (..., 2) in m, at lengths (...) in m along it from its left end."""
         vertex_x, vertex_y = self.ground.T
         x = np.interp(lengths, self.along, vertex_x)
         y = np.interp(lengths, self.along, vertex_y)
         return np.stack([x, y], axis=-1)
 
     def circles(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-        """Return centres, radii, and left and right ends."""
+        """Return centres (n, 2), radii (n,), and left and right ends (n, 2) of circles ``q``, in m.
+
+        The radius of an invalid circle is NaN.
+        """
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         half_chord = _length(right - left) / 2
@@ -141,7 +148,10 @@ class Search:
         return centre, radius, left, right
 
     def half_angles(self, q: Floats) -> Floats:
-        """Return half the openings of arcs, NaN where an edge is not touched or the arc is steeper than upright."""
+        """Return half the openings of the arcs of circles ``q`` in rad, (n,).
+
+        They are NaN where an edge is not touched or the arc is steeper than upright.
+        """
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         greatest = self.greatest_half_angle(left, right)
@@ -158,7 +168,11 @@ class Search:
         return np.where(valid, half_angle, np.nan)
 
     def greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
-        """Return half the opening of circles that are vertical at an end, or touch the base between two points."""
+        """Return half the greatest opening in rad of arcs between two points, (n, 2) each.
+
+        There the circle is vertical at an end, or touches the base between the points; NaN where a point is below the
+        base.
+        """
         run, rise = (right - left).T
         upright = np.arctan2(run, np.abs(rise)) * _JUST_BELOW
         base = self.slope.base
@@ -179,7 +193,10 @@ class Search:
         return np.where(beyond_left & before_right, deepest, upright)
 
     def evaluate(self, q: Floats, rule: Rule = EXACT) -> Floats:
-        """Return the factor of each circle, NaN without a factor or outside the limits."""
+        """Return the factor (or yield coefficient) of each circle, (n,), NaN without a factor or outside the limits.
+
+        ``rule`` sets the points of the integrals.
+        """
         values = np.full(len(q), np.nan)
         possible = self._possible(q)
         size = len(possible) * self.arrays.columns.bounds.shape[1]
@@ -191,7 +208,7 @@ class Search:
         return values
 
     def _possible(self, q: Floats) -> Any:
-        """Return the numbers of circles with ordered ends within the limits, not both on the base."""
+        """Return the indices of circles with ordered ends within the limits, not both on the base."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         left_x = left[:, 0]
@@ -206,7 +223,7 @@ class Search:
         return np.flatnonzero(possible)
 
     def _within(self, entry: Floats, exit: Floats) -> Any:
-        """Return whether x of both ends are within the limits."""
+        """Return whether x of upper ends (``entry``) and lower ends (``exit``) are within the limits, (n,)."""
         within = np.ones(len(entry), dtype=bool)
         for x, limit in zip((entry, exit), self.limits.values(), strict=True):
             if limit is not None:
@@ -216,7 +233,7 @@ class Search:
         return within
 
     def _factors(self, q: Floats, rule: Rule) -> Floats:
-        """Return the factors of a block of circles, and store them for the map."""
+        """Return the factors of a block of circles, (n,), NaN as in `evaluate`, and store them for the map."""
         centre, radius, left, right = self.circles(q)
         thickness = self.thickness(q, centre, radius)
         thick = np.flatnonzero(thickness >= self.depth)
@@ -241,7 +258,10 @@ class Search:
         return values
 
     def thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:
-        """Return the greatest radial distance from arc to ground, -1 where the ground leaves the circle in between."""
+        """Return the greatest radial distance from arc to ground in m, (n,), 0 if the search has no least thickness.
+
+        It is -1 where the ground leaves the circle between the ends.
+        """
         first = q[:, :1]
         last = q[:, 1:2]
         lengths = np.clip(self.along, first, last)  # repeats the ends beyond them
@@ -278,7 +298,10 @@ class Search:
         return np.unique(np.concatenate(positions))
 
     def coarse_family(self, touching: bool = True) -> ArrayPair:
-        """Return circles between all pairs of positions, with all openings and tangent to boundaries, and steps."""
+        """Return circles between all pairs of positions, with all openings, and the steps of their grids, each (n, 4).
+
+        With ``touching``, circles that touch each edge of a boundary follow.
+        """
         ends = self._positions()
         shape = len(ends), len(ends), len(_SHARES)
         numbers = np.indices(shape).reshape(3, -1)
@@ -301,7 +324,10 @@ class Search:
         return np.concatenate(families), np.concatenate(families_steps)
 
     def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None], rule: Rule = COARSE) -> ArrayPair:
-        """Return the best circles of a family without better neighbours, and their steps."""
+        """Return the best circles without better neighbours, and their steps, (valleys, 4) each, the best first.
+
+        ``q`` is a family of circles; ``tell`` is called with a line of progress.
+        """
         values = self.evaluate(q, rule)
         if not np.any(np.isfinite(values)):
             left = "no circle within these limits can slide; widen entry, exit, depth or base"
@@ -313,7 +339,10 @@ class Search:
         return q[valleys], steps[valleys]
 
     def refined(self, q: Floats, step: Floats, finest: float = FINEST, rule: Rule = FINE) -> ArrayPair:
-        """Return the best circles in order after descent from all of them, and their first steps."""
+        """Return the best circles after descent from all of them, at most three, the best first, and their first steps.
+
+        ``finest`` is the final step over the first step.
+        """
         descent = Descent(q, step, self.along[-1], finest)
         with counted(len(q), "valleys followed to their least factor") as progress:
             for _ in range(_STEPS):
@@ -341,7 +370,11 @@ def _distance_from_origin(line: Floats) -> Floats:
 
 
 def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge: int) -> list[int]:
-    """Return the best circles without better neighbours, among those that touch no boundary or each boundary."""
+    """Return the indices of the best circles without better neighbours.
+
+    At most ``most`` touch no boundary, and at most ``most_on_edge`` touch each edge of a boundary. Circles within 2.5
+    ``steps``, (n, 4), are neighbours; ``values``, (n,), are minimised.
+    """
     valleys: list[int] = []
     touched = q[:, 3]
     order = in_order(values)

@@ -14,7 +14,7 @@ _ROUNDING = 1e-9  # over R: as near to the end of an arc, a shore is that end, a
 
 
 def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
-    """Return the moment of free water on the ground minus the moment of the water displaced below it.
+    """Return the moment over gamma R^3 of free water on the ground minus that of the water displaced below it, (n,).
 
     On the verticals from its shores to the arc, of height h, its pressure has the moment gamma_w h^2/2 (cos b - h/3).
     """
@@ -33,7 +33,10 @@ def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
 
 
 def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
-    """Return the level of free water above the exits of arcs, over R from the centre, -inf for a dry exit."""
+    """Return the level of free water above the exit of each arc, over R from the centre, -inf for a dry exit.
+
+    ``facing`` is 1 for arcs that slide to the right, -1 to the left, 0 for neither.
+    """
     place = np.where(facing > 0.0, arcs.last, arcs.first)
     x, y = arcs.centre.T
     exit_x = x + arcs.radius * np.sin(place)
@@ -42,7 +45,7 @@ def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
 
 
 def submerged(slices: Slices, level: Floats) -> Slices:
-    """Return slices with the reference level of free water at the exit of each arc, over R from the centre.
+    """Return slices with the reference level of free water at the exit of each arc, from `level_at_exit`, (n,).
 
     What lies below it is buoyant, and pore pressure counts in excess of it; other free water is a load.
     """

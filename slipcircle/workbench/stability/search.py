@@ -90,7 +90,7 @@ def _reached_ends(search: Search, circle: Critical) -> Texts:
 
 
 def _reached_limits(search: Search, q: Floats, circle: Critical) -> Texts:
-    """Return a message for each limit of the search that the circle reaches."""
+    """Return a message for each limit of the search that the circle, ``q`` of `family`, (1, 4), reaches."""
     near = 1e-4 * float(search.along[-1])
     sentences = []
     for name, limit in search.limits.items():
@@ -106,6 +106,7 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> Texts:
 
 
 def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> Texts:
+    """Return a message for each mistake in the arguments of `critical`; ``limits`` are entry and exit by name."""
     if not isinstance(slope, Slope):
         return [f"{{slope}} = {slope!r}: must be a Slope; the command search reads a file"]
     ground = np.asarray(slope.ground)
@@ -130,6 +131,7 @@ def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> Texts:
 
 
 def _limit_mistakes(name: str, pair: Any, ground: Floats) -> Texts:
+    """Return a message, in a list, if a limit is not two ordered numbers or lies beside the ground; else []."""
     try:
         low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
     except (TypeError, ValueError):
@@ -149,7 +151,7 @@ def _is_cohesionless(slope: Slope) -> bool:
 
 
 def _skin(slope: Slope) -> str:
-    """Return the factor of safety of a dry skin, ignoring scarps."""
+    """Return the factor of safety of a dry skin, ignoring scarps, as the end of a message; empty for layers."""
     run, rise = np.diff(np.asarray(slope.ground), axis=0).T
     steepest = float(np.max(np.abs(rise) / np.maximum(run, 1e-300)))
     if slope.layers or steepest >= 1e6:
@@ -167,6 +169,8 @@ def _refuse_skin(slope: Slope, circle: Critical) -> None:
 
 def _refuse_bottomless(slope: Slope, least: float, shaken: bool) -> None:
     """Raise a ValueError if, without friction and base, deeper circles are always more critical.
+
+    ``least`` is the least factor of the search, ``shaken`` whether a horizontal acceleration acts.
 
     Beside their size all is small but the step H between level grounds: F = 4 a c/(gamma H sin(a)^2) of circles about
     it with half the opening a, least where tan(a) = 2 a.

@@ -73,12 +73,15 @@ class Slices(NamedTuple):
     shaken: Flags  # surfaces of soil, not of water
 
     def at(self, linear: Any) -> Any:
-        """Return the value at each point from three numbers per interval."""
+        """Return the value at each point from coefficients of 1, sine and cosine, (3, intervals)."""
         constant, of_sine, of_cosine = linear
         return constant + of_sine * self.sine + of_cosine * self.cosine
 
     def integral(self, values: Any) -> Floats:
-        """Return the integral over each arc."""
+        """Return the integral over each arc, (arcs,), or for each slope that shares the arc.
+
+        The values are a number, or given at the points, (points, intervals).
+        """
         by_interval = (self.weight * values).sum(axis=0)
         if by_interval.ndim > 1:
             return np.asarray(by_interval.sum(axis=-1))
@@ -86,7 +89,7 @@ class Slices(NamedTuple):
         return np.bincount(self.arc, by_interval, arcs).astype(np.float64)
 
     def of_arcs(self, values: Floats) -> Floats:
-        """Return a number of each arc, or of each slope that shares the only one, by interval."""
+        """Return a number of each arc, (arcs,), by interval, or of each slope that shares the only arc as a column."""
         return values[:, None] if self.sine.ndim > 2 else values[self.arc]
 
     def facing(self, way: Floats) -> Slices:
@@ -97,20 +100,23 @@ class Slices(NamedTuple):
         )
 
     def driving_moment(self) -> Floats:
-        """Return the moment of gravity and of displaced water about the centre of each arc."""
+        """Return the moment of gravity and displaced water about the centre of each arc, over gamma R^3.
+
+        It is positive if it drives the mass to the right.
+        """
         stresses = self.stresses
         weight = self.at(stresses.soil + stresses.displaced + stresses.load)
         moment = slopes.drive(self.sine, self.cosine, weight, 0.0)
         return self.integral(moment)
 
     def weight_along_arc(self) -> Floats:
-        """Return the integral of the vertical stress over each arc's breadth, the scale of moments."""
+        """Return the integral of the vertical stress over each arc's breadth, over gamma R^2: the scale of moments."""
         stresses = self.stresses
         vertical = self.at(stresses.soil + stresses.load + stresses.pond)
         return self.integral(self.cosine * vertical)
 
     def shaking_moment(self) -> Floats:
-        """Return the moment of k_h = 1 about the centre, on soil at half its height and on loads at the ground."""
+        """Return the moment of k_h = 1 over gamma R^3, on soil at half its height and on surcharges at the ground."""
         load = self.at(self.stresses.load) * self.cosine
         moment = load * -self.surface(0) * self.shaken_load
         for k in np.flatnonzero(self.shaken):
@@ -120,20 +126,20 @@ class Slices(NamedTuple):
         return self.integral(moment)
 
     def surface(self, k: Any) -> Floats:
-        """Return the height of a surface above the centre."""
+        """Return the height of the surface with index ``k`` above the centre, over R, at the points."""
         return self.constant[k] + self.gradient[k] * self.sine
 
     def distance(self, k: Any) -> Floats:
-        """Return the distance of a surface from the centre."""
+        """Return the distance of the surface with index ``k`` from the centre, over R, at the points."""
         return np.hypot(self.sine, self.surface(k))
 
     def uplift(self) -> Floats:
-        """Return the pore pressure minus the pressure of the free water at the exit."""
+        """Return the pore pressure minus the pressure of the free water at the exit, over gamma R, at the points."""
         stresses = self.stresses
         return self.at(stresses.pressure - stresses.relieved)
 
     def ordinary_normal(self) -> Floats:
-        """Return the effective normal stress of the ordinary method (Fellenius 1936)."""
+        """Return the effective normal stress of the ordinary method (Fellenius 1936) over gamma R at the points."""
         sine, cosine = self.sine, self.cosine
         stresses = self.stresses
         not_shaken = self.at(stresses.buoyancy + stresses.load)
@@ -165,7 +171,7 @@ class Slices(NamedTuple):
         return normal
 
     def radial_tilt(self) -> Floats:
-        """Return the change of the paper's normal stress by k_h = 1."""
+        """Return the change of the paper's normal stress by k_h = 1, over gamma R, at the points."""
         load = self.at(self.stresses.load) * self.cosine
         tilt = load * self.sine / self.distance(0)
         tilt = tilt * self.shaken_load
@@ -177,28 +183,32 @@ class Slices(NamedTuple):
         return tilt
 
     def vertical(self) -> Floats:
-        """Return the effective vertical stress on the arc, for Bishop's method."""
+        """Return the effective vertical stress on the arc over gamma R at the points, for Bishop's method."""
         stresses = self.stresses
         total = stresses.soil + stresses.load + stresses.pond - stresses.pressure
         return self.at(total)
 
     def cohesion(self) -> Floats:
-        """Return the cohesion on the arc."""
+        """Return the cohesion on the arc over gamma R at the points."""
         return self.at(self.stresses.cohesion)
 
 
 def _any_of_each(rows: Floats) -> Flags:
-    """Return which rows have a number other than 0."""
+    """Return for each row, along the first axis, whether it has a number other than 0, (rows,)."""
     return np.any(rows.reshape(len(rows), -1), axis=1)
 
 
 @cache
 def _gauss(nodes: int) -> ArrayPair:
+    """Return the points and the weights of Gauss' rule on [-1, 1], (nodes,) each."""
     return np.polynomial.legendre.leggauss(nodes)
 
 
 def slices_above(slope: SlopeArrays, arcs: Arcs, rule: Rule = EXACT, every_surface: bool = True) -> Slices:
-    """Return the slices above valid arcs, with the ground alone or every surface at which the unit weight changes."""
+    """Return the slices above valid arcs.
+
+    With ``every_surface``, they contain all surfaces at which the unit weight changes, otherwise the ground alone.
+    """
     arc, ends = _intervals(slope, arcs, rule)
     first, last = ends
     half = (last - first) / 2
@@ -238,7 +248,7 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, rule: Rule = EXACT, every_surfa
 
 
 def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.int64], Floats]:
-    """Return the number of the arc and the angles of both ends of each interval."""
+    """Return the index of the arc, (intervals,), and the angles of both ends in rad, (2, intervals), of intervals."""
     angles = np.linspace(arcs.first, arcs.last, rule.pieces + 1, axis=1)
     if rule.at_kinks:
         first = arcs.first[:, None]
@@ -253,7 +263,7 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.i
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
-    """Return angles at which an integrand may not be smooth, (n, any), and others outside the arcs."""
+    """Return angles in rad at which an integrand may not be smooth, (n, any); some of them are outside the arcs."""
     from_centre = slope.columns.bounds - arcs.centre[:, :1]
     bounds = from_centre / arcs.radius[:, None]
     cuts = meets_circle(arcs.from_centre(slope.lines_cut_by_arcs))

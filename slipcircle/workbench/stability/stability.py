@@ -167,7 +167,7 @@ class Slope:
 
     @property
     def _strength(self) -> ValueDict:
-        """Return cohesion and friction of one soil at the start."""
+        """Return the cohesion in Pa and the friction coefficient of a slope of one soil at the start, by name."""
         return {"cohesion": cohesion_at_rest(self.cohesion), "friction": friction_at_rest(self.friction)}
 
     def _joint_mistakes(self) -> Texts:
@@ -269,7 +269,7 @@ def circles_of(scene: Any, slipped: bool = False, most: int = _BLOCK) -> Iterato
 
 
 def each_lane(circles: Circles, lanes: int) -> Circles:
-    """Return the arc of each lane."""
+    """Return centres, radii and ends of arcs for each of ``lanes`` lanes, which may share one arc."""
     centre, radius, left, right = (np.broadcast_to(x, (lanes, *x.shape[1:])) for x in circles)
     return centre, radius, left, right
 
@@ -282,7 +282,7 @@ def _of_one_slope(value: Any, axes: int = 0) -> Floats:
 
 
 def _of_scenes(shape: Shape, numbers: Any) -> _ByLane:
-    """Return a function that selects values of some scenes of an ensemble."""
+    """Return a function that selects values of the scenes with flat indices ``numbers`` of an ensemble with a shape."""
     lanes = shape or (1,)
     some = np.unravel_index(numbers, lanes)
 
@@ -296,7 +296,7 @@ def _of_scenes(shape: Shape, numbers: Any) -> _ByLane:
 
 
 def _slope_of_section(section: Section, strength: Values, by_lane: _ByLane, slipped: bool) -> SlopeArrays:
-    """Return the slopes of sections."""
+    """Return the slopes of sections, with strengths from `soil`, for the scenes that ``by_lane`` selects."""
     numbers: ValueDict = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
         return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers, slipped)
@@ -335,7 +335,7 @@ def _slope_arrays(
 
 
 def _ends(section: Section, by_lane: _ByLane) -> ArrayPair:
-    """Return left and right ends of arcs."""
+    """Return left and right ends of arcs, x and y in m, (1 or lanes, 2) each; ``by_lane`` selects the scenes."""
     rightward = by_lane(section.facing)[:, None] > 0.0
     entry = by_lane(section.entry, 1)
     exit_ = by_lane(section.exit, 1)
@@ -343,7 +343,7 @@ def _ends(section: Section, by_lane: _ByLane) -> ArrayPair:
 
 
 def one_layer(numbers: Values) -> _Layers:
-    """Return homogeneous ground as its only layer."""
+    """Return homogeneous ground as its only layer, from its properties by name in SI units."""
     return [(Soil(**{name: numbers[name] for name in _OF_ONE_SOIL if name in numbers}, name="soil"), None)]
 
 

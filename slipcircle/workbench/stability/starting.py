@@ -27,7 +27,7 @@ OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motio
 
 
 def strength_factor(scene: Any, method: str) -> Any:
-    """Return the strength factor by which a scene on a ground starts from the result of a method.
+    """Return the factor on strength by which a scene on a ground starts from the result of a method.
 
     Parameters
     ----------
@@ -49,7 +49,10 @@ def strength_factor(scene: Any, method: str) -> Any:
 
 
 def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = False) -> Any:
-    """Return a result of the arcs of a scene in its shape; None if the strength is unknown or zero."""
+    """Return the ``result`` of the slices of a scene's arcs in its shape; None if the strength is unknown or zero.
+
+    The function ``result`` gives one number for each arc; with ``slipped``, strength is residual.
+    """
     if 0 in scene.shape or not soil(scene.friction, scene.effects, slipped):
         return None
     blocks = []
@@ -62,7 +65,10 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
 
 
 def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tuple[Driven, int]]:
-    """Yield the slices of the arcs of a scene and the number of lanes, in the blocks of `circles_of`."""
+    """Yield the slices of the arcs of a scene and the number of lanes, in the blocks of `circles_of`.
+
+    With ``slipped``, strength is residual; ``most`` is the greatest number of lanes in a block.
+    """
     blocks = circles_of(scene, slipped, **most)
     for slope, circles, lanes in blocks:
         is_shared = _is_shared(slope, circles)
@@ -73,7 +79,7 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
 
 
 def yield_by(scene: Any, method: str) -> Any:
-    """Return the yield coefficient at the start by a method; None if no strength is known, as in `factor_of`."""
+    """Return the yield coefficient (k_h for F = 1) at the start by a method; None if no strength is known."""
     return _of_scene(scene, lambda driven: yield_coefficient(driven, method))
 
 
@@ -128,7 +134,7 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
 
 
 def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
-    """Return whether all lanes have the same ground, circle and loads, and no free water."""
+    """Return whether all lanes (members of an ensemble) have the same ground, circle and loads, and no free water."""
     lines = [slope.ground, *slope.tops, *circles]
     if slope.level is not None:
         lines.append(slope.level)
@@ -138,7 +144,7 @@ def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
 
 
 def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
-    """Return the strength factors of arcs."""
+    """Return the strength factors of arcs for a start by a method; if ``shaken``, from equal yield coefficients."""
     if shaken:
         k_h = yield_coefficient(driven, method)
         wanted = np.ones_like(k_h)
@@ -152,14 +158,14 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
 
 
 def _under(k_h: Floats, driven: Driven) -> Driven:
-    """Return arcs under a horizontal acceleration of k_h g, which acts on surcharges as well."""
+    """Return arcs under a horizontal acceleration of k_h g, (arcs,), which acts on surcharges as well."""
     slices = driven.slices
     shaken = slices._replace(k_h=slices.of_arcs(k_h), shaken_load=1.0)
     return driven._replace(slices=shaken, driving=driven.gravity + k_h * shaken.shaking_moment())
 
 
 def yield_coefficient(driven: Driven, method: str) -> Floats:
-    """Return the k_h for which the factor of safety by a method is 1, NaN if there is none."""
+    """Return the k_h, (arcs,), for which the factor of safety by a method is 1, NaN if there is none."""
     if method == OF_CLOSURE:
         return factor_by(YIELD, driven)
     none = np.zeros_like(driven.gravity)
@@ -172,7 +178,7 @@ def yield_coefficient(driven: Driven, method: str) -> Floats:
 
 
 def _resistance(driven: Driven, method: str) -> Floats:
-    """Return the resisting moment by a method at a factor of safety of 1, in which Bishop's does not depend on k_h."""
+    """Return the resisting moment over gamma R^3 by a method at F = 1, where Bishop's does not depend on k_h."""
     if method != "bishop":
         return factor_by(method, driven) * driven.driving
     slices = driven.slices

@@ -260,7 +260,10 @@ def _unattainable(problem: SearchProblem) -> ValueError:
 
 
 def _wanted(problem: SearchProblem, target: float, outcomes: Sequence[float]) -> str:
-    """Return the start of the message: the observation, and whether no value or every value of the field gives it."""
+    """Return the start of the message: the observation, and whether no value or every value of the field gives it.
+
+    ``target`` is the observed value; ``outcomes`` are computed at both ends of the attainable range, in the same unit.
+    """
     (name,) = problem.observed
     unit = OBSERVABLE[name].unit
     limit = problem.limit
@@ -339,7 +342,10 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
 
 
 def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
-    """Return derivatives of the observed outcomes with respect to the fields; NaN if a limit keeps the mass at rest."""
+    """Return derivatives of the observed outcomes with respect to the fields in SI units, (observations, fields).
+
+    ``si`` are the values by name. The derivatives are NaN if a limit keeps the mass at rest.
+    """
     if problem.limit is not None and not motion.moves:
         return np.full((len(problem.observed), len(si)), np.nan)
     scene = motion.plan.scene
@@ -347,13 +353,16 @@ def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
 
 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
-    """Return the derivatives of the scaled residuals with respect to the fields in their units."""
+    """Return ``slopes``, (observations, fields), as derivatives of scaled residuals by fields in their units."""
     with_values = zip(problem.fields, values, strict=True)
     return slopes / problem.scales[:, None] * np.array([field.slope(value) for field, value in with_values])
 
 
 def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
-    """Return the covariance of the fields from standard errors or the misfit; None if neither is known."""
+    """Return the covariance of the fields from standard errors or the misfit; None if neither is known.
+
+    ``inverse`` is the pseudo-inverse of the derivatives of the scaled residuals, (fields, observations).
+    """
     if problem.is_weighted:
         return inverse @ inverse.T
     if problem.degrees_of_freedom:
@@ -362,13 +371,16 @@ def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> F
 
 
 def _without_effect(keys: Sequence[str], problem: SearchProblem) -> ValueError:
-    """Return the error for fields that do not change the observations."""
+    """Return the error for fields, given by their keys, that do not change the observations."""
     names = ", ".join(problem.observed)
     return ValueError(f"backanalyse: {', '.join(keys)}: does not affect {names}, and cannot be determined from it")
 
 
 def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
-    """Raise ValueError if the residuals do not change with a field, or with a combination of fields."""
+    """Raise ValueError if the residuals do not change with a field, or with a combination of fields.
+
+    ``jacobian`` has the derivatives by relative changes of the fields, (observations, fields).
+    """
     names = ", ".join(problem.observed)
     keys = [f.key for f in problem.fields]
     sizes = np.linalg.norm(jacobian, axis=0)

@@ -79,7 +79,7 @@ class Design:
         return min(REPLICATES, self.n) if self.method == "sobol" else 1
 
     def share(self, replicate: int) -> int:
-        """Return the number of samples of a replicate."""
+        """Return the number of samples of a replicate, given by its index among the independent sequences."""
         return self.n // self.replicates + (replicate < self.n % self.replicates)
 
     @property
@@ -123,7 +123,10 @@ class Design:
         return {name: np.dtype(_TYPES.get(name, np.float64)) for name in (*names, "status")}
 
     def piece(self, index: int) -> tuple[Shape, int, int]:
-        """Return stream, start and length of a block of samples or base points; a last block may be empty."""
+        """Return stream, start and length of a block of samples or base points; a last block may be empty.
+
+        The stream is a spawn key of the random numbers, and the start a position in it.
+        """
         batches = min(BATCHES, self.base)
         batch = index - self.sample_blocks
         if batch >= 0:
@@ -158,7 +161,7 @@ class Design:
         return math.prod(len(range(*part.indices(n))) for part, n in zip(self.place(index), self.shape, strict=True))
 
     def points(self, index: int, dimensions: int) -> Floats:
-        """Draw the points of a block in the unit cube, (dimensions, count)."""
+        """Draw the points of the block with an index in the unit cube, (dimensions, count)."""
         stream, start, length = self.piece(index)
         draw = sobol if self.method == "sobol" else monte_carlo
         return draw(self.seed, stream, start, length, dimensions)
@@ -172,7 +175,7 @@ class Design:
         return replace(self, records=self.records.part(first, first + self._together)).run_block, block
 
     def values(self, index: int) -> list[Floats]:
-        """Return the values of each input in the scenes of a block, in the units of their keys."""
+        """Return the values of each input in the scenes of a block, in the units of their keys, (scenes,) each."""
         if self.method == "grid":
             # The values of each input in the scenes of a block of a grid, in the units of their keys.
             _, start, length = self.piece(index)
@@ -196,7 +199,7 @@ class Design:
         return {number.key: np.concatenate(of_input) for number, of_input in of_inputs}
 
     def _si(self, index: int) -> ArrayDict:
-        """Return the values of the inputs in the scenes of a block by name, in SI units."""
+        """Return the values of the inputs in the scenes of a block by name, in SI units, (scenes,) each."""
         with quiet():
             return {
                 name: number.to_si(x) for (name, number), x in zip(self.inputs.items(), self.values(index), strict=True)
@@ -235,12 +238,12 @@ class Design:
         return self.search_each or self.method == "grid"
 
     def at_start(self, index: int) -> Columns:
-        """Return the factors of safety of a block of samples by method, without integration."""
+        """Return the factors of safety of the samples of a block by method, (samples,) each, without integration."""
         return factors_at_start(self.scene, self._si(index), self.accuracy)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
-    """Return the values of each input, in the unit of its key, at points of the unit cube, (inputs, ...)."""
+    """Return the values of each input in the unit of its key, flat, for points of the unit cube, (inputs, ...)."""
     is_correlated = np.any(design.correlation != np.eye(len(points)))
     if is_correlated:  # a Gaussian copula: normal scores are mixed
         scores = np.tensordot(np.linalg.cholesky(design.correlation), special().ndtri(points), 1)

@@ -41,7 +41,10 @@ _FORMAT = "arrays"  # of a folder
 
 @contextmanager
 def engine(name: str = "threads", workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor]:
-    """Open an executor with threads or processes (by default one for each processor), or of a Dask scheduler."""
+    """Open an executor with "threads" or "processes" (by default one for each processor), or of a Dask scheduler.
+
+    ``workers`` is their number, and ``scheduler`` an address, whose workers exist already.
+    """
     if workers is not None and workers < 1:
         raise ValueError(f"--workers {workers}: must be at least 1; leave it out for one worker for each processor")
     if scheduler is not None and workers is not None:
@@ -57,6 +60,7 @@ def engine(name: str = "threads", workers: int | None = None, scheduler: str | N
 
 
 def _client(scheduler: str) -> Any:
+    """Return a Dask client for the scheduler at an address; ValueError if none answers."""
     for name in ("tornado.application", "distributed.client"):  # they print tracebacks of cancelled futures
         logging.getLogger(name).disabled = True
     try:
@@ -66,6 +70,7 @@ def _client(scheduler: str) -> Any:
 
 
 def _pool(name: str, workers: int) -> Executor:
+    """Return an executor with this number of worker processes for "processes", otherwise of threads."""
     if name == "processes":  # the workers leave Ctrl-C to this process
         return ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
     return ThreadPoolExecutor(workers)
@@ -120,7 +125,10 @@ class Store:
         }
 
     def has(self, index: int) -> bool:
-        """Return whether a block is stored and its digest is correct; a wrong digest is counted in ``damaged``."""
+        """Return whether the block with an index is stored and its digest is correct.
+
+        A wrong digest is counted in ``damaged``.
+        """
         if not self._study or not self._digests[index].any():
             return False
         is_whole = self._digests[index].tobytes() == self._digest(index)
@@ -128,14 +136,14 @@ class Store:
         return is_whole
 
     def save(self, index: int, result: Columns) -> None:
-        """Store a finished block."""
+        """Store the result of the block with an index, arrays by name of output."""
         for name, values in self.values.items():
             values[self.design.place(index)] = result[name]
         if self._study:
             self._digests[index] = np.frombuffer(self._digest(index), np.uint8)
 
     def _digest(self, index: int) -> bytes:
-        """Return the digest of the study, the index of a block and its stored results."""
+        """Return a digest of the study, the index of a block and its stored results, as 32 bytes."""
         digest = hashlib.sha256(self._study + index.to_bytes(8))
         place = self.design.place(index)
         for values in self.values.values():
@@ -145,6 +153,8 @@ class Store:
 
 def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: Shape) -> NDArray[Any]:
     """Return an array in a file of a folder, or in a temporary file, created with this type and shape if necessary.
+
+    ``kind`` is the NumPy type of its elements; the file is named after ``name``.
 
     Disk space is allocated in advance if the system supports it; otherwise a full disk would end the process later.
     """
@@ -172,7 +182,7 @@ def _path(folder: PathName) -> Path:
 
 
 def stored(folder: PathName) -> ValueDict | None:
-    """Return the description of the study whose blocks are in a folder; None if it does not have a study."""
+    """Return the description of the study whose blocks are in a folder, as in its study.json; None without a study."""
     path = _path(folder) / "study.json"
     if not path.exists():
         return None
@@ -238,4 +248,5 @@ def _deferred_interrupt() -> Iterator[Event]:
 
 
 def _is_complete(future: Future[Columns]) -> bool:
+    """Return whether a block was computed without an error and not cancelled."""
     return future.done() and not future.cancelled() and future.exception() is None

@@ -119,7 +119,10 @@ def ensemble(
 
 
 def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, given: Values) -> Design:
-    """Return the design of an ensemble from its settings; ValueError names all invalid ones."""
+    """Return the design of an ensemble; ValueError names all invalid settings.
+
+    ``given`` are all arguments of `ensemble` by name.
+    """
     raise_all("ensemble", setting_mistakes(scene, given, records))
     drawn = uncertain_numbers(scene)
     n = int(given["n"])
@@ -142,14 +145,20 @@ def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records
 
 
 def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> int:
-    """Return the number of base points of the sensitivity indices, by default up to one for each sample."""
+    """Return the number of base points of the sensitivity indices, by default up to one for each sample.
+
+    ``asked`` is the user's number or None, ``inputs`` the number of inputs and ``n`` that of samples.
+    """
     if asked is not None:
         return asked
     return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> Floats:
-    """Return the correlation matrix of all inputs from correlations by pairs of their keys or names."""
+    """Return the correlation matrix of all inputs, (inputs, inputs), from correlations by pairs of keys or names.
+
+    ``drawn`` are the uncertain inputs by name.
+    """
     known = [*(u.key for u in drawn.values()), *drawn]
     matrix = np.eye(len(drawn))
     mistakes = []
@@ -171,7 +180,7 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
 
 
 def _size(n: int, method: str) -> int:
-    """Return the number of samples in a block, a power of two."""
+    """Return the number of samples in a block, a power of two, for ``n`` samples by a method of `METHODS` or a grid."""
     sequences = REPLICATES if method == "sobol" else 1
     each = max(n // sequences, 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
@@ -237,7 +246,11 @@ def varied_number(scene: Scene, path: str, values: Any) -> Key:
 def conduct(
     design: Design, executor: Any, confidence: float, folder: PathName | None, progress: IO[str] | None
 ) -> Study:
-    """Compute the blocks of a design and return the study of their results."""
+    """Compute the blocks of a design and return the study of their results.
+
+    ``confidence`` is that of intervals, ``folder`` the place of finished blocks, and ``progress`` a stream; both may be
+    None.
+    """
     store = Store(design, lambda: _described(design), folder)
     with engine() if executor is None else nullcontext(as_executor(executor)) as workers:
         if progress is None:

@@ -53,7 +53,7 @@ def estimates(study: Any) -> Iterator[ExportRow]:
 
 
 def _of_output(study: Any, name: str) -> Iterator[ExportRow]:
-    """Yield the mean, standard deviation, quantiles and exceedance curve of an output."""
+    """Yield the mean, standard deviation, quantiles and exceedance curve of an output, named as in `OUTCOMES`."""
     yield ExportRow("mean", name, "", math.nan, study.mean(name))
     yield ExportRow("std", name, "", math.nan, study.std(name))
     if name in study.linear:
@@ -171,7 +171,10 @@ def study_axes(study: Any) -> Columns:
 
 
 def _along(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
-    """Return arrays that vary along some axes only, with these axes: scale factors of records, inputs of samples."""
+    """Return arrays that vary along some axes only, by name, each with the names of its axes.
+
+    They are the scale factors of records and the inputs of samples.
+    """
     along: dict[str, tuple[Names, NDArray[Any]]] = {}
     if study.design.records is not None:
         along = {name: (("record", "scale"), x) for name, x in (("factor", study.factors), ("pga_g", study.pga))}
@@ -227,7 +230,7 @@ def _record(estimate: Estimate, value: str = "value") -> ValueDict:
 
 
 def _cell(value: float) -> float | str | None:
-    """Return a number for a file: None for NaN, `BEYOND` for infinity."""
+    """Return a number for a file: None for NaN, the text `BEYOND` for infinity."""
     if math.isnan(value):
         return None
     return value if math.isfinite(value) else BEYOND

@@ -17,7 +17,7 @@ _MET = 1e-7  # norm of the residuals below which the fit is exact
 
 
 class Fit(NamedTuple):
-    """A minimum: shares of the ranges, sum of squared residuals, and whether the fit has converged there."""
+    """A minimum: shares of the ranges, (fields,), sum of squared scaled residuals, and whether the fit converged."""
 
     shares: Floats
     chi_square: float
@@ -46,7 +46,7 @@ def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
 
 
 def _starts(problem: SearchProblem, shares: Floats) -> list[Floats]:
-    """Return the points with the smallest residuals that lie apart from each other."""
+    """Return the best of the points ``shares``, (fields, count), that lie apart from each other, at most 12."""
     r = problem.residuals(shares)
     chosen: list[Floats] = []
     for k in np.argsort(np.sum(r**2, axis=0)):  # NaN comes last
@@ -59,7 +59,10 @@ def _starts(problem: SearchProblem, shares: Floats) -> list[Floats]:
 
 
 def _minimum(problem: SearchProblem, start: Floats) -> Any:
-    """Return SciPy's result of a fit within the ranges; steps to points without motion are shortened."""
+    """Return SciPy's result of a fit within the ranges; steps to points without motion are shortened.
+
+    ``start`` is a point, as shares of the ranges, (fields,).
+    """
     optimize = optional("scipy.optimize", "back-analysis")
 
     latest: list[Floats] = []  # the Jacobian, computed with the residuals and requested after them

@@ -11,7 +11,7 @@ _AT_END = 1e-6  # of a range
 
 
 def range_warnings(problem: SearchProblem, solution: Any) -> Texts:
-    """Return a warning for each value at an end of its searched range."""
+    """Return a warning for each value of a `Solution` at an end of its searched range."""
     rows = zip(solution.values.items(), problem.ranges, strict=True)
     return [
         f"{name} = {value:.6g} lies at the end of the searched range, {low:.6g} to {high:.6g}: a better value "
@@ -22,7 +22,10 @@ def range_warnings(problem: SearchProblem, solution: Any) -> Texts:
 
 
 def fit_warnings(problem: SearchProblem, first: Any) -> Texts:
-    """Return warnings about a fit: values at range ends or hardly determined, and a misfit beyond the errors."""
+    """Return warnings about a fit: values at range ends or hardly determined, and a misfit beyond the errors.
+
+    ``first`` is the best `Solution`.
+    """
     warnings = range_warnings(problem, first)
     for (name, value), (low, *_, high) in zip(first.values.items(), problem.ranges, strict=True):
         error = (first.standard_errors or {}).get(name, 0.0)

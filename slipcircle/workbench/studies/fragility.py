@@ -129,7 +129,10 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCu
 
 
 def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile: float) -> FragilityCurve:
-    """Return the curve with coefficients a and b, with intervals for ln median = -a/b and ln dispersion = -ln b."""
+    """Return the curve with coefficients a and b, with intervals for ln median = -a/b and ln dispersion = -ln b.
+
+    The covariance is that of a and b, (2, 2), and ``quantile`` is half an interval over its standard error.
+    """
     intercept, slope = coefficients.tolist()
     log_median = -intercept / slope
     log_dispersion = -math.log(slope)
@@ -142,6 +145,9 @@ def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile:
 
 def _not_identified(share: Floats, log_pga: Floats, record: Integers) -> str:
     """Return the reason why the motions do not identify a curve, also without each of the records; else empty.
+
+    The arrays have the share of exceedance, ln PGA (over gravity) and index of the record of each point of the curve.
+    If a curve depends on one record alone, its dispersion would be small and the interval too narrow.
 
     If a curve depends on one record alone, its dispersion would be small and the interval too narrow.
     """
@@ -159,6 +165,8 @@ def _not_identified(share: Floats, log_pga: Floats, record: Integers) -> str:
 
 def _without_maximum(share: Floats, log_pga: Floats) -> str:
     """Return the reason why the likelihood lacks a maximum at finite median and dispersion; else empty.
+
+    The arrays have the share of exceedance and ln PGA (over gravity) of each point.
 
     This happens if a peak acceleration separates motions that exceed the threshold from the other motions (Albert and
     Anderson 1984).
@@ -187,7 +195,7 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
 
 
 def _most_likely(terms: Floats, share: Floats) -> Floats:
-    """Return the coefficients of greatest likelihood, (2,), for terms (motions, 2) and shares of exceedance."""
+    """Return the coefficients of greatest likelihood, (2,), for terms (points, 2) and shares of exceedance."""
     from scipy.optimize import minimize
 
     def negative(coefficients: Floats) -> tuple[float, Floats]:
@@ -198,7 +206,10 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
 
 
 def _likelihood(argument: Floats, share: Floats) -> ArrayTriple:
-    """Return log-likelihoods of shares at arguments of Phi, first derivatives and negative expected second ones."""
+    """Return log-likelihoods of shares of exceedance at arguments of Phi, their derivatives and expected curvatures.
+
+    All are (points,). The derivatives are by the argument; curvatures are minus the expected second derivatives.
+    """
     log_above = special().log_ndtr(argument)
     log_below = special().log_ndtr(-argument)
     log_density = -(argument**2 + math.log(2.0 * math.pi)) / 2.0
@@ -209,7 +220,11 @@ def _likelihood(argument: Floats, share: Floats) -> ArrayTriple:
 
 
 def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:
-    """Return a positive value and its interval from the standard error of its logarithm."""
+    """Return a positive value and its interval from the standard error of its logarithm.
+
+    ``derivative`` is the gradient of the logarithm by the coefficients, (2,), ``covariance`` theirs, and ``quantile``
+    half the interval in standard errors.
+    """
     variance = np.maximum(derivative @ covariance @ derivative, 0.0)  # not below it by rounding
     half = quantile * math.sqrt(variance)
     value = math.exp(log_value)

@@ -38,15 +38,15 @@ class GroundMotions:
         return len(self.polarities), self.scales.size
 
     def together(self, samples: int) -> int:
-        """Return the number of records that are solved in one call with this number of samples."""
+        """Return the number of records that are solved in one call with this number of samples each."""
         return max(1, _LANES // (len(self.polarities) * self.scales.size * samples))
 
     def part(self, first: int, end: int) -> "GroundMotions":
-        """Return the ground motions with the records from ``first`` to ``end`` only."""
+        """Return the ground motions with the records at indices from ``first`` to before ``end`` only."""
         return replace(self, suite=Suite(self.suite.entries[first:end]))
 
     def factors(self, entry: Entry) -> Floats:
-        """Return the factors by which a record is multiplied, one for each scale."""
+        """Return the factors by which a record is multiplied, one for each scale, (scales,)."""
         return self.scales / entry.peak if self.to_pga else self.scales
 
     def shaken(self, scene: Scene, record: Series | LaneSeries | Pulse) -> Scene:
@@ -54,7 +54,10 @@ class GroundMotions:
         return replace(scene, effects=scene.checked_effects | {"shaking": {**self.shaking, "horizontal": record}})
 
     def lanes(self, scene: Scene, si: Mapping[str, Floats], samples: int) -> tuple[Scene, ArrayDict, Shape]:
-        """Return the shaken scene, its numbers by lane and the shape (record, polarity, scale, sample) of the lanes."""
+        """Return the shaken scene, its numbers by lane and the shape (record, polarity, scale, sample) of the lanes.
+
+        ``si`` are the drawn inputs by name in SI units, (samples,) each. A lane is one motion of an ensemble.
+        """
         factors = np.stack([np.multiply.outer(self.polarities, self.factors(entry)) for entry in self.suite])
         shape = (*factors.shape, samples)
         record, *_ = np.indices(shape).reshape(len(shape), -1)
@@ -67,7 +70,9 @@ class GroundMotions:
 def ground_motions(
     scene: Scene, inputs: Mapping[str, Key], records: Any, settings: Values
 ) -> tuple[Scene, GroundMotions]:
-    """Return the scene without its shaking, and the ground motions that replace it, from an ensemble's settings.
+    """Return the scene without its shaking, and the ground motions that replace it.
+
+    ``inputs`` are the uncertain parameters by name, ``records`` and ``settings`` those of `ensemble`.
 
     Raises
     ------

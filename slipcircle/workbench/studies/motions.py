@@ -20,7 +20,11 @@ def motions(scene: Scene, values: Values, accuracy: float | None = None) -> Moti
 
 
 def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict:
-    """Return factors of safety by method for arrays of values by name, in SI units, without integration."""
+    """Return factors of safety by method, at the start, without integration.
+
+    ``values`` are arrays by name in SI units, one element for each lane; ``accuracy`` is the relative error of the
+    scene's plan.
+    """
     with quiet():
         lanes, invalid = _lanes(scene, values)
         statics = Forces(problem_of(plan(lanes, accuracy), invalid)).statics
@@ -28,6 +32,6 @@ def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict
 
 
 def _lanes(scene: Scene, values: Values) -> tuple[Scene, Any]:
-    """Return the scene with arrays of values, and a mask of its invalid lanes."""
+    """Return the scene with arrays of values by name in SI units, and a mask of its invalid lanes (members)."""
     arrays = {name: np.asarray(value, float) for name, value in values.items()}
     return with_parameter_arrays(scene, arrays)

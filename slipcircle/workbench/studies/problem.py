@@ -101,22 +101,31 @@ class SearchProblem:
         return outcomes, np.where(counts, kind, -1)
 
     def seen(self, motion: Any) -> Floats:
-        """Return the observed outcomes of a motion, (observations, ...), relative to their origins."""
+        """Return the observed outcomes of a motion in SI units, (observations, ...), relative to their origins.
+
+        The origin is the x of the toe at the start for ``toe_x``, otherwise 0.
+        """
         found = np.stack([observable(motion, name) for name in self.observed])
         return found - self.origins.reshape(-1, *[1] * (found.ndim - 1))
 
     def values_at(self, shares: Floats) -> Floats:
-        """Return the values of the fields in their units, (fields, count), at shares of the ranges."""
+        """Return the values of the fields in their units at shares of their ranges, both (fields, count)."""
         by_field = zip(shares, self.ranges, strict=True)
         return np.stack([np.interp(share, np.linspace(0.0, 1.0, len(row)), row) for share, row in by_field])
 
     def residuals(self, shares: Floats) -> Floats:
-        """Return computed minus observed outcomes over their scales, (observations, count), at ``shares``."""
+        """Return computed minus observed outcomes over their scales, (observations, count).
+
+        ``shares`` are points in the ranges from 0 to 1, (fields, count).
+        """
         outcomes, _ = self.outcomes(self.values_at(shares))
         return (outcomes - self.targets[:, None]) / self.scales[:, None]
 
     def linearised(self, shares: Floats) -> ArrayPair:
-        """Return residuals and their derivatives with respect to the shares, (observations, fields), at one point."""
+        """Return residuals, (observations,), and their derivatives with respect to the shares, (observations, fields).
+
+        ``shares`` is one point, (fields,).
+        """
         here = shares[:, None]
         steps = _STEP * np.eye(len(shares))
         places = np.hstack([here, np.minimum(here + steps, 1.0), np.maximum(here - steps, 0.0)])
@@ -158,7 +167,7 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
 
 
 def _is_possible(name: str, seen: float) -> bool:
-    """Return whether an outcome may have a value; only the position of the toe may be 0."""
+    """Return whether the outcome with a name may have the value ``seen``; only the position of the toe may be 0."""
     if not math.isfinite(seen):
         return False
     if name in _POSITIVE:
@@ -180,7 +189,10 @@ def _observation(given: Any) -> tuple[float, float | None]:
 
 
 def may_stand(observed: Observations, limit: Interval | None) -> bool:
-    """Return whether a mass at rest is a valid candidate: for a limit, or a factor of safety alone."""
+    """Return whether a mass at rest is a valid candidate: for a limit, or a factor of safety alone.
+
+    ``limit`` is the observed interval with one infinite end, or None.
+    """
     return limit is not None or {*observed} == {"factor_of_safety"}
 
 
@@ -224,7 +236,10 @@ def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
 
 
 def _ranges(scene: Scene, fields: Sequence[Key], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
-    """Return the values of each field to search, between its bounds if given."""
+    """Return the values of each field to search, in its unit, between its ``ends`` by key if given.
+
+    ``is_alone`` says that no other field varies.
+    """
     ranges = []
     for number in fields:
         if number.key in ends:
@@ -271,7 +286,7 @@ def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations)
 
 
 def _between(name: str, low: float, high: float) -> Floats:
-    """Return values between bounds, in equal ratios if the bounds are far apart."""
+    """Return 401 values between bounds, in equal ratios if the bounds are far apart; ``name`` is for the message."""
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
         raise ValueError(
             f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
@@ -280,7 +295,7 @@ def _between(name: str, low: float, high: float) -> Floats:
 
 
 def _range(scene: Scene, field: Key, is_alone: bool) -> Floats:
-    """Return the values of a field to search without bounds; a wider range if other fields vary as well."""
+    """Return increasing values of a field to search without bounds, in its unit; more if it is alone."""
     is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
     is_friction = is_coefficient and (field.tangent or not field.written)
     if is_friction:
@@ -292,7 +307,10 @@ def _range(scene: Scene, field: Key, is_alone: bool) -> Floats:
 
 
 def _usual_range(scene: Scene, name: str) -> Floats | None:
-    """Return usual values of a parameter in SI units, from scales of the arc or about the scene's value, or None."""
+    """Return usual values of a parameter in SI units, or None if the scene does not set the parameter.
+
+    They follow from scales of the arc, or are around the scene's value.
+    """
     arc = scene.arc
     scales = (arc.static_normal_stress, arc.radius, arc.gravity)
     stress, radius, gravity = map(plain, scales)
@@ -320,7 +338,12 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
 
 
 def _friction_range(scene: Scene, field: Key, is_alone: bool) -> Floats:
-    """Return friction values from many swings of the mass up to the limit of motion from rest."""
+    """Return friction coefficients from many swings of the mass up to the limit of motion from rest.
+
+    If the field ``is_alone``, greater ones follow for an initial velocity or a friction that is not constant.
+
+    If the field ``is_alone``, greater ones follow for an initial velocity or a law of slip.
+    """
     at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
     limit = float(motions(at_once, {field.name: np.zeros(1)}).limit_friction[0])
     if not 1e-6 < limit < math.inf:

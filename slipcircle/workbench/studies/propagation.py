@@ -64,11 +64,15 @@ def propagated(design: Design) -> dict[str, Linear]:
 
 
 def _outcomes(motion: Any) -> Any:
+    """Return the signed outcomes of a motion in SI units, in the order of `OUTCOMES`."""
     return np.array([motion.outcomes[name] for name in OUTCOMES])
 
 
 def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) -> str:
-    """Return a warning if linear and sampled estimates differ beyond tolerance and chance; otherwise empty text."""
+    """Return a warning if linear and sampled estimates differ beyond tolerance and chance; otherwise empty text.
+
+    ``accuracy`` is the relative error of each solution.
+    """
     differences = []
     unit = OUTCOMES[output].unit
     for name, one, other, error, share in (

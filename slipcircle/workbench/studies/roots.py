@@ -84,7 +84,10 @@ def _apart(left: Floats, right: Floats, least: float) -> Flags:
 
 
 def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
-    """Return the ends of fine brackets that are roots, the best of each group of neighbours."""
+    """Return the ends of fine brackets that are roots, the best of each group of neighbours.
+
+    ``ends`` are increasing values of the field, in its unit.
+    """
     target = float(problem.targets[0])
     outcomes, _ = problem.outcomes(ends[None])
     misfit = np.abs(outcomes[0] - target)
@@ -97,6 +100,9 @@ def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
 
 def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) -> tuple[Places, Places]:
     """Return the places (row, column) of the left and right ends of all brackets that may contain a root.
+
+    The arrays have values of the field in increasing order along rows, with misfits and kinds of motion; ``target`` is
+    the size of the observation.
 
     A root is possible where the outcome passes the observed value, where the kind of motion changes near it, and where
     the outcome has an extremum near it.

@@ -17,11 +17,14 @@ _HIGHEST = 1.0 - 2.0**-53
 
 
 def _seeded(seed: int, stream: Shape) -> np.random.SeedSequence:
+    """Return NumPy's seed sequence of a stream, a spawn key, below a seed."""
     return np.random.SeedSequence(seed, spawn_key=stream)
 
 
 def monte_carlo(seed: int, stream: Shape, start: int, count: int, dimensions: int) -> Floats:
     """Draw random points ``start`` to ``start + count``, (dimensions, count); start is a multiple of 4.
+
+    ``stream`` is the spawn key of independent random numbers.
 
     The counter of Philox is set to the position; each step gives four numbers.
     """
@@ -32,7 +35,10 @@ def monte_carlo(seed: int, stream: Shape, start: int, count: int, dimensions: in
 
 
 def sobol(seed: int, stream: Shape, start: int, count: int, dimensions: int) -> Floats:
-    """Draw points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count)."""
+    """Draw points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count).
+
+    ``stream`` is the spawn key of an independent scrambling.
+    """
     sequence = statistics().qmc.Sobol(dimensions, rng=_seeded(seed, stream))
     with warnings.catch_warnings(action="ignore", category=UserWarning):  # about unbalanced counts
         if start:

@@ -24,7 +24,10 @@ SEARCHED = "searched "  # prefix of a method's name: the circle is searched for 
 
 
 def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> ArrayDict:
-    """Return factors of safety by `SEARCHED` and method for arrays of values in SI units; NaN if not valid."""
+    """Return factors of safety by `SEARCHED` and method, (samples,) each, NaN where not ``valid``.
+
+    ``si`` are the values of the inputs by name in SI units, (samples,) each.
+    """
     stability = stability_of(scene)
     assert isinstance(scene, SlopeScene)
     assert stability is not None

@@ -33,20 +33,24 @@ def whole(value: Any) -> bool:
 
 
 def _is_flag(value: Any) -> bool:
+    """Return whether a value is a bool."""
     return isinstance(value, bool | np.bool_)
 
 
 def _are_positive(values: Any) -> bool:
+    """Return whether values are one positive finite number or a list of them."""
     numbers = array_of(values)
     is_list = numbers.ndim < 2 and numbers.size > 0 and numbers.dtype.kind in "iuf"
     return is_list and bool(np.all((numbers > 0.0) & (numbers < np.inf)))
 
 
 def _is_size(value: Any) -> bool:
+    """Return whether a value is a power of two from 4 to the largest block."""
     return whole(value) and 4 <= value <= _LARGEST and not int(value) & (int(value) - 1)
 
 
 def _are_pairs(value: Any) -> bool:
+    """Return whether a value is a mapping whose keys are pairs."""
     return isinstance(value, Mapping) and all(isinstance(pair, tuple) and len(pair) == 2 for pair in value)
 
 
@@ -93,7 +97,10 @@ def setting_mistakes(scene: Scene, given: Values, records: Any) -> Texts:
 
 
 def _truncated(drawn: Mapping[str, Uncertain]) -> Texts:
-    """Return a message for each distribution with too much probability outside the bounds of its parameter."""
+    """Return a message for each distribution with too much probability outside the bounds of its parameter.
+
+    ``drawn`` are the uncertain parameters by name.
+    """
     found = []
     for uncertain in drawn.values():
         number = uncertain.number

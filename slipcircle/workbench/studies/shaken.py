@@ -117,11 +117,14 @@ class Shaken:
         return comparisons(by_record / self.block_factor, shaking)
 
     def _by_record(self, scale: int) -> Floats:
-        """Return the displacement of each record at a scale, m: mean over polarities of the median over samples."""
+        """Return the displacement of each record in m at the scale with an index, (records,).
+
+        It is the mean over polarities of the median over samples.
+        """
         return np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1)
 
     def fragility(self) -> list[FragilityCurve]:
-        """Return lognormal fragility curves over the peak acceleration, one for each threshold."""
+        """Return lognormal fragility curves over the peak acceleration, one for each threshold of the displacement."""
         thresholds = self.records.thresholds.tolist()
         displacement = self.displacement
         pga = self.pga
@@ -159,12 +162,18 @@ class Shaken:
         return columns | {"reason": np.repeat([curve.reason for curve in curves], levels.size).tolist()}
 
     def median_record(self, scale: int) -> int:
-        """Return the place of the record with the median displacement at a scale, the lower of two middle records."""
+        """Return the index of the record with the median displacement at the scale with an index.
+
+        Of two middle records it is the lower one.
+        """
         order = np.argsort(self._by_record(scale), kind="stable")
         return int(order[(order.size - 1) // 2])
 
     def motions_of(self, record: int, scale: int) -> list[Motion]:
-        """Return the motions under a record at a scale, by polarity, at medians of the uncertain parameters."""
+        """Return the motions under a record at a scale, both given by index: one for each polarity.
+
+        Uncertain parameters have their medians.
+        """
         unscaled = self.suite.entries[record].record()
         factors = (self.factors[record, scale] * self.polarities).tolist()
         shaken = [self.records.shaken(self.scene, unscaled.scaled(factor)) for factor in factors]
@@ -172,7 +181,7 @@ class Shaken:
 
     @property
     def own_scale(self) -> int:
-        """Place of the scale at which the records are nearest to unscaled."""
+        """Index of the scale at which the records are nearest to unscaled."""
         return int(np.argmin(np.abs(self.factors - 1.0).max(axis=0)))
 
     def scale_text(self, scale: int) -> str:

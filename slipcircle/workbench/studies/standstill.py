@@ -42,7 +42,10 @@ def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> dict[str, f
 
 
 def _nearest(scene: Scene, name: str, value: float, size: float) -> float | None:
-    """Return the nearest value on one side where the factor crosses 1; None without such a value."""
+    """Return the nearest value on one side where the factor crosses 1; None without such a value.
+
+    All are in SI units; ``value`` is the parameter's own, and the sign of ``size``, its scale, selects the side.
+    """
     places = value + size * np.append(0.0, _SHARES)
     for _ in range(_ROUNDS):
         excess = _excess(scene, name, places)
@@ -55,7 +58,7 @@ def _nearest(scene: Scene, name: str, value: float, size: float) -> float | None
 
 
 def _excess(scene: Any, name: str, values: Floats) -> Floats:
-    """Return the factor of safety minus 1 for values of a parameter."""
+    """Return the factor of safety by the starting method minus 1, for values of a parameter in SI units."""
     by_method = factors_at_start(scene, {name: values}, _ACCURACY)
     first = next(iter(by_method.values()))
     return np.asarray(by_method.get(method_of(scene), first)) - 1.0

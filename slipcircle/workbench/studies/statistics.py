@@ -55,6 +55,8 @@ def value_text(value: float) -> str:
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
     """Return the ends of the interval of a probability from ``hits`` in n independent samples.
 
+    ``hits`` is a number or an array; the confidence is between 0 and 1.
+
     The interval is never too short (Clopper and Pearson 1934).
     """
     hits = np.asarray(hits, float)
@@ -66,12 +68,12 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
 
 
 def standard_error(values: Floats) -> Any:
-    """Return the standard error of the mean of independent estimates along the first axis."""
+    """Return the standard error of the mean of independent estimates along the first axis, without that axis."""
     return np.std(values, axis=0, ddof=1) / math.sqrt(len(values))
 
 
 def student(values: Floats, confidence: float) -> Any:
-    """Return half the width of the interval of a mean of independent estimates; NaN for one estimate."""
+    """Return half the width of the interval of a mean of independent estimates, along the first axis; NaN for one."""
     if len(values) < 2:
         return np.full(np.shape(values)[1:], np.nan)
     return interval_width(confidence, len(values)) * standard_error(values)
@@ -90,7 +92,10 @@ def share_width(shares: Floats, size: float, confidence: float) -> Any:
 
 
 def probability(hits: Any, valid: Any, confidence: float) -> ArrayTriple:
-    """Return probabilities and the ends of intervals; ``hits`` (replicates, ...), ``valid`` samples (replicates,)."""
+    """Return probabilities and both ends of their intervals, from the numbers of ``hits``, (replicates, ...).
+
+    ``valid`` are the numbers of valid samples, (replicates,).
+    """
     samples = int(valid.sum())
     total = hits.sum(axis=0)
     if not samples:
@@ -114,7 +119,9 @@ def interval_width(confidence: float, replicates: int = 1) -> float:
 
 
 def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
-    """Return the ranks, from 1, of the samples that enclose the p-quantile; 0 or n + 1 for an unknown end.
+    """Return the ranks, from 1, of the ordered samples that enclose the p-quantile; 0 or n + 1 for an unknown end.
+
+    ``n`` is the number of samples.
 
     The number of samples below the quantile is binomial for every distribution.
     """
@@ -153,7 +160,10 @@ def spread(values: Floats) -> Spread:
 
 
 class Ordered:
-    """Sorted values of an output, of all replicates and of each replicate; infinite values come last."""
+    """Sorted values of an output, of all replicates and of each replicate; infinite values come last.
+
+    The argument has one array of values for each replicate.
+    """
 
     def __init__(self, replicates: Sequence[Floats]) -> None:
         self.replicates = [np.sort(values) for values in replicates if values.size]
@@ -234,7 +244,7 @@ def _indices(sums: Floats) -> Floats:
 
 
 def sums(y: Floats) -> Floats:
-    """Return the sums that `sensitivity_indices` needs, from the rows of y: yA, yB, and yAB of each input.
+    """Return the sums that `sensitivity_indices` needs, (3 + 3 inputs,), from rows of outputs: yA, yB and yAB by input.
 
     They are the number of points, the sums of yA + yB and of yA**2 + yB**2, and for each input the sums of
     (yAB - yA)**2, yB (yAB - yA) and yAB - yA.
@@ -292,7 +302,7 @@ def distribution(displacement: Floats, scale: int) -> Displacements:
 
 
 def _valid(displacement: Floats, scale: int) -> Floats:
-    """Return the displacements of valid scenes at a scale as a one-dimensional array."""
+    """Return the displacements of valid scenes at the scale with an index as a one-dimensional array, m."""
     values = displacement[:, :, scale].ravel()
     return values[~np.isnan(values)]
 
@@ -332,7 +342,10 @@ class Shares(NamedTuple):
 
 
 def variance_shares(displacement: Floats, scale: int) -> Shares:
-    """Return first-order shares of the variance at a scale, from variances of means; NaN if unknown."""
+    """Return first-order shares of the variance of displacements at the scale with an index, from variances of means.
+
+    The displacements are (record, polarity, scale, sample); shares are NaN if unknown.
+    """
     values = displacement[:, :, scale]
     if not np.all(np.isfinite(values)) or not np.var(values) > 0.0:
         return Shares(math.nan, math.nan, math.nan)

@@ -105,7 +105,7 @@ class Study(Shaken, Pictured):
         return [self._sums(block) for block in range(self.design.sample_blocks, self.design.blocks)]
 
     def _sums(self, block: int) -> list[Floats]:
-        """Return the `sums` of a batch for each output, from base points with valid scenes only."""
+        """Return the `sums` of a batch, given by its block's index, for each output, from valid base points only."""
         (lanes,) = self.design.place(block)
         first = lanes.start - self.design.n
         values = {name: array[first : lanes.stop - self.design.n] for name, array in self._base_values.items()}
@@ -197,17 +197,17 @@ class Study(Shaken, Pictured):
 
     @cached_property
     def _replicate(self) -> NDArray[np.int8]:
-        """Index of the replicate of each sample."""
+        """Index of the replicate (independent sequence) of each sample, (samples,)."""
         design = self._sampling
         lengths = [design.piece(block)[2] for block in range(design.sample_blocks)]
         return np.repeat((np.arange(design.sample_blocks) % design.replicates).astype(np.int8), lengths)
 
     def _by_replicate(self, selected: Flags) -> Integers:
-        """Return the number of selected samples in each replicate."""
+        """Return the number of selected samples in each replicate, (replicates,), from a mask of samples."""
         return np.bincount(self._replicate[selected], minlength=self.design.replicates)
 
     def _in_order(self, name: str, values: Floats) -> Ordered:
-        """Return the known values of valid samples in increasing order, stored by name."""
+        """Return the known values of valid samples in increasing order, stored under ``name``."""
         if name not in self._ordered:
             known = (self.values["status"] < Status.INVALID) & ~np.isnan(values)
             replicates = [known & (self._replicate == k) for k in range(self.design.replicates)]
@@ -280,7 +280,7 @@ class Study(Shaken, Pictured):
         return self._in_order(f"{FACTOR}{method}", self._factors[method]).quantile(p, self.confidence)
 
     def _single_probability(self, selected: Flags) -> Estimate:
-        """Return the probability of the selected samples with its interval."""
+        """Return the probability of being among the samples of a mask, with its interval."""
         hits = self._by_replicate(selected)
         return Estimate(*(float(x[0]) for x in probability(hits[:, None], self._valid, self.confidence)))
 
@@ -335,7 +335,7 @@ class Study(Shaken, Pictured):
             return {}, str(error)
 
     def exceedance(self, output: str, points: int = 101) -> Exceedance:
-        """Return the probabilities that an output reaches values between 0 and its greatest value."""
+        """Return the probabilities that an output reaches ``points`` - 1 values up to its greatest value."""
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
         in_order = self._of_output(output)

@@ -73,12 +73,18 @@ def drift_warning(record: Series, gravity: float = 9.81) -> str:
 
 
 def _velocity(time: Floats, values: Floats) -> Floats:
-    """Return the integral of the acceleration from the start to each time but the first."""
+    """Return the integral of the acceleration from the start to each time but the first, (times - 1,).
+
+    Times are in s; accelerations are over gravity, so that velocities are as well.
+    """
     return np.cumsum(np.diff(time) * ((values[:-1] + values[1:]) / 2.0))
 
 
 def _with_zeros(record: Series) -> ArrayPair:
-    """Return times and values, with the zeros of the acceleration between samples added, where the velocity peaks."""
+    """Return times in s and accelerations over gravity, with a sample added at each zero between samples.
+
+    The velocity peaks there.
+    """
     time, values = record.time, record.values
     before, after = values[:-1], values[1:]
     crosses = np.flatnonzero(before * after < 0.0)
@@ -135,7 +141,11 @@ def spectral_acceleration(record: Series, period: float) -> float:
 
 @lru_cache(maxsize=1024)
 def _recurrence(step: float, frequency: float) -> ArrayTriple:
-    """Return the weights of the last three accelerations and displacements, and the initial state of the filter."""
+    """Return numerator, denominator and initial state of a filter from ground accelerations to displacements.
+
+    The filter is an oscillator's: the time step is in s and the angular frequency in rad/s. Both polynomials begin with
+    the latest sample, and the state is for a first acceleration of 1.
+    """
     from scipy.signal import cont2discrete, ss2tf
 
     free = np.array([[0.0, 1.0], [-(frequency**2), -2.0 * _DAMPING * frequency]])

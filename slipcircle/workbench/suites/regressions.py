@@ -127,7 +127,7 @@ class Regression:
         return ", ".join(ranges)
 
     def in_range(self, shaking: Shaking) -> Flags:
-        """Return whether each record is in the range; an unknown measure does not exclude a record."""
+        """Return whether each record is in the range, (records,); an unknown measure does not exclude a record."""
         inside = np.isfinite(self.ln_cm(shaking)) & (shaking.ratio < 1.0)
         for measure, (least, greatest) in self.limits.items():
             value = getattr(shaking, measure)
@@ -164,6 +164,7 @@ _FEATURES: dict[str, Callable[[Shaking], Any]] = {
 
 
 def _sum(coefficients: NumberMap, shaking: Shaking) -> Floats:
+    """Return the sum of coefficients times their features, one value for each record."""
     with quiet():
         return np.asarray(sum(factor * _FEATURES[name](shaking) for name, factor in coefficients.items()))
 
@@ -318,7 +319,10 @@ def comparisons(displacement: Floats, shaking: Shaking) -> list[Comparison]:
 
 
 def _compared(regression: Regression, displacement_cm: Floats, shaking: Shaking, predicted: Floats) -> Comparison:
-    """Return the comparison with a regression; ``predicted`` is ln D by the regression."""
+    """Return the comparison with a regression.
+
+    ``predicted`` is ln D by the regression, D in cm; both arrays have one value for each record.
+    """
     inside = regression.in_range(shaking) & np.isfinite(displacement_cm)
     moves = inside & (displacement_cm > regression.least_cm)
     count = int(moves.sum())

@@ -85,7 +85,10 @@ class PageInputs:
         self.base = self._rows(self.motion, 1)[:, 0]
 
     def at(self, shares: Floats) -> Floats:
-        """Return the rows, (rows, places), at places of the sliders, (sliders, places), from -1 to 1."""
+        """Return the rows, (rows, places), at places of the sliders, (sliders, places), from -1 to 1.
+
+        A row is one number that the page needs, as a function of the sliders.
+        """
         scene = self.scene_at(shares)
         alike = self._rows(_at_start(scene, ACCURACY), shares.shape[1])
         if len(alike) != self.base.size:
@@ -100,7 +103,7 @@ class PageInputs:
         return rows
 
     def lost(self, rows: Floats) -> Floats:
-        """Return the mean peak friction minus the mean residual friction in rows."""
+        """Return the mean peak friction minus the mean residual friction in rows, (rows, places), as (places,)."""
         peak, residual = rows[self.friction]
         return np.asarray(peak - residual)
 
@@ -123,7 +126,10 @@ class PageInputs:
         return rows
 
     def sizes(self, values: Floats) -> Floats:
-        """Return the greatest absolute value of each row, (rows,); for tables, over all pieces at each power."""
+        """Return the greatest absolute value of each row, (rows,), from values (rows, places).
+
+        For tables it is the greatest over all pieces at each power.
+        """
         sizes = np.abs(values).max(axis=1)
         at = len(self.names)
         for table in self.problem.tables():
@@ -138,6 +144,7 @@ class PageInputs:
         return np.maximum(sizes, np.finfo(np.float64).tiny)
 
     def _rows(self, motion: Motion, count: int) -> Floats:
+        """Return the rows of a motion at its start, (rows, count), for its ``count`` lanes."""
         problem = motion.problem
         start = with_outputs(problem, (*OUTPUTS, "energy")).start
         rows = [np.broadcast_to(start[name], (1, count)) for name in self.names]
@@ -165,7 +172,7 @@ def _at_start(scene: Scene, accuracy: float) -> Motion:
 
 
 def _others(motion: Motion) -> ValueDict:
-    """Return dimensionless numbers' units, in units of output, and the factor of safety at the start, by SI unit."""
+    """Return units of dimensionless numbers, in units of output, by SI unit, and the factor of safety at the start."""
     arc = motion.plan.scene.arc
     radius = np.asarray(arc.radius)
     second = np.asarray(arc.time_scale)
@@ -197,11 +204,12 @@ class Interpolant(NamedTuple):
 
 
 def _lobatto(degree: int) -> Floats:
+    """Return the Chebyshev-Lobatto points from 1 to -1, (degree + 1,)."""
     return np.cos(np.pi * np.arange(degree + 1) / degree)
 
 
 def fits_of(inputs: PageInputs, most: float = math.inf) -> list[Interpolant]:
-    """Return interpolants of all rows that vary, or raise `NoFit` above ``most`` numbers."""
+    """Return interpolants of all rows that vary; raise `NoFit` if they need more than ``most`` numbers."""
     present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
     every = range(len(inputs.sliders))
     degrees = [_degrees(inputs, present, k) for k in every]
@@ -222,7 +230,10 @@ def fits_of(inputs: PageInputs, most: float = math.inf) -> list[Interpolant]:
 
 
 def _degrees(inputs: PageInputs, present: Floats, k: int) -> dict[int, int]:
-    """Return the degree in slider ``k`` of each row that varies with this slider, by the number of the row."""
+    """Return the degree in slider ``k`` of each row that varies with this slider, by the index of the row.
+
+    ``present`` are the places of the scene's own values, (sliders, 1).
+    """
     places = np.repeat(present, DEGREE + 1, axis=1)
     places[k] = _lobatto(DEGREE)
     values = inputs.at(places)
@@ -235,7 +246,10 @@ def _degrees(inputs: PageInputs, present: Floats, k: int) -> dict[int, int]:
 
 
 def _fit(inputs: PageInputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int]) -> Interpolant:
-    """Return the interpolant of rows of the same degrees, by a singular value decomposition of its coefficients."""
+    """Return the interpolant of rows of the same degrees, by a singular value decomposition of its coefficients.
+
+    ``present`` is as in `_degrees`, ``key`` has pairs of slider index and degree, ``rows`` the indices of the rows.
+    """
     of, degrees = zip(*key, strict=True)
     axes = np.meshgrid(*(_lobatto(degree) for degree in degrees), indexing="ij")
     places = np.repeat(present, axes[0].size, axis=1)
@@ -266,7 +280,7 @@ def _share(slider: Slider, scene: Scene) -> float:
 
 
 def greatest_error(inputs: PageInputs, fits: Sequence[Interpolant]) -> float:
-    """Return the greatest error of all inputs at random places, relative to their greatest values."""
+    """Return the greatest error of interpolated inputs at random places, relative to their greatest values."""
     if not fits:
         return 0.0
     shares = np.random.default_rng(7).uniform(-1.0, 1.0, (len(inputs.sliders), TRIALS))

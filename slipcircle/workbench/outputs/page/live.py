@@ -184,6 +184,7 @@ def headline(motion: Motion) -> str:
 
 
 def _is_motion(motion: Motion) -> bool:
+    """Return whether a motion has a result and moves."""
     return motion.status in ANSWERED and bool(motion.moves)
 
 
@@ -195,7 +196,10 @@ def _duration(motion: Motion) -> float:
 
 
 def _stored(motion: Motion) -> ValueDict:
-    """Return time, displacement and velocity of the solved motion at equidistant times, rounded for the screen."""
+    """Return times in s, displacements and velocities of the solved motion, in units of output, as JSON data.
+
+    The times are equidistant; numbers are rounded for the screen.
+    """
     times = np.linspace(0.0, _duration(motion), _SAMPLES if _is_motion(motion) else 1)
     columns = {"t": times, "s": np.zeros(times.size), "v": np.zeros(times.size)}
     if _is_motion(motion):
@@ -219,7 +223,10 @@ def _first(motion: Motion) -> ValueDict:
 
 
 def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str]:
-    """Yield the sentences of the caption."""
+    """Yield the sentences of the caption.
+
+    Displacements are drawn ``magnification`` times as large; ``why_not`` is the result of `unsolvable`.
+    """
     arc = motion.plan.scene.arc
     yield "To scale. Dashed: the mass at the start; dotted: the circle continued, as the method assumes."
     if isinstance(arc, Arc):

@@ -63,7 +63,7 @@ def _influence(scene: Scene, slider: Slider) -> float:
 
 
 def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: float = math.inf) -> bool:
-    """Return whether interpolants reach a relative error with at most ``most`` coefficients."""
+    """Return whether interpolants over the sliders reach a relative error with at most ``most`` coefficients."""
     try:
         inputs = PageInputs(scene, sliders, plan(scene).accuracy)
         return greatest_error(inputs, fits_of(inputs, most)) < error
@@ -139,11 +139,15 @@ def _start(inputs: PageInputs, start: StartSeries) -> ValueDict:
 
 
 def _table_names(problem: Problem) -> list[str]:
+    """Return the names of the tables (piecewise functions) of a problem's program."""
     return [table.name for table in problem.program.tables]
 
 
 def _table(name: str, problem: Problem) -> ValueDict:
-    """Return a table as JSON data without its breaks and coefficients, which are rows."""
+    """Return a table (piecewise function) of a problem by its name as JSON data: counts, jumps and flags.
+
+    Its breaks and coefficients are rows of `PageInputs` instead.
+    """
     data = problem.data[name]
     pieces, terms = data.coefficients.shape[:2]
     return {"pieces": pieces, "terms": terms, "jumps": _plain(data.jumps), "sine": data.sine, "open": data.open}
@@ -163,7 +167,7 @@ def _program(problem: Problem, names: Names) -> ValueDict:
 
 
 def _runs(inputs: PageInputs) -> ValueDict:
-    """Return number and input factors, by row, of the perturbed runs that estimate the error."""
+    """Return the number of the perturbed runs that estimate the error, and by row the factors of its number in each."""
     rounding = inputs.scene.arc.rounding
     cells = inputs.problem.cells()
     runs = perturbed_runs(inputs.problem, slice(None), rounding)

@@ -50,7 +50,10 @@ class Frame(NamedTuple):
         return (world - np.array([self.view.left, self.view.top])) * [self.scale, -self.scale]
 
     def path(self, kind: str, world: Any, closed: bool = False, arc: str = "") -> str:
-        """Return an SVG path of a class: a line through points of the section, with gaps at NaN, and an arc command."""
+        """Return an SVG path of a CSS class, ``kind``: a line through points (n, 2) in m, with gaps at NaN.
+
+        ``arc`` has further commands of the path.
+        """
         points = self.points(np.asarray(world, dtype=np.float64))
         data = ""
         for part in np.split(points, np.flatnonzero(np.isnan(points[:, 0]))):
@@ -59,7 +62,7 @@ class Frame(NamedTuple):
         return f'<path class="{kind}" d="{data}{arc}" />'
 
     def area(self, kind: str, line: Floats, bottom: float) -> str:
-        """Return the area between a line, (n, 2), and the height ``bottom`` as an SVG path of a class."""
+        """Return the area between a line, (n, 2), and a height, both in m, as an SVG path of a CSS class (``kind``)."""
         slopes = np.diff(line[:, 1]) / np.diff(line[:, 0])
         corners = line[np.pad(np.abs(np.diff(slopes)) > _STRAIGHT, 1, constant_values=True)]
         (left, _), (right, _) = line[[0, -1]]
@@ -67,7 +70,7 @@ class Frame(NamedTuple):
 
 
 def frame_around(motion: Motion, magnification: float) -> Frame:
-    """Return the frame around the mass at the start and at its magnified run-out."""
+    """Return the frame around the mass at the start and at its run-out, drawn ``magnification`` times as large."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil)
     if motion.moves:
@@ -110,7 +113,10 @@ def drawn_section(motion: Motion, frame: Frame, magnification: float, name: str)
 
 
 def _mass(mass: MassShape, frame: Frame, bands: str, name: str, behind: Iterable[str]) -> Iterator[str]:
-    """Yield the scar, lines behind the mass, slip circle, mass with bands, and the ground over it; ``name`` clips."""
+    """Yield the scar, lines behind the mass, slip circle, mass with bands, and the ground over it, as SVG.
+
+    ``bands`` are the soils and ``behind`` these lines, as SVG; ``name`` identifies the clipping path.
+    """
     first, last = mass.ends
     opening = last - first
     beyond = min(opening, math.pi - opening / 2)  # the mass is assumed to continue along its circle
@@ -128,7 +134,7 @@ def _mass(mass: MassShape, frame: Frame, bands: str, name: str, behind: Iterable
 
 
 def _drawn(around: Sequence[Line], frame: Frame, *roles: str) -> Iterator[str]:
-    """Yield the lines with one of the roles as SVG paths, free water as an area down to the ground."""
+    """Yield the lines of ``around`` with one of the roles as SVG paths, free water as an area down to the ground."""
     for line in around:
         if line.role in roles:
             points = line.points
@@ -142,7 +148,10 @@ def _drawn(around: Sequence[Line], frame: Frame, *roles: str) -> Iterator[str]:
 
 
 def _names(around: Sequence[Line], is_left: bool, frame: Frame) -> Iterator[str]:
-    """Yield names of lines at the upper side of the slope as SVG texts, which the script moves to their lines."""
+    """Yield names of lines at the upper side of the slope as SVG texts, which the script moves to their lines.
+
+    ``is_left`` says that this is the left side.
+    """
     edge, side = (_INSET, "start") if is_left else (WIDTH - _INSET, "end")
     named = [(_height(line, is_left, frame.view), line) for line in around if line.name and line.role != "beyond"]
     for height, line in sorted(named, key=lambda pair: -pair[0]):
@@ -162,7 +171,10 @@ def _height(line: Line, is_left: bool, view: View) -> float:
 
 
 def section_ticks(frame: Frame, names_left: bool) -> Raw:
-    """Return ticks along the bottom and both sides as SVG, with numbers on the side opposite the names."""
+    """Return ticks along the bottom and both sides as SVG, with numbers on the side opposite the names.
+
+    ``names_left`` says that the names are at the left.
+    """
     view = frame.view
     factor, unit = printed("m")
     drawn = ""
@@ -179,7 +191,7 @@ def section_ticks(frame: Frame, names_left: bool) -> Raw:
 
 
 def _round_numbers(low: float, high: float, most: int) -> list[float]:
-    """Return at most ``most`` round numbers between two bounds, away from both of them."""
+    """Return at most ``most`` equidistant round numbers between two bounds, away from both of them."""
     span = high - low
     steps = _STEPS * 10.0 ** math.floor(math.log10(span / most))
     step = float(steps[steps >= span / most][0])

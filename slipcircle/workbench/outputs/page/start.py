@@ -33,7 +33,10 @@ class NoFit(Exception):
 
 
 class StartSeries(NamedTuple):
-    """Series of the resistance of each soil along an arc in the mobilised friction, between two bounds."""
+    """Series of the resistance of each soil along an arc in the mobilised friction.
+
+    Its bounds are ``low`` and ``high``, (soils,) each.
+    """
 
     method: str
     soils: Any  # number of the soil of each interval of the arc
@@ -65,7 +68,10 @@ class StartSeries(NamedTuple):
         return np.stack([np.broadcast_to(row, math.prod(scene.shape)) for row in rows])
 
     def _series(self, driven: Driven) -> Floats:
-        """Return the coefficients of the resistance of every soil, (terms, lanes)."""
+        """Return the Chebyshev coefficients of the resistance of each soil over gamma R^3, (terms, lanes).
+
+        They are ordered soil by soil, in increasing degree; ``driven`` are the slices of all lanes.
+        """
         places = chebyshev.chebpts1(self.degree + 1)
         middle = (self.low + self.high) / 2
         half = (self.high - self.low) / 2
@@ -75,7 +81,10 @@ class StartSeries(NamedTuple):
         return np.moveaxis(coefficients, -1, 0).reshape(self.terms, -1)
 
     def _shear(self, driven: Driven, mobilised: Floats) -> Floats:
-        """Return the integrals of the strength over its lever on each interval, (lanes, intervals)."""
+        """Return the integrals of the strength over its lever, m_alpha, on each interval, (lanes, intervals).
+
+        ``mobilised`` is the friction over F of each interval.
+        """
         slices = driven.slices
         cohesion, friction = slices.cohesion(), slices.friction
         mobilised = np.resize(mobilised, friction.shape[-1:])  # of every lane where lanes have arcs of their own
@@ -87,7 +96,7 @@ class StartSeries(NamedTuple):
         return _by_lane(slices, (slices.weight * shear).sum(axis=0))
 
     def factors(self, rows: Floats) -> ArrayPair:
-        """Return the factors of safety and the strength factors of lanes from their rows, as the page does."""
+        """Return factors of safety and strength factors, (lanes,) each, from `rows`, as the page does."""
         driving, closure = rows[:2]
         count = len(self.low)
         friction = rows[2 : 2 + count]
@@ -134,13 +143,13 @@ def start_of(scene: Scene, probe: Scene) -> StartSeries | None:
 
 
 def _by_lane(slices: Slices, values: Any) -> Floats:
-    """Return values of intervals as (lanes, intervals), where lanes share an arc or have equally many intervals."""
+    """Return values of intervals as (lanes, intervals); lanes share an arc or have equally many intervals."""
     if slices.sine.ndim > 2:
         return np.atleast_2d(values)
     return values.reshape(len(slices.arcs.radius), -1)
 
 
 def _driven(scene: Scene) -> Driven:
-    """Return the slices of a scene with their driving moment."""
+    """Return the slices of all lanes of a scene with their driving moments."""
     ((driven, _),) = driven_blocks(scene, most=1 << 30)
     return driven

@@ -114,7 +114,10 @@ def _run_outs(motions: Sequence[Motion], ax: Any) -> Any:
 
 
 def _draw_run_outs(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bool]], words: Sequence[str]) -> None:
-    """Draw a bar for each run-out in m, styled by whether the mass is at rest, between a name and its outcome."""
+    """Draw a bar for each run-out in m, styled by whether the mass is at rest, between a name and its outcome.
+
+    ``outcomes`` has pairs of both, ``words`` the outcomes as text.
+    """
     name_rows(ax, names)
     for place, (run_out, arrested) in enumerate(outcomes):
         ax.barh(place, run_out, height=0.62, **AREAS["rests" if arrested else "moves on"])
@@ -124,6 +127,7 @@ def _draw_run_outs(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float
 
 
 def _words(run_out: float, speed: float, end: str, duration: float) -> str:
+    """Return a run-out in m, a peak speed in m/s and a duration in s after the words of its end, as text."""
     return (
         f"{formatted_amount(run_out, 'm')}, peak {formatted_amount(speed, 'm/s')}, {end} {formatted_number(duration)} s"
     )

@@ -28,7 +28,7 @@ def frontier(rows: Sequence[CostRow], ax: Any = None) -> Any:
 
 
 def _group(rows: Sequence[CostRow], style: tuple[str, Any, str], axes: Any) -> None:
-    """Draw the ways of a group."""
+    """Draw the ways of a group; ``style`` has colour, dashes and marker."""
     colour, dashes, marker = style
     for row in rows:
         height, bound = np.clip([row.error, row.error if row.bound is None else row.bound], _LEAST, _NONE)

@@ -92,7 +92,10 @@ def _played(film: "Film") -> bytes:
 
 
 def drawing(what: str, result: Any) -> "Drawing":
-    """Return the drawing of a result by the kind of picture; modules are loaded on first use."""
+    """Return the drawing of a result by the kind of picture, ``what``; modules are loaded on first use.
+
+    The result is of the type that this picture needs, such as a list of motions for "motions".
+    """
     from slipcircle.workbench.outputs.pictures import (
         comparison,
         costplot,

@@ -25,7 +25,10 @@ class Film(NamedTuple):
 
 
 def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
-    """Return an animated section that plays a motion in ``seconds``, with one frame if the mass does not move."""
+    """Return an animated section that plays a motion in ``seconds``, with one frame if the mass does not move.
+
+    ``figure`` is empty or None for a new one; ``frames`` is the number of frames.
+    """
     ax = panel(None if figure is None else figure.add_subplot(), "")
     mass = set_stage(motion, ax).mass
     magnification = magnified(motion)

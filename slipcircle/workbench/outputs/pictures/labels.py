@@ -75,7 +75,10 @@ class Label(Annotation):
         self.leader.set_visible(distances[place] > _NEAR * pixels)
 
     def _offsets(self, half: Floats, pixels: float) -> ArrayPair:
-        """Return distances from an anchor, (places,), and offsets of the centre of a label, (places, 2), in pixels."""
+        """Return distances from an anchor, (places,), and offsets of the centre of a label, (places, 2), in pixels.
+
+        ``half`` is half the size of the label in pixels, and ``pixels`` the length of a point in pixels.
+        """
         if self.inside:
             return np.zeros(1), np.zeros((1, 2))
         away = np.stack([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)], axis=1)
@@ -84,7 +87,7 @@ class Label(Annotation):
 
 
 def _crosses(anchors: Floats, centres: Floats, box: Any) -> Any:
-    """Return whether lines from anchors (n, 2) to centres (n, places, 2) cross a box."""
+    """Return whether lines from anchors (n, 2) to centres (n, places, 2) cross a box, (n, places), all in pixels."""
     share = np.linspace(0.1, 0.9, 9)[:, None, None, None]
     points = anchors[:, None] + share * (centres - anchors[:, None])
     return np.any(np.all((points > box.min) & (points < box.max), axis=-1), axis=0)
@@ -96,7 +99,10 @@ def _beside(ax: Any) -> list[Any]:
 
 
 def _cost(sums: Any, frame: Any, centres: Floats, half: Floats) -> Any:
-    """Return the costs of edge pixels and of the frame that a label of a half size covers at centres, (..., 2)."""
+    """Return the costs of edge pixels and of the frame that a label of a half size covers at centres, (..., 2).
+
+    ``sums`` is the result of `_summed_edges`, and ``frame`` the box of the axis; lengths are in pixels.
+    """
     low = centres - half - frame.min
     high = centres + half - frame.min
     outside = np.maximum(-low, 0.0) + np.maximum(high - frame.size, 0.0)

@@ -96,7 +96,10 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
-    """Return the factor from SI units to the unit of drawn curves of a quantity, and the name of the unit."""
+    """Return the factor from SI units to the unit of drawn curves of a quantity, and the name of the unit.
+
+    ``curves`` are the values in SI units, whose size determines the unit.
+    """
     if quantity.degrees:
         return (math.degrees(1.0), "deg")
     return prefixed(np.concatenate(curves), quantity.unit)
@@ -118,7 +121,11 @@ def _limit(ax: Any, motion: Motion, from_zero: bool, curves: Sequence[Floats]) -
 
 
 def _mark_times(ax: Any, motion: Motion, curve: ArrayPair, unit: str, with_run_out: bool, brief: bool) -> None:
-    """Mark times on a curve with their values, and unless ``brief`` with their names and times."""
+    """Mark times on a curve with their values, and unless ``brief`` with their names and times.
+
+    ``curve`` has times in s and values in the drawn unit; ``with_run_out`` also marks the run-out of a mass that swings
+    back.
+    """
     for role, time, name in _marks(motion, with_run_out):
         value = _read(time, *curve)
         words = f"{formatted_number(value)} {unit}".rstrip()
@@ -153,7 +160,10 @@ def _rotation_axis(ax: Any, motion: Motion) -> None:
 
 
 def _marks(motion: Motion, with_run_out: bool = False) -> Iterator[tuple[str, float, str]]:
-    """Yield mark, time in s and label of the peak velocity, of the run-out if the mass swings back, and of the end."""
+    """Yield role in `MARKS`, time in s and label of the peak velocity, perhaps of the run-out, and of the end.
+
+    With ``with_run_out`` the run-out follows if the mass swings back.
+    """
     yield "peak", float(motion.peak.time), "peak velocity"
     if with_run_out and swings_back(motion):
         yield "farthest", float(motion.farthest.time), "farthest"
@@ -161,7 +171,7 @@ def _marks(motion: Motion, with_run_out: bool = False) -> Iterator[tuple[str, fl
 
 
 def _read(time: float, times: Floats, values: Floats) -> float:
-    """Return the value of a column at a time; exactly 0 where only rounding error is left."""
+    """Return the value at a time of a column of values at ``times``; exactly 0 where only rounding error is left."""
     value = float(np.interp(time, times, values))
     if abs(value) < 1e-9 * float(np.max(np.abs(values))):
         return 0.0
@@ -210,7 +220,10 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
 
 
 def _energies(motion: Motion, ax: Any, along: Floats) -> None:
-    """Draw dissipation and kinetic energy, stacked, and the work that supplies them; label the axis."""
+    """Draw dissipation and kinetic energy, stacked, and the work that supplies them; label the axis.
+
+    ``along`` is the displacement or the path at the times of `columns_of_picture`, m.
+    """
     columns = columns_of_picture(motion)
     at_start = float(columns["kinetic_energy"][0])
     supplied = at_start + columns["work_of_gravity_and_shaking"]

@@ -126,7 +126,10 @@ def formatted_amount(value: float, unit: str) -> str:
 
 
 def label_direction(line: Any, words: str, unit: str | None = None, more: str = "") -> None:
-    """Label an axis line of a plot; if its values have an SI unit, with numbers in the unit of output."""
+    """Label an axis line of a plot; if its values have an SI unit, with numbers in the unit of output.
+
+    ``more`` is text after the unit.
+    """
     from matplotlib.ticker import AutoLocator, FuncFormatter, LogLocator
 
     factor, name = (1.0, "") if unit is None else printed(unit)
@@ -256,7 +259,7 @@ def add_mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:
 
 
 def name_rows(ax: Any, names: Sequence[str]) -> None:
-    """Prepare an axis for one bar per name, from the top down."""
+    """Prepare an axis for one horizontal bar per name, at y = 0, 1, ... from the top down."""
     ax.set_yticks(range(len(names)), names, parse_math=False)
     ax.set_ylim(len(names) - 0.5, -0.5)
     ax.grid(visible=False, axis="y")
@@ -321,7 +324,10 @@ def pace(duration: float, seconds: float) -> str:
 
 
 def width(motion: Motion) -> tuple[str, str, float]:
-    """Return the width that energies refer to, in words, and the end of their unit, "/m" for one metre."""
+    """Return the width that energies refer to in words, the end of their unit, and the factor to that width.
+
+    The end is "/m" for one metre, otherwise empty.
+    """
     metres = float(np.asarray(motion.plan.scene.arc.width))
     factor, name = printed("m")
     if metres != 1.0:

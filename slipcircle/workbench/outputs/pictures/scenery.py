@@ -60,7 +60,10 @@ def scenery_lines(mass: MassShape, soil: Any, view: View) -> Iterator[Line]:
 
 
 def _below_arc(mass: MassShape, facing: float, view: View) -> Floats:
-    """Return the surface below an arc: the chord continued up-slope, the arc, and the circle beyond the toe."""
+    """Return the surface below an arc: the chord continued up-slope, the arc, and the circle beyond the toe, (n, 2).
+
+    ``facing`` is 1 for a slide to the right, -1 to the left.
+    """
     first, last = mass.ends
     (left, low), (right, high) = mass.ground
     slope = (high - low) / (right - left)
@@ -73,7 +76,10 @@ def _below_arc(mass: MassShape, facing: float, view: View) -> Floats:
 
 
 def _beyond(ground: Floats, facing: float, view: View) -> Iterator[Line]:
-    """Yield the level ground that the method assumes beyond the last point down-slope, if it is in view."""
+    """Yield the level ground that the method assumes beyond the last point down-slope, if it is in view.
+
+    ``facing`` is 1 for a slide to the right, -1 to the left, 0 for neither.
+    """
     x, y = ground[0] if facing < 0.0 else ground[-1]
     if facing < 0.0:
         edge = view.left
@@ -105,7 +111,10 @@ def _free_water(ground: Floats, soil: Any) -> Iterator[Line]:
 
 
 def _along_ground(role: str, name: str, points: Any, ground: Floats, view: View) -> Line:
-    """Return a line, given by points (n, 2) in m, over the width of the ground, with places for its name."""
+    """Return a line, given by points (n, 2) in m, over the width of the ground, with places for its name.
+
+    ``role`` is that of a `Line`.
+    """
     x, y = np.asarray(points, dtype=np.float64).T
     left, right = ground[[0, -1], 0]
     line_x = np.array([left, *x[(left < x) & (x < right)], right])
@@ -139,7 +148,10 @@ def _soils(mass: MassShape, soil: Any, view: View) -> Iterator[Line]:
 
 
 def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
-    """Return places in the middle of a soil where it is thick, (n, 2), from the middle outwards."""
+    """Return places in the middle of a soil where it is thick, (n, 2) in m, from the middle outwards.
+
+    ``top`` and ``bottom`` are its heights over x, in m.
+    """
     left, right = max(view.left, x[0]), min(view.right, x[-1])
     edge = _EDGE * (right - left)
     thickness = np.where((left + edge <= x) & (x <= right - edge), top - bottom, 0.0)
@@ -152,7 +164,10 @@ def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
 
 
 def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Floats, list[Floats]]:
-    """Return x, (n,), and the tops of the layers over x in m, each cut off by the tops above."""
+    """Return x, (n,), and the heights of the tops of the layers over x, in m, each cut off by the tops above.
+
+    ``layers`` are pairs of soil and top: a height, or points (V, 2).
+    """
     left, right = ground[[0, -1], 0]
     given = (np.asarray(top, dtype=np.float64) for _, top in layers[1:])
     lines = [ground, *(top if top.ndim == 2 else np.array([[left, top]]) for top in given)]  # or a height
@@ -163,7 +178,7 @@ def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Float
 
 
 def soil_numbers(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
-    """Return the numbers of the soils of layers by name, from the ground down."""
+    """Return the index of each soil of layers, from the ground down, by name."""
     names = dict.fromkeys(soil.name for soil, _ in layers)
     return {name: number for number, name in enumerate(names)}
 
@@ -172,7 +187,10 @@ def soil_numbers(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
 
 
 def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], view: View) -> Iterator[Line]:
-    """Yield pressures on the ground as proportional arrows below a line, with their values in kPa."""
+    """Yield pressures on the ground as proportional arrows below a line, with their values in the unit of output.
+
+    ``loads`` are x1, x2 in m and the pressures there in Pa.
+    """
     greatest = max((float(np.max(load[2:])) for load in loads), default=0.0)
     factor, unit = drawn_unit("Pa")
     for left, right, *pressures in loads if greatest > 0.0 else ():

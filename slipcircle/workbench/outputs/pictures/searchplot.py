@@ -116,7 +116,7 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
 
 
 def _contours(ax: Any, cells: Any, least: float, most: float) -> None:
-    """Draw contours of round values over the cells of a map, with their values."""
+    """Draw contours of round values between ``least`` and ``most`` over the cells of a map, with their values."""
     from matplotlib.ticker import MaxNLocator
     from matplotlib.tri import Triangulation
 

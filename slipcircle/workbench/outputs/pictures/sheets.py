@@ -27,6 +27,7 @@ def sheet(rows: Sequence[Row], title: str = "", apart: bool = False) -> Drawing:
 
 
 def _draw(rows: Sequence[Row], title: str, apart: bool, figure: Any) -> Any:
+    """Draw rows of panels on an empty figure and return the figure; the arguments are those of `sheet`."""
     grid = figure.add_gridspec(len(rows), _COLUMNS, height_ratios=[height for height, _ in rows])
     axes = []
     for row, (_, panels) in enumerate(rows):

@@ -83,7 +83,10 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
 
 
 def _limits(at: Any, probability: Any) -> Pair:
-    """Return limits of an axis from 0, or from where the probability starts to decrease if that is far from 0."""
+    """Return limits of an axis from 0, or from where the probability starts to decrease if that is far from 0.
+
+    ``at`` are increasing values of an output, with their exceedance probabilities.
+    """
     greatest = float(at[-1])
     certain = float(np.max(at, initial=0.0, where=probability == 1.0))
     width = greatest - certain
@@ -118,6 +121,7 @@ def _samples(study: "Study") -> str:
 
 
 def _nothing_to_draw(study: "Study") -> str:
+    """Return the reason why a study has no exceedance curve."""
     if not study.n:
         return "all samples are invalid scenes"
     if study.without_result:
@@ -152,7 +156,10 @@ def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool
 
 
 def _index_bars(ax: Any, estimates: Any, offset: float, style: str, words: str) -> None:
-    """Draw a bar with its interval for each input, from values, low and high ends, (3, inputs), and a label."""
+    """Draw a bar with its interval for each input, from values, low and high ends, (3, inputs), and a label.
+
+    Bars are moved by ``offset`` and have a style of `AREAS`.
+    """
     value, low, high = estimates
     at = np.arange(len(value)) + offset
     ax.barh(at, np.maximum(value, 0.0), height=0.36, **AREAS[style])
@@ -192,7 +199,10 @@ def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
 
 
 def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Key], values: Any, quantity: Quantity) -> Any:
-    """Draw a map of an output over both numbers of a grid, darkest at its maximum, blank where results are missing."""
+    """Draw a map of an output over both numbers of a grid, darkest at its maximum, blank where results are missing.
+
+    ``levels`` are the values of both numbers, and ``values`` those of the output, (first, second), in SI units.
+    """
     from matplotlib.ticker import MaxNLocator
 
     ax = panel(ax, quantity.label, (axis_words(numbers[0]),), (axis_words(numbers[1]),))
@@ -222,6 +232,7 @@ def explained(analysis: "BackAnalysis") -> Drawing:
 
 
 def _draw_explained(analysis: "BackAnalysis", figure: Any) -> Any:
+    """Draw the picture of `explained` on an empty figure and return the figure."""
     shape = len(analysis.observed), len(analysis.units)
     axes = figure.subplots(*shape, squeeze=False, sharex="col", sharey="row")
     for column, key in zip(axes.T, analysis.units, strict=True):
@@ -234,7 +245,7 @@ def _draw_explained(analysis: "BackAnalysis", figure: Any) -> Any:
 
 
 def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> None:
-    """Draw outcomes over one fitted number, on one axis per outcome."""
+    """Draw outcomes over one fitted number, given by its key, on one axis per observed outcome."""
     scene = analysis.motion.plan.scene
     field = number_in(scene, key)
     solved = [s.values[key] for s in analysis.solutions]
@@ -262,7 +273,10 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
 def _draw_observed(
     ax: Any, name: str, observed: tuple[float, float | None], interval: Interval | None, places: Any
 ) -> None:
-    """Draw an observed value as a line with its standard error, or an interval, and its label."""
+    """Draw an observed value as a line with its standard error, or an interval, and its label.
+
+    All are in SI units; ``places`` are values of the fitted number at which the label may be.
+    """
     seen, sigma = observed
     words = "observed"
     if interval is not None and interval.limit is not None:
@@ -279,7 +293,10 @@ def _draw_observed(
 
 
 def _around(field: Key, solved: Sequence[float], error: float) -> Any:
-    """Return values of a number around its solutions, within its open bounds."""
+    """Return values of a number around its solutions, within its open bounds, in the unit of its key.
+
+    ``solved`` are the solutions, and ``error`` is the standard error of the first.
+    """
     margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
     return np.linspace(max(min(solved) - margin, field.low), min(max(solved) + margin, field.high), _POINTS // 2)[1:-1]
 
@@ -322,6 +339,7 @@ PANELS = {output: partial(_of_outcome, output=output) for output in OUTCOMES}  #
 
 
 def _check(study: "Study", output: str, choice: Iterable[str]) -> None:
+    """Raise ValueError if an output is not among the choices, or if the study is a grid."""
     check_choice("Study: output", output, choice)
     if study.design.method == "grid":
         raise ValueError("Study: probabilities need samples of uncertain numbers; this study is a grid")

@@ -122,13 +122,16 @@ def fragility(study: "Study", ax: Any = None) -> Any:
 
 
 def _shares(ax: Any, levels: Any, value: Any, low: Any, high: Any, **style: Any) -> None:
-    """Draw shares of the motions over levels, with intervals where they are neither 0 nor 1."""
+    """Draw shares of the motions over levels (PGA over gravity), with intervals where they are neither 0 nor 1."""
     errors = np.where((value > 0.0) & (value < 1.0), [value - low, high - value], 0.0)
     ax.errorbar(levels, value, errors, ls="", ms=4, elinewidth=0.7, alpha=0.8, **style)
 
 
 def _history(study: "Study", what: str, ax: Any = None) -> Any:
-    """Draw a quantity over time, in each polarity, under the record of median displacement near its own scale."""
+    """Draw a quantity of `HISTORY` over time, in each polarity, under the record of median displacement.
+
+    The scale is the one nearest to the records' own.
+    """
     scale = study.own_scale
     record = study.median_record(scale)
     words = f"median: {study.suite.entries[record].name}"

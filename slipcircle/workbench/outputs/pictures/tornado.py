@@ -88,7 +88,7 @@ def _draw_bars(ax: Any, bars: Sequence[Bar]) -> None:
 
 
 def _bar(table: "Sensitivity", output: str, name: str, key: Key, step: float) -> Bar:
-    """Return the bar of an output for a step of a number in the unit of its key."""
+    """Return the bar of an output for a ``step`` of the number ``name``, in the unit of its key."""
     value = float(key.from_si(table.at[name]))
     change = table.derivative(output, name) * key.slope(value) * step
     drawn = in_output_unit(key)
@@ -99,7 +99,10 @@ def _bar(table: "Sensitivity", output: str, name: str, key: Key, step: float) ->
 
 
 def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Key, float]], str]:
-    """Return the step of each number in the unit of its key, and the rule for the steps in words."""
+    """Return key and step of each number by name, in the unit of the key, and the rule for the steps in words.
+
+    ``changes`` are given steps by key, or None.
+    """
     by_names = by_name(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
     if changes is not None:
