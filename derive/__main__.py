@@ -52,7 +52,10 @@ def declare(stages: Stages) -> None:
 
 
 def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
-    """Prove the balance and the operations on series, and return the files that depend on `derive.flow`."""
+    """Prove the balance and the operations on series, and return the files that depend on `derive.flow` by name.
+
+    ``present`` are the texts of the present files, which are returned where the records match them.
+    """
     from derive.declare.effects import EFFECTS, LAWS
     from derive.flow.fragments import CALLABLE
     from derive.flow.linked import cases
@@ -74,7 +77,10 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
 
 
 def derive_all(stages: Stages | None = None) -> dict[str, str]:
-    """Derive and prove everything, and return the text of `generated` by file; progress is printed on stderr."""
+    """Derive and prove everything, and return the text of `generated` by file; progress is printed on stderr.
+
+    Without ``stages`` no record is used.
+    """
     from derive.algebra.slopes import MEANS, SLOPES
     from derive.declare.quantities import MOMENTS
     from derive.generate.write import present
@@ -131,6 +137,7 @@ QUANTITIES = {
 
 
 def _parser() -> argparse.ArgumentParser:
+    """Return the parser of the command line, with the options of all commands."""
     parser = argparse.ArgumentParser(
         "python -m derive",
         description="Derive and prove everything, and write generated/; or judge the paper.",
@@ -154,6 +161,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_quantities(command: argparse.ArgumentParser) -> None:
+    """Add the options of `theorem`: the quantities of a slide, its effects, digits and parts."""
     for quantity, help in QUANTITIES.items():
         command.add_argument(f"--{quantity}", metavar="X", default=argparse.SUPPRESS, help=help)
     for effect, help in {"rotation": "the mass slides as it stands", "centripetal": "speed does not press"}.items():
@@ -165,7 +173,7 @@ def _add_quantities(command: argparse.ArgumentParser) -> None:
 
 
 def _prove_motion(options: argparse.Namespace) -> int:
-    """Print the theorem on a slide; 1 if the input is refused or nothing can be decided."""
+    """Print the theorem on the slide of these options; return 1 if the input is refused or nothing can be decided."""
     from derive.theorem.report import report
 
     given = vars(options)
@@ -215,7 +223,11 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def generate(check: bool, again: bool = False, part: str | None = None) -> int:
-    """Derive everything, or the flow, and write `generated` and the records, or compare them with the files there."""
+    """Derive everything, or the flow, and write `generated` and the records, or compare them with the files there.
+
+    Nothing is written with ``check``. With ``again`` records are ignored, and any ``part`` means the flow alone. The
+    result is the exit status.
+    """
     start = time.perf_counter()
     stages = Stages(again)
     try:

@@ -77,13 +77,13 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
 
 
 def imported_binary(folder: Path, name: str) -> Path:
-    """Return the path of the binary that an import uses, or of the binary to be compiled."""
+    """Return the path of the binary that an import of the module uses, or of the binary to be compiled."""
     candidates = (folder / f"{name}{suffix}" for suffix in EXTENSION_SUFFIXES)
     return next((path for path in candidates if path.is_file()), folder / f"{name}{SUFFIX}")
 
 
 def is_made_of(binary: Path, source: str) -> bool:
-    """Return whether a binary was compiled from this C text, by the digest in the text's header."""
+    """Return whether a binary was compiled from the C text ``source``, by the digest in the text's header."""
     return source.split('"', 2)[1].encode() in binary.read_bytes()
 
 
@@ -95,7 +95,10 @@ def has_binary_alone(name: str, source: str, folder: Path = FOLDER) -> bool:
 
 
 def parts(name: str, machine: str) -> Parts:
-    """Return the flags of every object of a module. The integrator has one object per kind of processor."""
+    """Return the flags of every object of a module on a kind of machine, such as x86_64.
+
+    The integrator has one object per kind of processor.
+    """
     if name == "_kernels":
         return ((),)
     kinds = KINDS if machine in ("x86_64", "AMD64") else {"baseline": KINDS["baseline"]}

@@ -220,7 +220,7 @@ def _check_parameters(e: Law | Effect, units: Collection[str]) -> dict[Symbol, P
 
 
 def _fault_of_key(p: Parameter, taken: set[str]) -> str:
-    """Return the keys allowed in scene files if the key of a parameter is wrong, otherwise an empty text."""
+    """Return the allowed keys if a parameter's key for scene files is wrong or in ``taken``, else an empty text."""
     if not p.key:
         return "" if p.optional else "a key for scene files, as it is not optional"
     if p.kind == "rotation":
@@ -290,7 +290,7 @@ def _check_kinks(law: Law, formula: Expr, by_symbol: Mapping[Symbol, Parameter])
 
 
 def _box(law: Law, by_symbol: Mapping[Symbol, Parameter]) -> dict[Symbol, domain.Ends]:
-    """Return the domain of a law within plausible numbers, where the first parameter of a unit is 1."""
+    """Return the ranges of a law's symbols within plausible numbers, where the first parameter of a unit is 1."""
     box = {x: (0.0, FARTHEST) for x in MOTION if str(x) in law.depends_on}
     first = {p.unit: p for p in reversed(law.parameters)}
     for x, p in by_symbol.items():
@@ -347,7 +347,10 @@ def _check_terms(effect: Effect) -> set[Symbol]:
 
 
 def _check_values(effect: Effect, by_symbol: Mapping[Symbol, Parameter]) -> None:
-    """Check that resistance and friction are nowhere negative, that no term has a pole, and that states are bounded."""
+    """Check that resistance and friction are nowhere negative, that no term has a pole, and that states are bounded.
+
+    ``by_symbol`` are the parameters by the symbols of their names.
+    """
     box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST))
     box |= {x: _range(p) for x, p in by_symbol.items()}
     box |= dict.fromkeys((*MOTION, OMEGA, OMEGA_2, *effect.states), (0.0, STEEPEST))

@@ -105,7 +105,10 @@ def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
 
 @cache
 def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> Expr:
-    """Return the corrected text as an expression in theta_1, theta_2 and alpha, or raise ValueError."""
+    """Return the corrected text as an expression in theta_1, theta_2 and alpha, or raise ValueError.
+
+    The places in ``leave`` are not corrected.
+    """
     text = mended_text(appendix, leave)
     if unknown := set(re.sub(r"arctanh|[a-zA-Z][12a]|[MN]", "", text)) - set("0123456789 +-/^(){}"):
         raise ValueError(f"Appendix {appendix.name}: unknown notation {unknown}")
@@ -122,7 +125,7 @@ def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> Expr:
 
 
 def unreadable(appendix: Appendix, repair: Repair) -> bool:
-    """Return whether brackets do not match if this place alone is left as printed."""
+    """Return whether brackets do not match if the place ``repair`` alone is left as printed."""
     try:
         parse(appendix, (repair,))
     except ValueError:

@@ -18,7 +18,7 @@ omega_star, rate_star, sigma_mean = symbols("omega_star rate_star sigma_mean", r
 
 @cache
 def balance() -> dict[str, Expr]:
-    """Return the right-hand sides of (2.20) and (3.11)-(3.21), and both sides of (3.8), by number.
+    """Return the right-hand sides of (2.20) and (3.11)-(3.21), and both sides of (3.8), by equation number.
 
     The assumptions are the paper's: the radial balance as a scalar sum (2.1), the uniform normal stress (2.9), (3.5),
     and Coulomb friction (1.14).
@@ -51,7 +51,7 @@ def balance() -> dict[str, Expr]:
 
 @cache
 def solution() -> dict[str, Expr]:
-    """Return the solution of (3.16) for a b > 0, continued to any sign: omega = y'/(b y)."""
+    """Return the solution of (3.16) by name for a b > 0, continued to any sign: omega = y'/(b y)."""
     k = Symbol("k", positive=True)  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
     y = cosh(k * t) + b * omega_0 * sinh(k * t) / k
     ways = {

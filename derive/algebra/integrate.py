@@ -79,7 +79,7 @@ def antiderivative(integrand: Expr, x: Symbol, half_width: str = "1") -> Expr:
 def _check_continuity(primitive: Expr, integrand: Expr, x: Symbol, half_width: str) -> None:
     """Compare each increment of an antiderivative in x over a grid with the quadrature of its integrand.
 
-    The grid extends from minus to plus half the width, a decimal.
+    The grid extends from minus to plus the half-width, a decimal.
     """
     others = sorted((primitive.free_symbols | integrand.free_symbols) - {x}, key=default_sort_key)
     variables = (x, *others)
@@ -131,7 +131,10 @@ def derive(moment: Moment) -> Derivation:
 
 
 def recorded(moment: Moment) -> dict[str, Any]:
-    """Return the derivation of a moment as plain data, and the result of its comparison with quadrature."""
+    """Return the derivation of a moment as plain data: SymPy's text of its forms, operation counts, and the difference.
+
+    The difference is from quadrature.
+    """
     derived = derive(moment)
     forms = {"amplitude": sp.srepr(derived.amplitude), "direction": sp.srepr(derived.direction)}
     return forms | {"operations": derived.operations, "difference": compare(derived, 30)}
@@ -178,14 +181,14 @@ def derivation(moment: Moment) -> Derivation:
 
 
 def shortest(expression: Expr) -> Expr:
-    """Return the equivalent form with the fewest operations among the results of SymPy's rules."""
+    """Return the form equivalent to an expression with the fewest operations among the results of SymPy's rules."""
     normal = trig_normal(expression)
     candidates = [normal, simplify(normal), factor_terms(normal)]
     return min(candidates, key=lambda e: (count_ops(e), default_sort_key(e)))
 
 
 def closed_forms() -> dict[str, Expr]:
-    """Return closed forms of the base quantities in alpha, by the names of their functions."""
+    """Return closed forms of the base quantities in alpha by the names of their functions."""
     forms = {moment.kernel[0]: derive(moment).amplitude for moment in MOMENTS}
     forms[RESISTANCE.name] = RESISTANCE.form
     return forms
@@ -193,7 +196,7 @@ def closed_forms() -> dict[str, Expr]:
 
 @cache
 def _gauss(bits: int) -> list[tuple[mpf, mpf]]:
-    """Return Gauss-Legendre nodes and weights on [-1, 1]; six nodes are exact for r**11."""
+    """Return Gauss-Legendre nodes and weights on [-1, 1] with this many bits. Six nodes are exact for r**11."""
     return GaussLegendre(mpmath.mp).calc_nodes(2, bits)
 
 

@@ -40,7 +40,7 @@ BASIS = (x, W, 1 - cos(x), x - sin(x))
 
 @cache
 def equation() -> tuple[Expr, Expr]:
-    """Return k and f of the linear equation, derived from (3.11), over Theta*."""
+    """Return k and f of the linear equation E' + k E = 2 f, derived from (3.11), over Theta*."""
     energy = Function("E")(x)
     omega = sqrt(energy)
     rate = dynamics.balance()["3.11"].subs(dynamics.omega_star, omega)

@@ -79,12 +79,12 @@ _TAU = symbols("tau_x tau_y", real=True)
 
 
 def _rho(t: Expr) -> Expr:
-    """Return the distance from the centre of the point at t on an edge's line."""
+    """Return the distance from the centre of a point of an edge's line, at t from the foot of the perpendicular."""
     return sqrt(_P**2 + t**2)
 
 
 def _split(weight: Expr) -> tuple[int, Expr]:
-    """Return n and the direction of a weight r**(n - 1) direction(theta), with radial integral r**n/n direction."""
+    """Return n and direction of a weight r**(n - 1) direction(theta), whose radial integral is r**n/n direction."""
     n = int(degree(weight, r)) + 1
     return n, weight / r ** (n - 1)
 
@@ -114,7 +114,7 @@ def triangles() -> dict[str, Expr]:
 
 
 def _along_edge(term: Expr) -> Expr:
-    """Return the integral of one term over t from t1 to t2."""
+    """Return the integral of one term of an integrand over t from t1 to t2, the ends of an edge."""
     factor, rest = term.as_independent(_T)
     if rest == 1:
         return factor * (_T2 - _T1)
@@ -238,7 +238,7 @@ def slices() -> dict[str, Expr]:
 
 
 def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
-    """Return Bishop's strength, c + N' mu = strength/lever, and effective normal stress, from the vertical balance."""
+    """Return Bishop's strength times lever, lever m_alpha, and effective normal stress by name, from the balance."""
     vertical = solve(balance[1].subs(_S, strength / FACTOR), _N)[0]
     lever = COSINE - SINE * MU / FACTOR
     mobilised = (COHESION + MU * (HEIGHT - PRESSURE)) * COSINE
@@ -250,7 +250,7 @@ def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
 
 
 def _strip(integrand: Expr, primitive: Expr) -> Expr:
-    """Return the integral of an integrand over y from the arc to the ground, after proving its primitive."""
+    """Return the integral over y from the arc to the ground in a strip, after proving its primitive."""
     slope = diff(primitive, _Y) + diff(primitive, _RHO) * _Y / _RHO
     prove_zero(slope - integrand, f"{primitive} over a strip")
     at_ground = primitive.subs({_RHO: DISTANCE, _Y: HEIGHT - COSINE}, simultaneous=True)

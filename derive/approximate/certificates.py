@@ -20,7 +20,10 @@ from derive.progress import parallel
 
 
 def plain(variant: Variant) -> Record:
-    """Return the certified content of a variant as plain data, with floats in hexadecimal and without bounds."""
+    """Return the certified content of a variant as plain data, with floats in hexadecimal and without bounds.
+
+    An operation is its kind, the indices of its operands, and its value.
+    """
     operations: list[list[object]] = []
     for op in variant.program.ops:
         if op.kind in ("log", "exponent", "significand"):
@@ -148,7 +151,7 @@ def of_ends(proved: Iterable[Record], certificate: Callable[..., Record] = losse
 
 
 def files(records: Iterable[Record]) -> dict[str, str]:
-    """Return the text of every certificate file by name, with one field or operation per line."""
+    """Return the text of every certificate file by its name below `generated`, with one field or operation per line."""
     blocks: dict[str, list[str]] = {}
     for record in records:
         rows = []

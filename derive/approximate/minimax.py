@@ -24,7 +24,7 @@ Function = Callable[[arb], arb]
 
 
 def nearest(x: arb) -> float:
-    """Return the nearest double."""
+    """Return the double nearest to the middle of a ball."""
     return float(fraction(x.mid()))
 
 
@@ -221,7 +221,7 @@ def _exchange(errors: list[arb], references: list[int]) -> list[int]:
 
 
 def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, ...], float]:
-    """Return minimax coefficients as doubles, lowest first, and the error before rounding.
+    """Return minimax coefficients of this degree as doubles, lowest first, and the error before rounding.
 
     Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.
     """

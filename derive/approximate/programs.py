@@ -74,7 +74,7 @@ class Code(Builder):
         return product + c
 
     def horner(self, x: Value, coefficients: Sequence[float]) -> Value:
-        """Return the polynomial with these coefficients, lowest first."""
+        """Return the polynomial in x with these coefficients, lowest first."""
         *others, last = coefficients
         result = self.value(last)
         for c in reversed(others):
@@ -86,19 +86,19 @@ class Code(Builder):
         return self.put("select", self.x < seam, near, far)
 
     def program(self, name: str, output: Value) -> Program:
-        """Return the program with only the operations that the output needs."""
+        """Return the program of this name with only the operations that the output needs."""
         return without_dead(Program(name, (self.argument,), tuple(self.ops), (output.place,)))
 
 
 def excess(code: Code, closed: Expr, piece: Pieces) -> Value:
-    """Return q of W = 1 + q in the plain form, where F = x (u + u q) times the limit."""
+    """Return q of W = 1 + q in the plain form, where the form F is x (u + u q) times its limit."""
     u = code.u
     coefficients = shapes.near_fit(closed, piece.seam, piece.count, Fraction(1))
     return code.horner(u, coefficients) * u
 
 
 def to_limit(closed: Expr, w: Value) -> Value:
-    """Return w times the limit 1 or 2/3, rounded once."""
+    """Return w times the limit of F/alpha**3, which is 1 or 2/3, rounded once."""
     if limit(closed) == 1:
         return w
     return w / float(1 / limit(closed))
@@ -147,7 +147,7 @@ def _even_and_odd(code: Code, u: Value, c: Sequence[float]) -> Value:
 
 
 def near(code: Code, closed: Expr, piece: Pieces) -> Pair:
-    """Return F = x h + x h_low with h = u W, where d(u W)/du includes the rounding error of u = fl(x^2)."""
+    """Return F = x (high + low) near 0, high = u W; low has the rounding errors, also that of u = fl(x^2)."""
     fma = code.fma
     u = code.u
     u_lost = fma(code.x, code.x, -u)
@@ -233,7 +233,7 @@ def fused_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -
 
 
 def plain_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -> Value:
-    """Return F1/F2, near 0 from W1/W2 over their limits."""
+    """Return F1/F2 in the plain form, near 0 from W1/W2 over their limits."""
     seam = min(part.seam for part in parts)
     same_limit = limit(forms[0]) == limit(forms[1])
     values = []

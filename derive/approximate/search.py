@@ -52,7 +52,10 @@ def price(kernel: Kernel, shape: Best) -> float:
 
 
 def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Variant]:
-    """Return a tier's plain and fused form in this shape, or nothing if a bound cannot be proved within its goal."""
+    """Return the variants of a tier, plain and fused, in this shape, or nothing if a bound exceeds its goal.
+
+    ``shape`` has the pieces of the best tier, or the degrees above and below of another tier.
+    """
     forms = [variant(kernel, tier, form, shape) for form in ("plain", "fused")]  # plain arithmetic is faster to check
     try:
         for form in forms:
@@ -68,7 +71,10 @@ def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Varia
 
 
 def rises(closed: Expr, seam: float) -> bool:
-    """Return whether F increases at the seam by more than the errors of both pieces from one double to the next."""
+    """Return whether F increases at the seam by more than the errors of both pieces from one double to the next.
+
+    ``seam`` is an angle alpha in rad.
+    """
     step = math.ulp(math.nextafter(seam, 0.0))
     x = arb(seam)
     f = float(at(closed, x))
@@ -141,7 +147,7 @@ def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]
 
 
 def started(kernel: Kernel, seam: float) -> Best:
-    """Return pieces for a seam: the preferred baseline, and the least degrees that approximate."""
+    """Return pieces for a seam (alpha in rad): the preferred baseline, and the least degrees that approximate."""
     pieces = []
     for closed in kernel.closed:
         far = None
@@ -185,7 +191,7 @@ def falls(variant: Variant, seam: float) -> bool:
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
-    """Yield neighbouring shapes with other seams, and other degrees and baselines of each part."""
+    """Yield neighbouring shapes with other seams, and with other degrees and baselines of one part."""
     for step in STEPS:
         moved = []
         for part in shape:
@@ -198,7 +204,7 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
 
 
 def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
-    """Yield other numbers of coefficients and of kept roundings, and other baselines if the form has them."""
+    """Yield other numbers of coefficients and of kept roundings of a part, and other baselines if the form has them."""
     about = end(closed)
     for step in STEPS:
         yield replace(part, count=part.count + step)
@@ -248,7 +254,7 @@ def best(kernel: Kernel) -> Best:
 
 
 def _seams(kernel: Kernel) -> list[float]:
-    """Return seams to try, where a base quantity cannot decrease, or anywhere if there is no such place."""
+    """Return the seams to try, angles alpha where a base quantity cannot decrease, or anywhere if there are none."""
     if not any(end(form).serves for form in kernel.closed):
         return SEAMS[:1]
     closed, *others = kernel.closed
@@ -307,7 +313,7 @@ def _degrees() -> Iterator[tuple[int, int]]:
 
 
 def _cost(degrees: tuple[int, int]) -> tuple[int, int]:
-    """Return the number of operations, including a division, followed by minus the degree of the denominator."""
+    """Return the number of operations including a division, and minus the denominator's degree, to order degrees."""
     above, below = degrees
     division = DIVISION if below else 0
     return above + below + division, -below

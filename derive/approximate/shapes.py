@@ -59,14 +59,14 @@ def kernels() -> list[Kernel]:
 
 @cache
 def at_zero(closed: Expr) -> list[fmpq]:
-    """Return exact Taylor coefficients at 0."""
+    """Return the exact Taylor coefficients of a closed form in alpha at 0, lowest first."""
     with truth.working(GUARD):
         series = evaluate(closed, fmpq_series([0, 1]))
         return [series[k] for k in range(truth.TERMS + 1)]
 
 
 def limit(closed: Expr) -> Fraction:
-    """Return the limit of F/alpha**3 at 0."""
+    """Return the limit of F/alpha**3 at 0 of a closed form F."""
     first = at_zero(closed)[truth.CUBE]
     return Fraction(int(first.p), int(first.q))
 
@@ -123,7 +123,7 @@ def end(closed: Expr) -> End:
 
 
 def _expanded(smooth: Expr, logs: Expr, odd: bool) -> End:
-    """Return the expansion from the Taylor series of both parts in b, over the rational numbers."""
+    """Return the expansion from the Taylor series in b of ``smooth`` and of ``logs``, the factor of artanh(cos(b))."""
     log = 0
     with truth.working(GUARD):
         b = fmpq_series([0, 1])
@@ -173,7 +173,7 @@ class Shape:
 
 @cache
 def records() -> dict[tuple[str, ...], Shape]:
-    """Return the recorded shapes by definition, including shapes found in this run."""
+    """Return the recorded shapes by definition, including shapes that were found in this run."""
     shapes = {}
     for definition, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
         best = []
@@ -218,7 +218,10 @@ def near_samples(closed: Expr, seam: float, count: int, limit_at_0: Fraction) ->
 
 @cache
 def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> tuple[float, ...]:
-    """Return c1, c2, ... of W = limit + u (c1 + u (c2 + ...)), with W = F/alpha**3 or its multiple with that limit."""
+    """Return c1, c2, ..., ``count`` numbers, of W = limit + u (c1 + u (c2 + ...)), fitted to F/alpha**3 on [0, seam].
+
+    W is F/alpha**3 times the constant that makes its limit at 0 ``limit_at_0``.
+    """
     samples = near_samples(closed, seam, count, limit_at_0)
     coefficients, _ = rounded(samples, count - 1, careful=min(3, count - 1))
     return coefficients

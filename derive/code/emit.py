@@ -184,12 +184,12 @@ def function(f: Function, text: PythonText) -> str:
 
 
 def identifier(kernel: str, tier: str) -> str:
-    """Return the name of a kernel's tier in source: ``polar_moment_1e_10``."""
+    """Return the name of a kernel's tier in source, ``polar_moment_1e_10`` for the tier 1e-10."""
     return f"{kernel}_{tier}".replace("-", "_").rstrip("_")
 
 
 def _fill(line: str, width: int = 112) -> str:
-    """Return a docstring line wrapped with its indent."""
+    """Return a docstring line wrapped to a width, with its indent."""
     indent = line[: len(line) - len(line.lstrip())]
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
@@ -274,7 +274,10 @@ IMPORTS = (
 
 
 def _module(docstring: str, names: list[str], code: str) -> str:
-    """Return the complete text, with the imports that it needs, and tables of coefficients that occur repeatedly."""
+    """Return the complete text of a module that exports these names, with the imports that its code needs.
+
+    Coefficients that occur repeatedly become tables.
+    """
     series = Counter(re.findall(r"horner\(\w+, (\([^()]+\))\)", code))
     data = ""
     for k, numbers in enumerate((x for x, n in series.items() if n > 1), 1):

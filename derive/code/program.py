@@ -65,7 +65,7 @@ T = TypeVar("T")
 
 
 def walk(p: Program, inputs: Mapping[str, T], make: Callable[[Op, list[T]], T]) -> list[T]:
-    """Return the outputs of a program, where ``make`` computes each value from an operation and its operands."""
+    """Return the outputs of a program for inputs by name; ``make`` computes a value from operation and operands."""
     values: list[T] = []
     for op in p.ops:
         if op.kind == "input":
@@ -216,7 +216,7 @@ class _Lowering(Builder):
         return result
 
     def _joined(self, kind: str, parts: Sequence[Expr]) -> Value:
-        """Return all parts combined by one operation from the left."""
+        """Return all parts combined by one operation, of this kind, from the left."""
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
     def _horner(self, e: Horner) -> Value:
@@ -281,7 +281,7 @@ def without_dead(p: Program) -> Program:
 
 
 def operations(counts: Mapping[str, int]) -> str:
-    """Return counts as one line, basic operations first: ``12 mul, 11 add, 1 div, 1 cos``."""
+    """Return the counts of operations by kind as one line, basic ones first: ``12 mul, 11 add, 1 div, 1 cos``."""
     basic = [k for k in ("mul", "add", "sub", "div", "fma", "neg", "min", "max", "less", "select") if counts.get(k)]
     calls = sorted(k for k in counts if k not in basic)
     return ", ".join(f"{counts[k]} {k}" for k in basic + calls)

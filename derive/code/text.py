@@ -208,7 +208,10 @@ def _squared(name: str) -> str:
 
 
 def _polynomials(program: Program) -> dict[int, tuple[int, list[float]]]:
-    """Return Horner's schemes with at least three coefficients by value: argument and coefficients, lowest first."""
+    """Return Horner's schemes of at least three coefficients by index of the value: argument and coefficients.
+
+    The argument is an index, and the coefficients are listed lowest first.
+    """
     uses = Counter(i for op in program.ops for i in op.args)
     schemes = {}
     for i in range(len(program.ops)):
@@ -219,7 +222,7 @@ def _polynomials(program: Program) -> dict[int, tuple[int, list[float]]]:
 
 
 def seam(program: Program) -> tuple[float, int, int] | None:
-    """Return the seam and both values of a result that is a choice between two pieces, otherwise None."""
+    """Return the seam and the indices of both values if the result is a choice between two pieces, otherwise None."""
     output = program.ops[program.outputs[0]]
     if output.kind != "select" or len(program.outputs) > 1:
         return None

@@ -23,9 +23,8 @@ _ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos",
 def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
     """Return where an expression has a pole, is complex or negative, and where it is undecided; otherwise empty texts.
 
-    ``domain`` has the least and greatest value of each symbol.
-
-    Where that is not decided it is searched at the ends of all symbols in which it is linear: there it is least.
+    ``domain`` has the least and greatest value of each symbol. An undecided expression is searched again at the ends of
+    all symbols in which it is linear, where it is least.
     """
     wrong, undecided = _search(e, domain)
     if wrong or not undecided:

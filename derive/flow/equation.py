@@ -204,11 +204,12 @@ def text() -> str:
 
 
 def _as_tuples(terms: Mapping[str, Sequence[Term]]) -> dict[str, tuple[Any, ...]]:
+    """Return terms by name as plain tuples."""
     return {name: tuple(map(tuple, added)) for name, added in terms.items()}
 
 
 def _table(name: str, rows: Mapping[str, Any]) -> str:
-    """Return a dictionary as text with one row per line."""
+    """Return the dictionary ``name`` as Python source with one row per line."""
     lines = (f"    {key!r}: {value!r},\n" for key, value in rows.items())
     body = "".join(lines)
     return f"{name} = {{\n{body}}}\n"

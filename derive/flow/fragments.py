@@ -225,7 +225,7 @@ def of_effect(effect: Effect) -> Fragment:
 
 @cache
 def of_law(law: Law) -> Fragment:
-    """Return the fragment of a law: base and increment of friction, from its formula or a table's piece."""
+    """Return the fragment of a law: base and increment of its coefficient, from its formula or a table's piece."""
     low = Lowering(law.name, moving())
     if law.coefficient is not None and not law.kinks:
         inputs = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
@@ -243,7 +243,7 @@ def of_law(law: Law) -> Fragment:
 
 
 def degree(law: Law) -> int:
-    """Return the degree of the pieces of a law."""
+    """Return the degree of the polynomials of a law's pieces."""
     if law.coefficient is None:
         return law.degree
     _, (first, *_) = pieces(law)
@@ -251,7 +251,7 @@ def degree(law: Law) -> int:
 
 
 def _log_speed(law: Law, low: Lowering) -> None:
-    """Define the logarithm of the speed over the speed at the start of the phase, constant in the first piece."""
+    """Define the logarithm of the speed over that at the start of the phase, constant in the law's first piece."""
     beyond = cell("beyond")
     start = cell("start_speed")
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)

@@ -155,7 +155,7 @@ def on_numbers(kind: str, *operands: Any) -> Any:
 
 
 def outcomes(e: Expr) -> Iterator[Expr]:
-    """Yield an expression for either outcome of each undecided selection."""
+    """Yield an expression once for each outcome of its undecided selections, without these."""
     selections = e.atoms(Select)
     if not selections:
         yield e
@@ -243,6 +243,8 @@ def symbols_at(
     effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells
 ) -> dict[Symbol, Expr]:
     """Return the values of all symbols in declared terms at a moment, except normal stress.
+
+    ``moving`` are names of parameters that change, and ``known`` the cells at the start of the phase.
 
     mu is the sum of the laws of soils, or else the law of slip, multiplied by the law of speed if there is one.
     """

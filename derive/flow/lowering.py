@@ -56,7 +56,7 @@ def without_tanh(e: Expr) -> Expr:
 
 
 def times(a: Increment, b: Increment) -> Increment:
-    """Return the product of two increments."""
+    """Return the product of two increments, terms of which with the same registers are added."""
     terms = []
     for p, c in a.items():
         for q, d in b.items():
@@ -205,7 +205,7 @@ class Lowering:
         self.put("lin", name, base, (("=1.0", increment),))
 
     def product(self, registers: tuple[str, ...]) -> str:
-        """Return the register that contains a product of registers."""
+        """Return the register that contains the product of these registers."""
         result, *rest = registers
         for other in rest:
             name = f"{result}*{other}"
@@ -239,7 +239,10 @@ class Lowering:
         return name
 
     def add(self, e: Expr, quantity: str) -> tuple[str, str, tuple[tuple[str, str], ...]]:
-        """Return base, size of the base's terms, and increment of a term that is added to a quantity."""
+        """Return base, size of the base's terms, and increment of the term ``e`` that is added to a quantity.
+
+        Base and size are names of cells, the increment pairs (cell, register).
+        """
         direct, increment = self.split(e)
         base, scale = self.base(e, direct)
         name = f"{self.name}.{quantity}"
@@ -293,7 +296,10 @@ class Lowering:
         )
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:
-        """Return the prologue: operations on cells by name. Constants are named by their value, ``=2.0``."""
+        """Return the prologue: rows of an operation, its result and its operands, cells by name.
+
+        Constants are named by their value, ``=2.0``.
+        """
         numbers = Tuple(*self.cells.values())
         prologue = program(self.name, tuple(sorted(str(x) for x in numbers.free_symbols)), *numbers)
         outputs = dict(zip(self.cells, prologue.outputs, strict=True))

@@ -195,7 +195,10 @@ def numbers(rows: Iterable[Sequence[str]], known: Mapping[str, Any]) -> dict[str
 
 
 def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> dict[str, Expr]:
-    """Return order 0 of every register that operations on series compute, from order 0 of the given registers."""
+    """Return order 0 of every register that operations on series compute, from order 0 of the given registers.
+
+    ``series`` are rows of the operation, its results and its operands, and ``cells`` are known numbers by name.
+    """
     registers = dict(values)
     for name, *names in series:
         if name == "lin":

@@ -165,6 +165,7 @@ def _means(o: Operation) -> str:
 
 
 def _indented(lines: Iterable[str], by: int) -> str:
+    """Return lines as one text, each indented by this number of blanks."""
     return "\n".join(" " * by + x for x in lines)
 
 

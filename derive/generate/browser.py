@@ -32,6 +32,8 @@ def digest(source: str) -> str:
 def text(source: str, present: Path) -> str:
     """Return the digest and the compressed module in base64, from the present file if it is valid.
 
+    ``source`` is the text of `_flow.c`.
+
     Raises
     ------
     ProofError
@@ -46,7 +48,7 @@ def text(source: str, present: Path) -> str:
 
 
 def compiled(source: str) -> bytes:
-    """Return the WebAssembly module."""
+    """Return the WebAssembly module compiled from the text of `_flow.c`."""
     if find_spec("ziglang") is None or version("ziglang") != COMPILER:
         make = f"`pip install ziglang=={COMPILER}`, to make it anew"
         raise ProofError(f"generated/{NAME}", "older than _flow.c", make)

@@ -67,7 +67,7 @@ def along_bisector(u: mpf) -> mpf:
 
 
 def uneven(u: mpf) -> mpf:
-    """Return a friction coefficient that is 10 % larger at one end of the arc and 10 % smaller at the other."""
+    """Return a friction coefficient at u that is 10 % larger at one end of the arc and 10 % smaller at the other."""
     return RESIDUAL * (1 - u / (10 * HALF))
 
 
@@ -183,7 +183,7 @@ def same_force() -> mpf:
 
 @cache
 def exhibit(postulate: Postulate) -> mpf:
-    """Return the relative effect of a postulate, after checking that its state violates this postulate alone."""
+    """Return the size of a postulate's effect, after checking that its state violates this postulate alone."""
     earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
     with workdps(30):
         state = postulate.state()

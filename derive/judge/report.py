@@ -36,13 +36,13 @@ def selected(names: Sequence[str]) -> list[Claim]:
 
 
 def _plain(place: str) -> str:
-    """Return a place in lower case, without brackets and with single spaces."""
+    """Return a place such as "(3.15)" in lower case, without brackets and with single spaces."""
     words = place.replace("(", "").replace(")", "")
     return " ".join(words.casefold().split())
 
 
 def counts(rows: Iterable[Row]) -> str:
-    """Return one line with the number of claims of each verdict."""
+    """Return one line with the total number of claims and the number with each verdict."""
     number = Counter(row.verdict for row in rows)
     total = sum(number.values())
     plural = "" if total == 1 else "s"

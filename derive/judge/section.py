@@ -115,7 +115,7 @@ def limit_friction(as_printed: bool = False) -> mpf:
 
 
 def degrees(friction: mpf) -> mpf:
-    """Return the friction angle of a coefficient in degrees."""
+    """Return the friction angle in degrees of a friction coefficient."""
     return mp.degrees(atan(friction))
 
 

@@ -66,7 +66,7 @@ def moment(statement: str, alpha: arb) -> arb:
 
 
 def first_swing(slide: Slide) -> Swing:
-    """Return the coefficients of the first swing; an arc that faces the other way is mirrored."""
+    """Return the coefficients of the first swing over Theta*; an arc that faces the other way is mirrored."""
     middle = (slide.theta_1 + slide.theta_2) / 2
     alpha = ((slide.theta_2 - slide.theta_1) / 2).min(arb.pi() / 2)
     inertia = moment("r^3", alpha)

@@ -223,7 +223,7 @@ def freeze(owner: Any, fields: Iterable[str]) -> None:
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
-    """Return `numpy.where` of the arguments, without an array if the mask is a single truth value."""
+    """Return ``one`` where a mask is true and else ``other``, without an array if the mask is a single truth value."""
     if type(mask) is bool or not isinstance(mask, np.ndarray):
         return one if mask else other
     return np.where(mask, one, other)
@@ -296,7 +296,7 @@ _KINDS = {
 
 
 def parameter_mistakes(path: str, given: Values, parameters: Sequence[Any]) -> Texts:
-    """Return a message for each declared parameter that is missing or invalid, and for each unknown name."""
+    """Return a message for each parameter that is missing, invalid or unknown; ``path`` names its effect or law."""
     if _are_plain(given, parameters):
         return []
     known = {p.name: p for p in parameters if p.kind != "rotation"}
@@ -311,7 +311,7 @@ def parameter_mistakes(path: str, given: Values, parameters: Sequence[Any]) -> T
 
 
 def _are_plain(given: Values, parameters: Sequence[Any]) -> bool:
-    """Return whether there is one valid float for each required parameter and nothing else, which is the usual case."""
+    """Return whether the values by name are one valid float per required parameter and nothing else, the usual case."""
     count = 0
     for p in parameters:
         if p.optional and p.name not in given:
@@ -362,7 +362,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> Texts:
-    """Return a message if the shapes of the fields do not broadcast."""
+    """Return a message, as a list of at most one element, if the shapes of the fields do not broadcast."""
     shapes = {}
     for name, value in fields.items():
         shape = () if type(value) is float else np.shape(value)

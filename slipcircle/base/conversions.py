@@ -97,7 +97,7 @@ class Conversions(Pictured):
         return self._convert("to_dict", times)
 
     def to_pandas(self, times: ArrayLike | None = None) -> Any:
-        """Return `to_dict` as a pandas.DataFrame with one row per lane, or per lane and time.
+        """Return `to_dict` as a pandas.DataFrame with one row per case of an ensemble, or per case and time.
 
         Units are in ``attrs``.
         """

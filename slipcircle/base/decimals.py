@@ -22,7 +22,7 @@ def cos(x: Decimal) -> Decimal:
 
 
 def atanh(x: Decimal) -> Decimal:
-    """Return the inverse hyperbolic tangent."""
+    """Return the inverse hyperbolic tangent, with the precision of the current decimal context."""
     ratio = (1 + x) / (1 - x)
     return ratio.ln() / 2
 

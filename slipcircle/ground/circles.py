@@ -33,7 +33,7 @@ class Cut(NamedTuple):
     leaves: Flags
 
     def only(self, lanes: Any) -> "Cut":
-        """Return the parts for the circles with these indices."""
+        """Return the parts for the circles with these indices, or in a slice of them."""
         return Cut._make(part[lanes] for part in self)
 
 
@@ -51,7 +51,7 @@ class _Edges(NamedTuple):
         return _Edges._make(part[chosen] for part in self)
 
     def reversed(self) -> "_Edges":
-        """Return the edges with exchanged ends."""
+        """Return the edges from their last to their first end."""
         edge = -self.edge
         return _Edges(self.last, self.first, edge, self.last_clear, self.first_clear)
 
@@ -164,7 +164,10 @@ def _share_from_inside(edges: _Edges) -> Floats:
 
 
 def _may_pass_through(edges: _Edges) -> Flags:
-    """Return whether both ends are outside and the foot of the perpendicular from the centre is between them."""
+    """Return whether an edge may pass through its circle although both ends are outside, (n, E).
+
+    This requires that the foot of the perpendicular from the centre is between the ends.
+    """
     to_foot = -edges.first.dot(edges.edge)
     square = edges.edge.square
     is_between = (to_foot > 0.0) & (to_foot < square)

@@ -11,7 +11,7 @@ from slipcircle.ground.plane import Vectors
 
 
 def simple_slope(height: float, *, angle: float | None = None, run: float | None = None) -> Floats:
-    """Return the points of a straight slope that falls to the right from level ground to a toe at the origin, m.
+    """Return the points, (4, 2) in m, of a straight slope that falls to the right from level ground to the origin.
 
     The level ground on either side has the length of four heights plus the run.
 

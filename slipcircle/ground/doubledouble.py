@@ -38,7 +38,10 @@ class DoubleDouble:
 
 
 def _product_error(a: Any, b: Any, product: Any) -> Any:
-    """Return the rounding error a b - product, from halves of a and b whose products are exact."""
+    """Return the exact error a b - product of a rounded product of floats.
+
+    It is computed from halves of a and b whose products are exact.
+    """
     a_high, a_low = _halves(a)
     b_high, b_low = _halves(b)
     of_high_parts = a_high * b_high - product

@@ -85,8 +85,8 @@ class SectionGeometry(TurningMass):
     def _candidates(self) -> tuple[Any, ...]:
         """Lane, number, left and right x of candidate stretches, and whether circles contain an end of the ground.
 
-        A stretch is a part of the ground inside the circle, counted from 0 from the left. The first four are arrays
-        over all candidates, x in m, and the last is a mask over lanes.
+        A stretch is a part of the ground inside a circle; its number counts from 0 from the left. The first four are
+        arrays over all candidates, x in m. The last is a mask over lanes, false if ``between`` selects the mass.
         """
         _, centre, radius = self._circle
         lane, number, held = circles.stretches(self._cut)

@@ -99,7 +99,7 @@ def slope_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
 
 
 def _is_absent(name: str, given: Values) -> bool:
-    """Return whether an optional field is None."""
+    """Return whether a field is optional and its value, among ``given`` by field, is None."""
     return name in ("base", "between", "datum") and given[name] is None
 
 

@@ -31,7 +31,7 @@ class HeightIntegrals(NamedTuple):
 
     @property
     def kinks(self) -> Floats:
-        """Angles at which heights have kinks, (n, 2 pieces)."""
+        """Angles at which heights may have kinks, in rad from straight below the centre, (n, 2 pieces)."""
         ends = [self.pieces.low, self.pieces.high]
         return np.concatenate(ends, axis=1)
 
@@ -171,6 +171,9 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
 
 
 def _half_width(x: Floats) -> Floats:
-    """Return half the width of the circle at x, the cosine of a direction whose sine is x."""
+    """Return half the width of the circle over R at x over R from the centre.
+
+    It is the cosine of a direction whose sine is x.
+    """
     square = (1.0 - x) * (1.0 + x)
     return np.sqrt(square)

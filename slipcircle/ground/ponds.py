@@ -37,13 +37,16 @@ class Ponds(NamedTuple):
 
     @property
     def of_one(self) -> Bodies:
-        """Shores and level of each pond on the ground of a single lane, from left to right."""
+        """Both shores (x) and the level of each pond on the ground of a single lane, from left to right, m."""
         of_lane = np.stack(self[:3])[..., 0]
         rows = of_lane.T.tolist()
         return sorted(row for row in rows if row[1] > row[0])
 
     def covering(self, x: Floats, y: Floats) -> Floats:
-        """Return the level of the water above points (lanes,), -inf where a point is dry."""
+        """Return the level y of the water above points, (lanes,), -inf where a point is dry.
+
+        The points, one per lane, have x and y in m.
+        """
         rounding = _ROUNDING * (self.last - self.first)
         after_first = x >= self.first - rounding
         before_last = x <= self.last + rounding
@@ -75,7 +78,7 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
 
 
 def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any]]:
-    """Return each ground with its level, or None without a level."""
+    """Return each ground (V, 2) with its level (W, 2), or None without a level, for each lane."""
     if levels is None:
         return zip(grounds, repeat(None), strict=False)
     if len(grounds) == 1:

@@ -221,7 +221,10 @@ class Section(SectionGeometry, Mass):
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
-        """Coefficients of the equation of motion, positive down-slope, with lambda = 2 alpha f/R (3.14)."""
+        """Dimensionless coefficients of the equation of motion at the start, positive down-slope, by (3.14) for lambda.
+
+        Here lambda = 2 alpha f/R, where f is the depth of the arc below its chord.
+        """
         m = self.moments
         alpha = self.half_angle
         inertia = m["moment_of_inertia"]

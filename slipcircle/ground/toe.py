@@ -19,6 +19,8 @@ _ROUNDING = 1e-12  # rad
 def rotation_range(section: Any) -> tuple[float, Any]:
     """Return the rotations up-slope and down-slope that the method allows, rad.
 
+    The first is negative and the same for all sections, the second has the section's shape.
+
     Down-slope the mass may turn until its toe is `RISE` above the original ground vertically below it. There the circle
     crosses a line that much above the ground, which continues horizontally beyond its ends.
     """

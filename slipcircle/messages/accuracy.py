@@ -74,7 +74,7 @@ def _moves(program: Program, rounding: float, is_refined: bool = False) -> Float
 def _is_of_table(cell: str) -> bool:
     """Return whether a cell belongs to a table, by its name, such as ``k_h.PIECE``.
 
-    Names of cells of laws are such as ``exponential.peak``.
+    Cells of laws have names such as ``exponential.peak``.
     """
     _, dot, name = cell.rpartition(".")
     return bool(dot) and name.isupper()
@@ -138,7 +138,7 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
 
 
 def _closer(plan: Plan, problem: Problem) -> Problem:
-    """Return the same lanes with more accurate interpolation of functions of the rotation."""
+    """Return the problem of the same lanes with more accurate interpolation of functions of the rotation."""
     if not any(table.kind == "rotation" for table in problem.program.tables):
         return problem
     closer = problem_of(replace(plan, accuracy=max(CLOSER * plan.accuracy, CLOSEST)))
@@ -146,9 +146,10 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
 
 
 def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, bool]:
-    """Return `_of_ensemble` of one lane, including its states during the motion. All runs are solved in one call.
+    """Return the greatest relative difference of any run of one lane, and whether a run ends otherwise.
 
-    Results are compared as Python floats, since a few floats cost less than an array.
+    The states during the motion are included. All runs are solved in one call. Results are compared as Python floats,
+    since a few floats cost less than an array.
     """
     states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
     of_motion = _summary(final)

@@ -43,7 +43,10 @@ def _degrees(arc: Arc, lane: int) -> list[float]:
 
 
 def _were_degrees(arc: Arc) -> str:
-    """Return a question about units if an end exceeds two turns, as degrees passed for radians do."""
+    """Return a question about units if an end exceeds two turns, otherwise an empty text.
+
+    Degrees passed for radians do so.
+    """
     is_beyond = np.abs(arc.theta_1) > 4 * np.pi
     if np.any(is_beyond):
         return "; theta_1 and theta_2 are in rad: were they in degrees?"

@@ -34,7 +34,7 @@ def words_of(plan: Plan) -> PlanWords:
 
 
 def describe_integrator() -> str:
-    """Return the description of the integrator: compiler, vector level, lanes and straight-line programs."""
+    """Return the description of the integrator: compiler, vector level, lanes at a time, kind of programs."""
     kind = level()
     if not kind:
         return "NumPy, not compiled"

@@ -149,7 +149,7 @@ class Equation:
 
 
 def equation_of(plan: Plan) -> Equation:
-    """Return the equation of motion of a plan's scene."""
+    """Return the equation of motion of a plan's scene, with the terms and numbers that occur in it."""
     arc: Any = plan.scene.arc
     soils = tuple(arc.arc_strength.distinct_soils) if "layered_strength" in plan.recipe.effects else ()
     every_number = [*numbers_of(plan, problem_of(plan), soils)]
@@ -191,7 +191,7 @@ def _shown(value: Any, digits: int = 6) -> str:
 
 
 def _latex(symbol: str) -> str:
-    """Return the LaTeX form of a quantity's symbol."""
+    """Return the LaTeX form of the symbol of a quantity or a number, such as "J_theta0" or "mu_slip"."""
     if symbol == BALANCE[0]:
         return r"\Theta\,\frac{d\omega}{dt}"
     quantities = EQUATION_QUANTITIES | SOIL_QUANTITIES

@@ -12,7 +12,7 @@ SWING = 1e-6  # relative distance of the end from the run-out above which the ma
 
 
 def standing(motion: Any) -> str:
-    """Return the summary of a single mass that does not move, with its factor of safety by the starting method."""
+    """Return the one-line summary of a single mass that does not move, with its factor of safety at the start."""
     factor = shown(float(motion.factor_of_safety))
     by_closure = ""
     if motion.plan.scene.strength_factor == 1.0:
@@ -56,7 +56,7 @@ def swings_back(motion: Any) -> Any:
 
 
 def range_words(motion: Any) -> str:
-    """Return when and where a single motion leaves the range of validity, as text; empty if it does not."""
+    """Return when and where a single motion leaves the range of validity, "after 3 s, 12 m"; empty if it does not."""
     state = motion.range_end
     if state:
         return f"after {shown(state.time, 3)} s, {measured(state.displacement, 'm', 3)}"

@@ -37,7 +37,7 @@ def velocity_class(motion: Any) -> str:
 
 
 def velocity_times(motion: Any) -> VelocityTimes:
-    """Return the time in s that a single motion spends in each class, without standstills.
+    """Return the time in s that a single motion spends in each class, by the name of the class, without standstills.
 
     A creeping mass counts until its settling time.
     """

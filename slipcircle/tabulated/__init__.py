@@ -39,7 +39,7 @@ class GivenArc(Arc[Numbers]):
 
     @property
     def coefficients(self) -> NumberMap:
-        """Tabulated coefficients, with the names of `GIVEN`."""
+        """Tabulated coefficients by the names of `GIVEN`, all dimensionless."""
         assert self.given is not None
         return self.given
 
@@ -60,7 +60,7 @@ class GivenArc(Arc[Numbers]):
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
-        """Dimensionless coefficients, completed by the quotients of the tabulated coefficients."""
+        """Dimensionless coefficients at the start, the tabulated ones and their quotients, positive down-slope."""
         g = {**self.coefficients, "weight_moment": self.facing * self.coefficients["weight_moment"]}
         return Dimensionless(
             **g,

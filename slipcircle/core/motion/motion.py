@@ -71,7 +71,7 @@ class Motion(Conversions, Generic[Numbers]):
 
     @property
     def reason(self) -> Any:
-        """Reason for a missing result, empty if there is a result."""
+        """Reason for a missing result, empty if there is a result; an array of texts for an ensemble."""
         if not self.shape:
             return self.status.reason
         reasons = np.array([status.reason for status in Status])
@@ -100,7 +100,7 @@ class Motion(Conversions, Generic[Numbers]):
 
     @property
     def slips(self) -> Any:
-        """Number of times the mass has gone from rest to sliding by the end, an integer or an array over the cases."""
+        """Number of phases of sliding, each between two standstills, an integer or an array over the cases."""
         return self._whole_number(ix.PHASES)
 
     def _whole_number(self, entry: int) -> Any:
@@ -110,12 +110,12 @@ class Motion(Conversions, Generic[Numbers]):
 
     @property
     def brake(self) -> Any:
-        """Twice the decrease of the rate per unit of omega*^2 at the start, q. The speed decays like exp(-q phi/2)."""
+        """Twice the decrease of domega*/dt* per omega*^2 at the start, q; the speed decays like exp(-q phi/2)."""
         return self._shaped(self._history.forces.brake)
 
     @cached_property
     def _solved(self) -> Any:
-        """Mask of lanes with a result."""
+        """Mask of lanes (cases of an ensemble) with a result, or a bool for a single motion."""
         return self.status <= Status.CREEPS
 
     def _known(self, values: Any) -> Any:
@@ -172,12 +172,12 @@ class Motion(Conversions, Generic[Numbers]):
 
     @cached_property
     def end(self) -> State:
-        """State at the end."""
+        """State at the end of the motion, in SI units."""
         return self._final_state(self.duration, ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
 
     @cached_property
     def farthest(self) -> State:
-        """State at the greatest displacement."""
+        """State at the greatest displacement along the arc, in SI units."""
         final = self._final
         at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
         time = choose(at_end, self.duration, final[ix.REACH_TIME] * self._time_scale)
@@ -185,7 +185,7 @@ class Motion(Conversions, Generic[Numbers]):
 
     @cached_property
     def peak(self) -> State:
-        """State at the greatest speed."""
+        """State at the greatest speed, in SI units."""
         final = self._final
         peak_time = final[ix.PEAK_TIME]
         ended = final[ix.STATUS] == ix.ENDED
@@ -279,7 +279,7 @@ class Motion(Conversions, Generic[Numbers]):
 
     @cached_property
     def velocity_times(self) -> Any:
-        """Time that the mass spends in each velocity class, s."""
+        """Time that a single motion spends in each velocity class, s, in a named tuple by class."""
         return lazy_import("velocity").velocity_times(self)
 
     @property
@@ -309,7 +309,7 @@ class Motion(Conversions, Generic[Numbers]):
 
     @property
     def factor_of_safety(self) -> Any:
-        """Factor of safety at the start by the starting method, infinite without a drive."""
+        """Factor of safety at the start by the starting method (by default the closure), infinite without a drive."""
         return self._at_start("factor_of_safety")
 
     @property

@@ -39,7 +39,7 @@ class Plan:
 
     @property
     def effects(self) -> Names:
-        """Effects of the scene."""
+        """Names of the effects of the scene, without effects that its soils add."""
         return tuple(effect for effect in self.recipe.effects if effect in EFFECTS)
 
     @property
@@ -50,12 +50,12 @@ class Plan:
 
     @property
     def fragments(self) -> Names:
-        """Parts of `generated.flow` from which the program is linked."""
+        """Names of the parts of `generated.flow` from which the program is linked."""
         return ("gravity", *self.recipe.effects, *self.recipe.laws, "balance")
 
     @property
     def law(self) -> str:
-        """Friction law in words."""
+        """Friction law in words, such as a product of a law of slip and a law of speed."""
         return str(self._words.law)
 
     @property
@@ -65,7 +65,7 @@ class Plan:
 
     @property
     def why(self) -> str:
-        """Reason for the method."""
+        """Reasons for the method in words, separated by semicolons."""
         return str(self._words.why)
 
     @property

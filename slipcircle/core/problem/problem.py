@@ -110,7 +110,7 @@ class Problem:
 
     @cached_property
     def _only_lane(self) -> Floats:
-        """Column of the initial cells of a single lane."""
+        """Column of the initial cells of a single lane, (cells, 1), computed once."""
         place_of = self.program.places.get
         column = np.zeros(len(self.program.cells))
         for name, value in self.start.items():
@@ -171,7 +171,8 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
 def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
     """Return `Problem.near`, the margin of decisions and the function of the exact limit friction.
 
-    It is zero and without function unless forces are constant in time and strengths are unscaled.
+    The margin is 0 where the exact limit friction is unknown, forces change in time or with the rotation, or strengths
+    are scaled.
     """
     arc = plan.scene.arc
     if arc._limit_parts is None or arc.given is not None or plan.recipe.moving or np.any(strength != 1.0):
@@ -350,7 +351,11 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
 
 @lru_cache(maxsize=256)
 def _swing_of(recipe: Recipe) -> tuple[bool, bool, Names, Names]:
-    """Return whether a mass may swing on, whether water always lifts it, cells of pressures, and laws of cohesion."""
+    """Return four traits of the scenes with a recipe, by which `_first_only` decides.
+
+    They are whether a mass may swing on, whether water or heat always lifts it, the names of cells of pore pressures of
+    soils, and the names of laws of cohesion.
+    """
     effects = recipe.effects
     swings = rotates(effects) and COHESIVE.isdisjoint(recipe.moving)
     laws = tuple(law for law in recipe.laws if OF_COHESION in law)

@@ -237,7 +237,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
-        """Coefficients of the equation of motion."""
+        """Dimensionless coefficients of the equation of motion at the start, each a number or an array."""
         alpha = self.half_angle
         limit_friction, static_normal_stress, polar_per_inertia = self._quotients
         return Dimensionless(
@@ -254,7 +254,10 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def _quotients(self) -> tuple[Any, Any, Any]:
-        """J_theta/J_r, J_r/lambda and I_p*/Theta* from reduced functions, so that thin arcs do not underflow."""
+        """Limit friction J_theta/J_r, static normal stress J_r/lambda and polar moment I_p*/Theta*.
+
+        They follow from reduced functions, so that thin arcs do not underflow.
+        """
         polar_per_inertia = kernels.polar_moment_per_inertia(self.half_angle)
         # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
         static = self.normal_load * kernels.dynamic_coefficient(self.half_angle) / polar_per_inertia
@@ -273,7 +276,10 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
-        """C_theta/Theta* and C_r/Theta*, which determine J_theta/Theta* and J_r/Theta* at any dip."""
+        """Amplitudes of the moment and the normal load of the weight, C_theta/Theta* and C_r/Theta*.
+
+        At the dip psi, J_theta is C_theta sin(psi) and J_r is C_r cos(psi), all dimensionless.
+        """
         return kernels.weight_moment_per_inertia(self.half_angle), self._radial_amplitude
 
     @cached_property
@@ -316,7 +322,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @property
     def _cosine_of_dip(self) -> Any:
-        """cos(psi) = -sin(theta_m)."""
+        """Cosine of the dip, cos(psi) = -sin(theta_m), where theta_m is the mean of both angles."""
         return -self._middle[0]
 
     @cached_property
@@ -346,12 +352,12 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def exit(self) -> Any:
-        """Lower end of the slip surface from the centre, x and y in m."""
+        """Lower end of the slip surface relative to the centre, x and y in m, (..., 2)."""
         return self._end(self.theta_2, self.theta_1)
 
     @cached_property
     def entry(self) -> Any:
-        """Upper end of the slip surface from the centre, x and y in m."""
+        """Upper end of the slip surface relative to the centre, x and y in m, (..., 2)."""
         return self._end(self.theta_1, self.theta_2)
 
     def _end(self, rightward: Any, leftward: Any) -> Any:

@@ -16,12 +16,12 @@ WITHOUT_PARAMETERS = frozenset(name for name, effect in EFFECTS.items() if not e
 
 
 def without_soil(name: str) -> str:
-    """Return the name of a law or an effect without the number of a soil."""
+    """Return the name of a law or an effect without the number of a soil, "linear" for "linear#0"."""
     return name.partition(OF_SOIL)[0]
 
 
 def soil_number(name: str) -> str:
-    """Return the mark and number of the soil in the name of a law or an effect, empty without a soil."""
+    """Return the mark and number of the soil in the name of a law or an effect, such as "#0"; empty without a soil."""
     return "".join(name.partition(OF_SOIL)[1:])
 
 
@@ -37,13 +37,13 @@ def symbols_of(effect: str) -> TextDict:
 
 
 def rotates(effects: Iterable[str]) -> bool:
-    """Return whether an effect lets the mass rotate."""
+    """Return whether any of the effects, given by name, lets the mass rotate."""
     return any(ALL_EFFECTS[without_soil(effect)].turns for effect in effects)
 
 
 @lru_cache(maxsize=256)
 def in_order(effects: Names) -> Names:
-    """Return effects by name, each once, in the order of their declarations."""
+    """Return the names of effects, each once, in the order of their declarations."""
     declared = list(ALL_EFFECTS)
 
     def place(effect: str) -> int:

@@ -41,7 +41,7 @@ def rate_mistakes(given: Any, path: str = "rate") -> list[str]:
 
 
 def may_have_rate(law: str) -> bool:
-    """Return whether a law may be multiplied by a law of speed."""
+    """Return whether a law, given by name, may be multiplied by a law of speed."""
     return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
 
 
@@ -87,7 +87,7 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
 
 
 def law_names(given: Any) -> Names:
-    """Return the names of a scene's law of slip and of the law of speed that multiplies it."""
+    """Return the names of a scene's law of slip and of the law of speed that multiplies it, if any."""
     return tuple(name for name, _ in law_parts(given))
 
 

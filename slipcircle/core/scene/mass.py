@@ -169,7 +169,10 @@ class Mass:
         return () if law is None else ((law[0] + OF_COHESION, law[1]),)
 
     def effects_of_means(self, effects: Effects) -> Effects:
-        """Return the effects for unweighted means over the arc, unchanged for homogeneous ground."""
+        """Return the effects for unweighted means over the arc, unchanged for homogeneous ground.
+
+        Effects are mappings of parameters by the effect's name.
+        """
         return effects
 
     def tables(
@@ -190,11 +193,14 @@ class Mass:
 
     @cached_property
     def has_plain_numbers(self) -> bool:
-        """Whether all numbers are floats."""
+        """Whether all numbers of the mass are floats, so that it belongs to a single scene."""
         return {float}.issuperset(type(getattr(self, name)) for name in self.quantities)
 
     def parts(self) -> Parts:
-        """Return the numbers, and the nodes with further numbers, by name, each with its declaration."""
+        """Return the numbers, and the nodes with further numbers, by name, each with its declaration.
+
+        A node is an object or a mapping, such as a soil, points, or the parameters of an effect.
+        """
         return parts_of_fields(self)
 
     def with_parts(self, changed: Values) -> Any:
@@ -206,7 +212,10 @@ class Mass:
         return values
 
     def numbers_without_effect(self) -> Collection[str]:
-        """Return the names of numbers without influence on the motion, and of numbers determined by others."""
+        """Return the names of numbers that need not be varied.
+
+        They have no influence on the motion or are determined by other numbers.
+        """
         return ()
 
     def drowned(self, *rotations: float) -> float:

@@ -216,7 +216,7 @@ class Scene(Generic[Numbers]):
         return any(map(_is_unusual, (*law, *cohesion, ("unit_weight", weight))))
 
     def start_anew(self) -> None:
-        """Update attributes derived from fields that have changed."""
+        """Update attributes derived from fields that have changed; a scene of this class has no such attributes."""
 
     def _field_faults(self) -> list[str]:
         """Return messages about the fields of the start, the end, and the requested accuracy."""
@@ -235,7 +235,7 @@ class Scene(Generic[Numbers]):
 
     @property
     def checked_effects(self) -> dict[str, Parameters]:
-        """Effects by name, each with its parameters."""
+        """Effects of the scene by name, each with its parameters by name, after checks."""
         effects: dict[str, Parameters] = self.effects  # type: ignore[assignment]
         return effects
 
@@ -256,7 +256,7 @@ class Scene(Generic[Numbers]):
 
     @cached_property
     def called(self) -> Effects:
-        """Effects by name with their parameters, including the water level of a section."""
+        """Effects by name with their parameters, including effects that the mass adds, such as its water level."""
         return self.arc.effects_with_own(self.checked_effects)
 
     def by_start(self, quantity: str, motion: Any, kept: float = 1.0) -> Any:
@@ -308,7 +308,7 @@ class Scene(Generic[Numbers]):
 
     @cached_property
     def shape(self) -> Shape:
-        """Broadcast shape of all fields, () for a single scene."""
+        """Broadcast shape of all fields, including fields of the mass and parameters, () for a single scene."""
         if self._has_plain_numbers:
             return ()
         return np.broadcast_shapes(*map(np.shape, self.numbers.values()))
@@ -342,7 +342,7 @@ _SIGNS_OF_START = {name: _SIGNS[name] for name in _NUMBERS[:2]}
 
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:
-    """Return a message if the accuracy is given and is not a relative error."""
+    """Return a message if the accuracy is neither None nor a relative error between 0 and 1."""
     if accuracy is None:
         return []
     return mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}, one=("accuracy",))

@@ -67,7 +67,10 @@ def bounds(kind: Any) -> dict[str, Bounds]:
 
 
 def parts_of_fields(node: Any) -> Parts:
-    """Return the parts of a dataclass that its fields declare, laws in place of the number that they replace."""
+    """Return the parts of a dataclass that its fields declare: value and declaration by the name of the field.
+
+    A field that may contain laws is declared by the known laws instead of a number.
+    """
     kind: Any = type(node)
     numbers = declared(kind)
     found: Parts = {}
@@ -186,7 +189,10 @@ def leaves(node: Any, absent: bool = True) -> list[Leaf]:
 
 
 def numbers(node: Any) -> ValueDict:
-    """Return the values of the numbers below a node by path, without unlisted ones."""
+    """Return the values of the numbers below a node by path, such as ``friction.peak``.
+
+    Kinds that are not inputs are left out.
+    """
     found: ValueDict = {}
     for path, _, p, value in leaves(node, absent=False):
         if value is not None and p.kind in _LISTED:
@@ -277,5 +283,5 @@ def _places(shape: Shape) -> dict[str, Shape]:
 
 
 def joined(path: str, name: str) -> str:
-    """Return the path of a part of a node, or of a key or a table inside a table."""
+    """Return the path of a part of a node, or of a key or a table inside a table, such as "friction.peak"."""
     return f"{path}.{name}" if path else name
