@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9a5e264f462aea6802048f52bf4896b41d8b354aeef1bf90381740b949136d7a"
+#define DIGEST "d4b472fb9b26b351f28850f9a74cb36d80ab4d8a2d56d51f32bcb028958d6f33"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1166,7 +1166,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
-/* Return the value at a time by Horner's scheme. */
+/* Return the value at time t of the polynomial with coefficients p[0] to p[n], by Horner's scheme. */
 INLINE V value(V *p, int n, V t)
 {
     V total = p[n];

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 485c96d95f536b309854ee46bbde670e92aa24f328dc8a4d349a181246315230
+# sha256 of the text below: df0a610deeb51ebffd68070966324f6a5d1893ae7f87da2afdd261fd493f6552
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -276,7 +276,7 @@ INFINITY = np.inf
 
 
 def value(p: Floats, n: int, t: Floats) -> Floats:
-    """Return the value at a time by Horner's scheme."""
+    """Return the value at time t of the polynomial with coefficients p[0] to p[n], by Horner's scheme."""
     total = p[n]
     for k in range(n - 1, 0 - 1, -1):
         total = total * t + p[k]

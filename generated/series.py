@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7d475df2073fef94ad7fd06460d16a28932af0cbd4b95a692d097e5f9bd884e4
+# sha256 of the text below: ec247c7d483e96fcb406ea9e2cda06f02b6377d46b1512ecd4a176402ab61c19
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "9a5e264f462aea6802048f52bf4896b41d8b354aeef1bf90381740b949136d7a"  # of the compiled integrator's source
+DIGEST = "d4b472fb9b26b351f28850f9a74cb36d80ab4d8a2d56d51f32bcb028958d6f33"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -284,9 +284,10 @@ def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
 
 
 def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
-    """Return F for float32, and near 0, where u q is lost in 1 + u q, less than its leading term.
+    """Return F = alpha u W for float32, with W from a fit q of (W - W(0))/u of degrees ``above`` over ``below``.
 
-    Of some inputs that term is a midpoint of two float32 (of 375 it is 18 125**3, which has 25 bits).
+    Near 0, where u q is lost in W(0) + u q, the value is a little less than the leading term of F. Of some inputs
+    that term is a midpoint of two float32 (of 375 it is 18 125**3, which has 25 bits).
     """
     over, under, _ = shapes.rounding_fit(closed, above, below)
     u = code.u

@@ -199,7 +199,7 @@ def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[
 
 
 def near_zero(record: Record) -> Patch:
-    """Return the patch [0, SMALL], whose windows represent powers of two."""
+    """Return the patch [0, SMALL], which `Patch.window` rescales to cover all powers of two of a range at once."""
     tape = specialise(record, 0.0, SMALL)
     return patch(record["definition"], tape, SEGMENTS[0], 0.0, SMALL)
 

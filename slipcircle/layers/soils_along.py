@@ -94,7 +94,7 @@ def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats
 
 
 def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
-    """Return means between neighbouring directions of a cumulative integral over R, (..., M - 1).
+    """Return means between neighbouring directions of a cumulative integral divided by R, (..., M - 1).
 
     `ends` are the directions in rad, (M,), and `integral` its values there, (..., M).
     """

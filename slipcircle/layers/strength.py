@@ -153,10 +153,12 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _shares(self) -> ArrayPair:
-        """Fractions by soil, over their means, of the friction that slip removes, and of the remaining friction.
+        """Shares of the soils in the friction that slip removes, over its mean, and coefficients of the remainder.
 
-        With mu = r + (p - r) f(s) for each soil and for the means, sum mu N = mu_mean (sum (p - r)/(p - r)_mean N) +
-        sum (r - r_mean (p - r)/(p - r)_mean) N. The second sum is 0 if all soils soften in the same proportion.
+        With p and r the peak and residual coefficients, the shares are s = (p - r)/(p - r)_mean, and the coefficients
+        r - r_mean s. For mu = r + (p - r) f(slip) of each soil and of the means, sum mu N = mu_mean (sum s N) +
+        sum (r - r_mean s) N. The second sum is 0 if all soils soften in the same proportion, and if slip removes no
+        friction, where the shares are p/p_mean.
         """
         has_friction = self.mean_peak != 0.0
         mean = np.where(has_friction, self.mean_peak, 1.0)

@@ -172,7 +172,10 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
 
 
 def _end_alike(status: list[float], final: Final) -> bool:
-    """Return whether all runs end with the status of the motion. ``status`` contains the status cell of each run."""
+    """Return whether all runs end like the motion, where rest and the end time count as one.
+
+    ``status`` contains the status cell of each run.
+    """
     return {*map(_ending, status)} == {_ending(final[ix.STATUS])}
 
 

@@ -21,7 +21,7 @@ MOST_ITERATIONS = 200
 
 
 def value(p: S, n: N, t: V) -> V:
-    """Return the value at a time by Horner's scheme."""
+    """Return the value at time t of the polynomial with coefficients p[0] to p[n], by Horner's scheme."""
     total = p[n]
     for k in down(n - 1, 0):
         total = total * t + p[k]

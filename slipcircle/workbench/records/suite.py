@@ -189,12 +189,12 @@ class Suite:
 
     @property
     def warnings(self) -> Texts:
-        """Warnings about unused files and columns, and about each record with a drift."""
+        """Warnings about unused files and columns, and about each record whose velocity does not end near 0."""
         drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
         return self.not_used + drifts
 
     def to_dict(self) -> ValueDict:
-        """Return the records with their intensity measures, and the unused files, for JSON."""
+        """Return records with their intensity measures, vertical components, pairs and unused files, for JSON."""
         known = ("name", "file", "station", "component", "samples", "step", "unit")
         plain = [{name: getattr(entry, name) for name in known} for entry in self.entries]
         return {

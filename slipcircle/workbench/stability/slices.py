@@ -134,7 +134,10 @@ class Slices(NamedTuple):
         return np.hypot(self.sine, self.surface(k))
 
     def uplift(self) -> Floats:
-        """Return the pore pressure minus the pressure of the free water at the exit, over gamma R, at the points."""
+        """Return the pore pressure in excess of water at rest with the level at the exit, over gamma R, at the points.
+
+        The pressure of this water is taken at the height of each point. It is 0 above its level, or if the exit is dry.
+        """
         stresses = self.stresses
         return self.at(stresses.pressure - stresses.relieved)
 

@@ -70,7 +70,7 @@ class GroundMotions:
 def ground_motions(
     scene: Scene, inputs: Mapping[str, Key], records: Any, settings: Values
 ) -> tuple[Scene, GroundMotions]:
-    """Return the scene without its shaking, and the ground motions that replace it.
+    """Return the scene without its shaking and uncertain parameters, and the ground motions that replace its shaking.
 
     ``inputs`` are the uncertain parameters by name, ``records`` and ``settings`` those of `ensemble`.
 
