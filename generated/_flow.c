@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "d4b472fb9b26b351f28850f9a74cb36d80ab4d8a2d56d51f32bcb028958d6f33"
+#define DIGEST "771c4cf6aeff3705e5d87a01aaf9fbcf9c104db49ea60c402a691d9691b4de28"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2975,7 +2975,7 @@ static M swing(Batch *b, M which)
     return fits;
 }
 
-/* Find the time at which contact is lost or regained, within the known time ahead. */
+/* Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead. */
 static void look_for_lift_off(Batch *b, M here, int top)
 {
     const Job *const job = b->job;

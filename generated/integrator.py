@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: df0a610deeb51ebffd68070966324f6a5d1893ae7f87da2afdd261fd493f6552
+# sha256 of the text below: da08ef5b90729145d6b62cb430334ecff9f2736866ec988333a612f779c98905
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1945,7 +1945,7 @@ def swing(s: Lanes, which: Mask) -> Mask:
 
 
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
-    """Find the time at which contact is lost or regained, within the known time ahead."""
+    """Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead."""
     c = s.cells
     normal = s.registers[s.roles.normal]
     sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)

@@ -34,7 +34,7 @@ TOGETHER = 1e-9  # relative difference below which two times are equal
 
 
 def look_for_lift_off(s: Lanes, here: M, top: N) -> None:
-    """Find the time at which contact is lost or regained, within the known time ahead."""
+    """Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead."""
     normal = s.series.normal
     sign = where(s.lifted > 0.0, -1.0, 1.0)
     passed = s.passed == number(Passed.LIFT)

@@ -107,7 +107,7 @@ class Design:
 
     @property
     def shape(self) -> Shape:
-        """Shape of the results: samples and then the scenes of base points, or (record, polarity, scale, sample)."""
+        """Shape of the results: (samples + scenes of base points,), or (record, polarity, scale, sample)."""
         if self.records is not None:
             return (len(self.records.suite), *self.records.shape, self.n)
         return (self.n + self.base * self.base_scenes,)

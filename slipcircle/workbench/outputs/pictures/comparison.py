@@ -130,7 +130,7 @@ def _draw_run_outs(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float
 
 
 def _words(run_out: float, speed: float, end: str, duration: float) -> str:
-    """Return a run-out in m, a peak speed in m/s and a duration in s after the words of its end, as text."""
+    """Return text with run-out in m, peak speed in m/s, the description of the end, and duration in s, in this order."""
     return (
         f"{formatted_amount(run_out, 'm')}, peak {formatted_amount(speed, 'm/s')}, {end} {formatted_number(duration)} s"
     )
