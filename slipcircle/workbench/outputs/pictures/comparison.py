@@ -130,7 +130,7 @@ def _draw_run_outs(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float
 
 
 def _words(run_out: float, speed: float, end: str, duration: float) -> str:
-    """Return text with run-out in m, peak speed in m/s, the description of the end, and duration in s, in this order."""
+    """Return text with run-out in m, peak speed in m/s, the description of the end, and duration in s, in order."""
     return (
         f"{formatted_amount(run_out, 'm')}, peak {formatted_amount(speed, 'm/s')}, {end} {formatted_number(duration)} s"
     )
