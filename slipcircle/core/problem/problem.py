@@ -55,9 +55,10 @@ class Problem:
         Python functions of slip, by the name of their table.
     farther : callable or None
         Function that extends the functions of the rotation.
-    near : tuple
-        Least margin of a decision at rest, in units of rounding, for which the rounded limit friction suffices, and the
-        function that returns the exact limit friction of some lanes as the next float above and the rest.
+    near : callable
+        Function that returns the least margin of a decision at rest, in units of rounding, for which the rounded limit
+        friction suffices, and the function of the exact limit friction of some lanes as the next float above and the
+        rest. It is called where a margin is below `NEAR`.
     """
 
     recipe: Recipe
@@ -67,7 +68,7 @@ class Problem:
     lanes: int
     functions: Mapping[str, Function] = field(default_factory=dict)
     farther: Farther | None = None
-    near: tuple[float, Callable[[Any], Any]] = (0.0, bool)
+    near: Callable[[], tuple[float, Callable[[Any], Any]]] = lambda: (0.0, bool)
 
     def cells(self, which: Any = EVERY) -> Floats:
         """Return the initial cells of all or some lanes, (cells, lanes).
@@ -97,10 +98,12 @@ class Problem:
 
         ``margins`` are the least margins of the decisions at rest in a first solution, in units of rounding, (lanes,).
         """
-        least, limit_parts = self.near
-        if "LIMIT_REST" in self.start or not margins.size or margins[margins.argmin()] >= least:
+        if not margins.size or margins[margins.argmin()] >= NEAR or "LIMIT_REST" in self.start:
             return ()
+        least, limit_parts = self.near()
         (lanes,) = np.nonzero(margins < least)
+        if not lanes.size:
+            return ()
         parts = np.zeros((2, self.lanes))
         parts[0] = self.start["LIMIT"]
         parts[:, lanes] = limit_parts(lanes)
@@ -164,7 +167,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
     start |= program.constants
-    near = _near(plan, lanes, strength)
+    near = partial(_near, plan, lanes, strength)
     return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther, near)
 
 
