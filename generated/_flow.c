@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "771c4cf6aeff3705e5d87a01aaf9fbcf9c104db49ea60c402a691d9691b4de28"
+#define DIGEST "625a41812dd9a54b14a56f664fe40b2a0de9c1bec0511c15d10ce727294f3cf1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2233,21 +2233,20 @@ static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, d
     c[PENDING][lane] = BEGIN_PHASE;
 }
 
-/* Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed. */
-INLINE V lowest_speed(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
+/* Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed.
+ * ``end`` is the speed at the end of the piece. */
+INLINE V lowest_speed(Batch *b, M here, V now, V length, V x, V omega, V net, V after, V end)
 {
     V share = net / (net - after);
     V at = length * share;
     V gain = at * net;
     V extreme = omega + (0.5 * gain);
     V mean = omega + ((2.0 * SIXTH) * gain);
-    V there = x + (at * mean);
+    V way = at * mean;
+    V there = x + way;
     M rises = here & (net > 0.0);
     keep_faster(b, rises, extreme, now + at, there, broadcast(0.0));
     M falls = here & (net < 0.0);
-    V twice = net + after;
-    V half = 0.5 * length;
-    V end = omega + (half * twice);
     return pick(falls, extreme, end);
 }
 
@@ -2310,7 +2309,7 @@ INLINE Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V
     V opposite = net * after;
     M crosses = here & (opposite < 0.0);
     if (bits(crosses)) {
-        lowest = lowest_speed(b, crosses, now, length, x, omega, net, after);
+        lowest = lowest_speed(b, crosses, now, length, x, omega, net, after, end);
     }
     M moves = omega > 0.0;
     M stays = moves & (lowest > 0.0);

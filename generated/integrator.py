@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: da08ef5b90729145d6b62cb430334ecff9f2736866ec988333a612f779c98905
+# sha256 of the text below: 13b3269b5423ea737b6ce91c78e46e0790fd22f16dd184583dba2baea2f6b100
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1265,20 +1265,18 @@ def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: F
 
 
 def lowest_speed(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
-        after: Floats) -> Floats:
+        after: Floats, end: Floats) -> Floats:
     """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
     share = net / (net - after)
     at = length * share
     gain = at * net
     extreme = omega + 0.5 * gain
     mean = omega + 2.0 * SIXTH * gain
-    there = x + at * mean
+    way = at * mean
+    there = x + way
     rises = here & (net > 0.0)
     keep_faster(s, rises, extreme, now + at, there, 0.0)
     falls = here & (net < 0.0)
-    twice = net + after
-    half = 0.5 * length
-    end = omega + half * twice
     return np.where(falls, extreme, end)
 
 
@@ -1340,7 +1338,7 @@ def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, ome
     opposite = net * after
     crosses = here & (opposite < 0.0)
     if np.any(crosses):
-        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after)
+        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after, end)
     moves = omega > 0.0
     stays = moves & (lowest > 0.0)
     drives = (net > 0.0) | (after > 0.0)

@@ -89,18 +89,26 @@ def slope_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
 
     ``given`` and ``bounds`` contain values and open bounds by field.
     """
-    own = {}
-    for name, limits in bounds.items():
-        _, _, allowed = limits
-        if allowed and name in given and not _is_absent(name, given):
-            own[name] = limits
+    own = _of_present(given, bounds)
     numbers = mistakes(given, own, one=own)
     return numbers + _lines_errors(given, many=False)
 
 
-def _is_absent(name: str, given: Values) -> bool:
-    """Return whether a field is optional and its value, among ``given`` by field, is None."""
-    return name in ("base", "between", "datum") and given[name] is None
+def _of_present(given: Values, bounds: Mapping[str, Bounds]) -> dict[str, Bounds]:
+    """Return the bounds of the fields that have a value and a description of the allowed values, by field.
+
+    ``given`` and ``bounds`` contain values and open bounds by field. A few fields may be None.
+    """
+    own = {}
+    for name, limits in bounds.items():
+        if name not in given:
+            continue
+        may_be_none = name in ("base", "between", "datum")
+        is_absent = may_be_none and given[name] is None
+        *_, allowed = limits
+        if allowed and not is_absent:
+            own[name] = limits
+    return own
 
 
 def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: Mapping[str, Bounds]) -> Texts:
@@ -108,11 +116,7 @@ def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: M
 
     Values, declarations and open bounds are by field.
     """
-    own = {}
-    for name, p in quantities.items():
-        if p.allowed and not _is_absent(name, given):
-            own[name] = bounds[name]
-    errors = mistakes(given, own, one=("base", "water_unit_weight"))
+    errors = mistakes(given, _of_present(given, bounds), one=("base", "water_unit_weight"))
     if not errors:  # all of them are numbers
         errors = _pair_errors(given, bounds)
     errors += _lines_errors(given, many=True)

@@ -162,20 +162,21 @@ def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
     lane.pending = Pending.BEGIN_PHASE
 
 
-def lowest_speed(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> V:
-    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
+def lowest_speed(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V, end: V) -> V:
+    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed.
+
+    ``end`` is the speed at the end of the piece.
+    """
     share = net / (net - after)
     at = length * share
     gain = at * net
     extreme = omega + 0.5 * gain
     mean = omega + 2.0 * SIXTH * gain
-    there = x + at * mean
+    way = at * mean
+    there = x + way
     rises = here and net > 0.0
     keep_faster(s, rises, extreme, now + at, there, 0.0)
     falls = here and net < 0.0
-    twice = net + after
-    half = 0.5 * length
-    end = omega + half * twice
     return where(falls, extreme, end)
 
 
@@ -233,7 +234,7 @@ def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, aft
     opposite = net * after
     crosses = here and opposite < 0.0
     if any_lane(crosses):
-        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after)
+        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after, end)
     moves = omega > 0.0
     stays = moves and lowest > 0.0
     drives = net > 0.0 or after > 0.0
