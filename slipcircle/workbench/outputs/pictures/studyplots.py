@@ -163,8 +163,6 @@ def _index_bars(ax: Any, estimates: Any, offset: float, style: str, words: str) 
 
     ``estimates`` are values, low and high ends, (3, inputs). Bars are moved by ``offset``, have a style of `AREAS`, and
     the words as label.
-
-    Bars are moved by ``offset`` and have a style of `AREAS`.
     """
     value, low, high = estimates
     at = np.arange(len(value)) + offset
@@ -255,11 +253,7 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     scene = analysis.motion.plan.scene
     field = number_in(scene, key)
     solved = [s.values[key] for s in analysis.solutions]
-    error = (analysis.solutions[0].standard_errors or {}).get(key, 0.0)
-    if np.isfinite(error):
-        error = error
-    else:
-        error = 0.0
+    error = float(np.nan_to_num((analysis.solutions[0].standard_errors or {}).get(key, 0.0), posinf=0.0))
     at = _around(field, solved, error)
     lanes = motions(scene, {field.name: field.to_si(at)})
     for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
