@@ -12,6 +12,7 @@ strips, where they are integrated as Chebyshev series, in pieces that are halved
 """
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from itertools import compress
 from typing import NamedTuple
 
@@ -20,6 +21,7 @@ from numpy.polynomial import chebyshev
 
 from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Integers
 from slipcircle.layers.strips import Strips
+from slipcircle.tables.interpolation import converged_pieces
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
@@ -122,9 +124,6 @@ class Profile(NamedTuple):
         return np.concatenate([part.before[-1] for part in self.parts]).T
 
 
-_Piece = tuple[Floats, Floats, Floats]  # ends of a piece, (circles,), and the series of its integrals
-
-
 def columns_of(steps: Floats, circles: int) -> ArrayPair:
     """Return the surfaces summed in each column, (columns, surfaces, circles), and its weights, (columns, lanes).
 
@@ -157,7 +156,10 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     for first in range(0, max(1, circles.size), _CIRCLES):
         some = slice(first, first + _CIRCLES)
         # The integrals of all columns along the arcs of some circles with the given edges of strips.
-        pieces = sorted(_converged(strips, weights, circles[some], edges[:, some]), key=_order)
+        develop = partial(_developed, strips, weights, circles[some])
+        rounds = converged_pieces(edges[:-1, some], edges[1:, some], develop, _ACCURACY, _SHORTEST)
+        pieces = [piece for *arrays, smooth in rounds for piece in compress(zip(*arrays, strict=True), smooth)]
+        pieces.sort(key=lambda piece: float((piece[0] + piece[1]).sum()))  # from left to right
         firsts, lasts, by_piece = zip(*pieces, strict=True)
         series = np.ascontiguousarray(np.stack(by_piece))
         each = series @ np.ones(_COUNT + 1)  # at the right end every Chebyshev polynomial is 1
@@ -170,43 +172,15 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     return Profile(np.concatenate(whole).T, parts)
 
 
-def _order(piece: _Piece) -> float:
-    """Return a sort key of pieces from left to right: twice the directions of their middles, summed over circles."""
-    first, last, _ = piece
-    return float((first + last).sum())
-
-
-def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> list[_Piece]:
-    """Return pieces in which the series have converged: strips, or parts of them.
-
-    `edges` are directions of the edges of the strips in rad, (strips + 1, circles), and `circle` the indices of these
-    circles.
-    """
-    first = edges[:-1]
-    last = edges[1:]
-    strip = np.arange(len(first))
-    done = list[_Piece]()
-    scale = 0.0
-    while len(strip):
-        series, size, tail = _developed(_integrands(strips, weights, strip[:, None], circle, first, last))
-        scale = float(size.max(initial=scale))
-        rough = np.logical_or.reduce((tail > _ACCURACY * scale) & (last - first > _SHORTEST), axis=1)
-        done += compress(zip(first, last, series, strict=True), ~rough)
-        left = first[rough]
-        right = last[rough]
-        middle = (left + right) / 2
-        first = np.concatenate([left, middle])
-        last = np.concatenate([middle, right])
-        strip = np.tile(strip[rough], 2)
-    return done
-
-
-def _developed(values: Floats) -> ArrayTriple:
+def _developed(
+    strips: Strips, weights: Floats, circle: Integers, strip: Integers, first: Floats, last: Floats
+) -> ArrayTriple:
     """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
-    The values at nodes are (integrals, columns, nodes, pieces, circles). The head is the greater of the first two
-    coefficients, the tail the greater of the last two, each (pieces, circles).
+    The head is the greater of the first two coefficients, the tail the greater of the last two, each (pieces, circles).
+    The arguments are those of `_integrands`.
     """
+    values = _integrands(strips, weights, strip[:, None], circle, first, last)
     *axes, pieces, circles = values.shape
     developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)
     by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
