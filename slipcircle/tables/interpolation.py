@@ -65,7 +65,9 @@ def converged_pieces(
     while len(number):
         series, sizes, tails = develop(number, first, last)
         scale = float(sizes.max(initial=scale))
-        rough = np.logical_or.reduce((tails > accuracy * scale) & (last - first > shortest), axis=1)
+        is_wide = last - first > shortest
+        is_rough = is_wide & (tails > accuracy * scale)
+        rough = np.logical_or.reduce(is_rough, axis=1)
         yield first, last, series, ~rough
         left = first[rough]
         right = last[rough]
@@ -115,7 +117,8 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
 
     for start, stop, chebyshev, smooth in converged_pieces(first, last, develop, tolerance, _SHORTEST):
         starts.append(start[smooth])
-        coefficients.append(_in_powers(chebyshev[smooth], (stop - start)[smooth]))
+        width = stop - start
+        coefficients.append(_in_powers(chebyshev[smooth], width[smooth]))
     start = np.concatenate(starts)
     order = np.argsort(start.sum(axis=1), kind="stable")
     powers = np.concatenate(coefficients)
