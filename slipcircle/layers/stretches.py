@@ -134,19 +134,18 @@ class StretchIntegrals:
         profile, _ = self._surfaces
         facing = self.section._facing
         met = self._joints_met(rotation)
-        circles = met.shape[-1]
-        directions = met.reshape(math.prod(met.shape[:-1]), circles)
+        joints, *_, circles = met.shape
+        directions = met.reshape(-1, circles)
         whole = profile.to_ends[:PRESSING, :, None]
         to_the_right = facing * directions
         from_entry = profile.up_to(to_the_right)[:PRESSING]
         np.subtract(whole, from_entry, out=from_entry, where=facing < 0.0)
         integrals, surfaces, *_ = from_entry.shape
-        by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
-        shape = integrals, surfaces, 1, *rotation.shape
-        up_to_exit = np.broadcast_to(whole[:, :, None], shape)
-        every = np.concatenate([by_joint, up_to_exit], axis=2)
+        every = np.empty((integrals, joints + 1, surfaces, *rotation.shape))
+        every[:, :-1] = from_entry.reshape(integrals, surfaces, *met.shape).swapaxes(1, 2)
+        every[:, -1] = whole
         every[RADIAL_X] *= facing
-        return np.moveaxis(every, 1, 2)
+        return every
 
     def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
         """Return parts by name, each (parts, M, circles), after rotations (M, circles) in rad.
