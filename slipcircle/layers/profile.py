@@ -56,25 +56,22 @@ class Part(NamedTuple):
     before: Floats
     series: Floats
 
-    def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles).
+    def up_to(self, beta: Floats, count: int) -> Floats:
+        """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
 
         Directions are in rad from straight below the centre, positive to the right.
         """
-        *axes, terms, pieces, circles = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
         piece = np.zeros(beta.shape, np.intp)
         for edge in edges[1:-1]:
             piece += inside >= edge
-        number = piece * circles + np.arange(circles)
-        first = edges.take(number)
-        width = edges.take(number + circles) - first
+        first = _of_piece(edges, piece)
+        width = _of_piece(edges[1:], piece) - first
         place = 2.0 * ((inside - first) / np.where(width != 0.0, width, 1.0)) - 1.0
-        polynomials = np.moveaxis(chebyshev.chebvander(place, terms - 1), -1, 0)
-        every_piece = self.series.reshape(*axes, terms, pieces * circles)
-        up_to = np.einsum("sctmn,tmn->scmn", every_piece.take(number, axis=-1), polynomials)
-        up_to += self.before.reshape(*axes, -1).take(number, axis=-1)
+        polynomials = np.moveaxis(chebyshev.chebvander(place, _COUNT), -1, 0)
+        up_to = np.einsum("sctmn,tmn->scmn", _of_piece(self.series[:count], piece), polynomials)
+        up_to += _of_piece(self.before[:count], piece)
         return up_to
 
     def combined(self, weights: Floats) -> "Part":
@@ -85,6 +82,19 @@ class Part(NamedTuple):
         before = np.einsum("scpn,cn->spn", self.before[:PRESSING], weights)
         series = np.einsum("sctpn,cn->stpn", self.series[:PRESSING], weights)
         return Part(self.edges, before[:, None], series[:, None])
+
+
+def _of_piece(values: Floats, piece: Integers) -> Floats:
+    """Return the values (..., pieces, circles) of one piece for each of M directions, (..., M, circles).
+
+    `piece` are indices of pieces, (M, circles). Circles of similar masses often share them.
+    """
+    of_first_circle = piece[:, 0]
+    if np.all(piece == of_first_circle[:, None]):
+        return values.take(of_first_circle, axis=-2)
+    *axes, pieces, circles = values.shape
+    number = piece * circles + np.arange(circles)
+    return values.reshape(*axes, pieces * circles).take(number, axis=-1)
 
 
 class Profile(NamedTuple):
@@ -101,17 +111,17 @@ class Profile(NamedTuple):
     whole: Floats
     parts: Sequence[Part]
 
-    def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles).
+    def up_to(self, beta: Floats, count: int) -> Floats:
+        """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
 
         Directions are in rad from straight below the centre, positive to the right.
         """
-        integrals, columns, *_ = self.parts[0].series.shape
-        every = np.empty((integrals, columns, *beta.shape))
+        _, columns, *_ = self.parts[0].series.shape
+        every = np.empty((count, columns, *beta.shape))
         first = 0
         for part in self.parts:
             last = first + part.edges.shape[1]
-            every[..., first:last] = part.up_to(beta[:, first:last])
+            every[..., first:last] = part.up_to(beta[:, first:last], count)
             first = last
         return every
 
