@@ -66,6 +66,9 @@ class Part(NamedTuple):
         piece = np.zeros(beta.shape, np.intp)
         for edge in edges[1:-1]:
             piece += inside >= edge
+        of_first_circle = piece[:, :1]
+        if np.all(piece == of_first_circle):
+            piece = of_first_circle
         first = _of_piece(edges, piece)
         width = _of_piece(edges[1:], piece) - first
         place = 2.0 * ((inside - first) / np.where(width != 0.0, width, 1.0)) - 1.0
@@ -87,11 +90,10 @@ class Part(NamedTuple):
 def _of_piece(values: Floats, piece: Integers) -> Floats:
     """Return the values (..., pieces, circles) of one piece for each of M directions, (..., M, circles).
 
-    `piece` are indices of pieces, (M, circles). Circles of similar masses often share them.
+    `piece` are indices of pieces, (M, circles), or (M, 1) if all circles share them, as similar masses often do.
     """
-    of_first_circle = piece[:, 0]
-    if np.all(piece == of_first_circle[:, None]):
-        return values.take(of_first_circle, axis=-2)
+    if piece.shape[1] == 1:
+        return values.take(piece[:, 0], axis=-2)
     *axes, pieces, circles = values.shape
     number = piece * circles + np.arange(circles)
     return values.reshape(*axes, pieces * circles).take(number, axis=-1)
@@ -161,6 +163,7 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     edges = strips.beta.T
     circles = np.arange(edges.shape[1])
     has_many = circles.size > 1
+    retained = PRESSING if has_many else _INTEGRALS
     parts = []
     whole = []
     for first in range(0, max(1, circles.size), _CIRCLES):
@@ -168,8 +171,9 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
         # The integrals of all columns along the arcs of some circles with the given edges of strips.
         pieces = sorted(_converged(strips, weights, circles[some], edges[:, some]), key=_order)
         firsts, lasts, by_piece = zip(*pieces, strict=True)
-        series = np.stack(by_piece, axis=3)
-        each = series.sum(axis=2)  # at the right end every Chebyshev polynomial is 1
+        # At the right end of a piece every Chebyshev polynomial is 1.
+        each = np.stack([of_piece.sum(axis=2) for of_piece in by_piece], axis=2)
+        series = np.stack([of_piece[:retained] for of_piece in by_piece], axis=3)
         before = np.cumsum(np.insert(each, 0, 0.0, axis=2), axis=2)
         part = Part(np.stack([*firsts, lasts[-1]]), before, series)
         whole.append(before[:, :, -1])
