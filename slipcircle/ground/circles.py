@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
-from slipcircle.base.checks import EPS
+from slipcircle.base.arrays import EPS
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Flags, Floats, Integers
 from slipcircle.ground.doubledouble import DoubleDouble
 from slipcircle.ground.plane import Vectors, each_lane

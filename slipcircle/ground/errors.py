@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 import slipcircle.ground.circles as circles
-from slipcircle.base.checks import Fault
+from slipcircle.base.errors import Fault
 from slipcircle.base.kinds import Texts
 from slipcircle.core.lazy import lazy_import
 from slipcircle.ground.ground import AS_PRINTED

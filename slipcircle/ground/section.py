@@ -11,7 +11,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import Fault, complaint, freeze, raise_all
+from slipcircle.base.arrays import freeze
+from slipcircle.base.errors import Fault, complaint, raise_all
 from slipcircle.base.kinds import Effects, Floats, Pair, Shape, Texts, ValueDict
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
+from slipcircle.base.arrays import INFINITY, choose
+from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Log
 from slipcircle.core.integrator.lanes import integrate

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import plain
+from slipcircle.base.arrays import plain
 from slipcircle.base.kinds import Floats
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.profile import AREA, HEAD, RADIAL_Y

@@ -10,7 +10,7 @@ import numpy as np
 
 from generated import layout as ix
 from generated.program import Program
-from slipcircle.base.checks import EPS, choose
+from slipcircle.base.arrays import EPS, choose
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Samples
 from slipcircle.core.integrator.lanes import integrate

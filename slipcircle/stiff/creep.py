@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import EPS, quiet
+from slipcircle.base.arrays import EPS, quiet
 from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
 from slipcircle.base.sections import first_section
 from slipcircle.core.integrator import compiled

@@ -14,7 +14,7 @@ import numpy as np
 
 from generated import integrator
 from generated import layout as ix
-from slipcircle.base.checks import EPS, quiet
+from slipcircle.base.arrays import EPS, quiet
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.integrator.compiled import Log, Samples, engine
 from slipcircle.core.problem.problem import Problem

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.checks import choose, may_overflow, plain
+from slipcircle.base.arrays import choose, may_overflow, plain
 from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.lanes import integrate

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import plain
+from slipcircle.base.arrays import plain
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.integrator.lanes import BLOCK, ENTRIES, integrate
 from slipcircle.core.lazy import lazy_import

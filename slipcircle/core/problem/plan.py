@@ -5,7 +5,7 @@ from typing import Any
 
 from generated.effects import EFFECTS
 from generated.program import Program, Recipe
-from slipcircle.base.checks import raise_all
+from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.program import build_program

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import shown
+from slipcircle.base.errors import abridged
 from slipcircle.base.kinds import Names, NumberMap, Pair, Texts, ValueDict, Values
 from slipcircle.base.optional import optional
 
@@ -183,7 +183,7 @@ def distribution_mistakes(given: Values, limits: Pair) -> Texts:
     for k in known:
         value = numbers.get(k, 0.0)
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            faults.append(f"{k} = {shown(value)}: must be a finite number")
+            faults.append(f"{k} = {abridged(value)}: must be a finite number")
     faults = faults or [rule for rule, holds in kind.rules.items() if not holds(numbers)]
     return faults or _limit_mistakes(distribution_of(given), *limits)
 

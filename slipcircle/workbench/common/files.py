@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Any
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import PathName, Texts, Values
 from slipcircle.base.text import clean
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from slipcircle.base import JSON_FORMAT
-from slipcircle.base.checks import real_number
+from slipcircle.base.arrays import real_number
 from slipcircle.base.kinds import Floats, Function, Pair, ValueDict
 from slipcircle.base.text import DIGITS, digits_left, printed, shown
 from slipcircle.messages import OUTSIDE, VelocityTimes, swings_back

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import plain
+from slipcircle.base.arrays import plain
 from slipcircle.base.kinds import ValueDict
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters

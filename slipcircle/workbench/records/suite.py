@@ -20,7 +20,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-from slipcircle.base.checks import InputError, raise_all
+from slipcircle.base.errors import InputError, raise_all
 from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
 from slipcircle.base.progress import track
 from slipcircle.tables import Series

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import InputError, complaint, freeze, raise_all
+from slipcircle.base.arrays import freeze
+from slipcircle.base.errors import InputError, complaint, raise_all
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
 from slipcircle.core import cohesion_mistakes, law_mistakes

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slipcircle.base.checks import EPS
+from slipcircle.base.arrays import EPS
 from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Texts, Values
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters

@@ -10,7 +10,8 @@ from typing import IO, Any
 import numpy as np
 
 from slipcircle.base import VERSION
-from slipcircle.base.checks import INFINITY, array_of, mistakes, raise_all
+from slipcircle.base.arrays import INFINITY, array_of
+from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats, PathName, ValueDict, Values
 from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked, plan

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import ArrayDict, Floats, Names, Shape, Values
 from slipcircle.core import Scene
 from slipcircle.tables import STRONGEST, LaneSeries, Pulse, Series

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import plain, raise_all, real_number, shown
+from slipcircle.base.arrays import plain, real_number
+from slipcircle.base.errors import abridged, raise_all
 from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, DIP, Scene, Status, depends_on, law_names
@@ -156,7 +157,7 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
         else:
             allowed = "a positive number" if name in _POSITIVE else "a number other than 0"
             also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
-            mistakes.append(f"{name} = {shown(value)}: must be {allowed}, {also}")
+            mistakes.append(f"{name} = {abridged(value)}: must be {allowed}, {also}")
     if not found and not mistakes:
         mistakes.append(f"no observation: give one of {', '.join(OBSERVABLE)}")
     has_errors = {sigma is not None for _, sigma in found.values()}

@@ -5,7 +5,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import array_of, shown
+from slipcircle.base.arrays import array_of
+from slipcircle.base.errors import abridged
 from slipcircle.base.kinds import Function, Texts, Values
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
@@ -85,9 +86,9 @@ def setting_mistakes(scene: Scene, given: Values, records: Any) -> Texts:
     for name, setting in SETTINGS.items():
         value = given[name]
         if value is not None and not setting.is_valid(value):
-            found.append(f"{name} = {shown(value)}: {setting.words}")
+            found.append(f"{name} = {abridged(value)}: {setting.words}")
         elif setting.of_records and records is None and value is not None and value is not False:
-            found.append(f"{name} = {shown(value)}: is for records; give records as well")
+            found.append(f"{name} = {abridged(value)}: is for records; give records as well")
     if given["search_each"]:
         found += search_mistakes(scene)
     if given["correlation"] and given["sensitivity"]:

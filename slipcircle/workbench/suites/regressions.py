@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import Flags, Floats, NumberMap, Pair
 
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}

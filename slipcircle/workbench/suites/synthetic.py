@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.base.arrays import INFINITY
+from slipcircle.base.errors import Bounds, mistakes, raise_all
 from slipcircle.base.kinds import PathName
 from slipcircle.tables import Series
 from slipcircle.workbench.common import files
