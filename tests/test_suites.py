@@ -18,7 +18,8 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.records import recordfiles
 from slipcircle.workbench.records.records import read_record
-from slipcircle.workbench.records.suite import place_of, read_suite
+from slipcircle.workbench.records.stations import place_of
+from slipcircle.workbench.records.suite import read_suite
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import Shaking, comparisons
 from slipcircle.workbench.suites.synthetic import write_records
