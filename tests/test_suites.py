@@ -103,7 +103,7 @@ def test_records_beyond_the_memory_are_read_again_for_their_samples_alone(
     Path(entry.file).unlink()
     assert entry.intensities == stored.intensities == intensities(stored.record(), 9.81)
     assert entry.drift == stored.drift
-    with pytest.raises(FileNotFoundError):
+    with pytest.raises(ValueError, match="No such file"):
         entry.record()
 
 
