@@ -208,7 +208,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
         case "number" | "list" | "fixed":
             return False
         case "series":
-            return hasattr(value, "kinks")
+            return hasattr(type(value), "kinks")
         case "flag":
             return isinstance(value, bool)
         case "text" | "name":
