@@ -13,7 +13,7 @@ import pytest
 
 import slipcircle
 from slipcircle import Arc, Scene, load, plan, solve
-from slipcircle.base.checks import UnusualInput
+from slipcircle.base.errors import UnusualInput
 from slipcircle.tables import Pulse
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.shipped import shipped

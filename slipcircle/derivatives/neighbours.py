@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayPair, Flags, Floats
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.scene.scene import Scene

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import Parameter
-from slipcircle.base.checks import array_of, plain, real_number
+from slipcircle.base.arrays import array_of, plain, real_number
 from slipcircle.base.kinds import Flags, Floats, Values
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.scene.tree import Leaf, leaves, mapped, put, replace_unchecked

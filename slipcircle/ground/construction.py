@@ -5,7 +5,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.arrays import INFINITY
+from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats, Texts, ValueDict
 from slipcircle.ground.plane import Vectors
 

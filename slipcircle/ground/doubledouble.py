@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Any, Self
 
-from slipcircle.base.checks import two_sum
+from slipcircle.base.arrays import two_sum
 
 _SPLITTER = 134217729.0  # 2^27 + 1
 

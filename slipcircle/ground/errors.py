@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 import slipcircle.ground.circles as circles
-from slipcircle.base.checks import Fault
+from slipcircle.base.errors import Fault
 from slipcircle.base.kinds import Texts
 from slipcircle.core.lazy import lazy_import
 from slipcircle.ground.ground import AS_PRINTED
@@ -65,7 +65,7 @@ def _not_one_stretch(section: Any) -> Fault:
             beyond = f"x = {x - r:.6g} or {x + r:.6g}"
             return f"{which}: an end of the ground lies inside the circle; the ground must continue beyond {beyond}"
         cut = section._cut.only([k])
-        of_circle, _, _ = circles.stretches(cut)
+        of_circle, _, _ = circles.complete_stretches(cut)
         if section.between is not None and of_circle.size:
             return f"{{between}} = {section.between!r}: the circle cuts off no mass there"
         first, *_, last = _pairs(line)

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from generated.effects import Parameter
-from slipcircle.base.checks import Bounds, Fault, array_of, complaint, mistakes, quiet, shape_mistakes
+from slipcircle.base.arrays import array_of, quiet
+from slipcircle.base.errors import Bounds, Fault, complaint, mistakes, shape_mistakes
 from slipcircle.base.kinds import Floats, Shape, Texts, Values
 
 FAR = 1e9  # bound of coordinates, m

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import Fault
+from slipcircle.base.errors import Fault
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.ground import AS_PRINTED
 from slipcircle.ground.plane import each_lane

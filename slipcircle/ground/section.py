@@ -11,7 +11,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import Fault, complaint, freeze, raise_all
+from slipcircle.base.arrays import freeze
+from slipcircle.base.errors import Fault, complaint, raise_all
 from slipcircle.base.kinds import Effects, Floats, Pair, Shape, Texts, ValueDict
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
@@ -344,7 +345,7 @@ class Section(SectionGeometry, Mass):
                 function = given.get(name)
                 if function is None:
                     continue
-                table = lazy_import("water").table_of(self, function, turns, upslope, tolerance)
+                table = lazy_import("water").table_of_rotation(self, function, turns, upslope, tolerance)
                 symbol = symbols[name]
                 tables[symbol] = table
         return self._for_lanes(tables, shape), None

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.core.scene.mass import Mass
 from slipcircle.ground.ground import FAR, continued
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.plane import Vectors
 

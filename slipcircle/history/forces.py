@@ -8,7 +8,7 @@ import numpy as np
 
 from generated import layout as ix
 from generated.program import Program, Recipe
-from slipcircle.base.checks import EPS, plain, quiet
+from slipcircle.base.arrays import EPS, plain, quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names
 from slipcircle.core.integrator.compiled import engine
 from slipcircle.core.integrator.lanes import BLOCK

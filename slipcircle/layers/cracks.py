@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import Fault, complaint, raise_all
+from slipcircle.base.errors import Fault, complaint, raise_all
 from slipcircle.base.kinds import ArrayTriple, Floats
 from slipcircle.core.scene.tree import replace_unchecked
 from slipcircle.ground.errors import geometry_errors

@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
-from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
+from slipcircle.base.arrays import array_of, freeze
+from slipcircle.base.errors import Fault, complaint, mistakes, raise_all
 from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Texts, Values
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import symbols_of

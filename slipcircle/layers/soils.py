@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import COHESION_LAWS, LAWS, Parameter
-from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
+from slipcircle.base.arrays import array_of, freeze
+from slipcircle.base.errors import abridged, mistakes, raise_all
 from slipcircle.base.kinds import Texts
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
@@ -194,9 +195,9 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
     for k, (_, top) in enumerate(pairs):
         found += _top_mistakes(k, top)
     if strength not in ("", "base", "mass"):
-        found.append(f"strength = {shown(strength)}: must be 'base' or 'mass'")
+        found.append(f"strength = {abridged(strength)}: must be 'base' or 'mass'")
     if foreland is not None and not isinstance(foreland, Soil):
-        found.append(f"foreland = {shown(foreland)}: must be a Soil")
+        found.append(f"foreland = {abridged(foreland)}: must be a Soil")
     elif foreland is not None and strength == "mass":
         found.append(
             "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
@@ -208,7 +209,7 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
     if not found:
         found += datum_mistakes(foreland, pairs)
     if not isinstance(surcharge, Sequence):
-        found.append(f"surcharge = {shown(surcharge)}: must be a list of x1, x2 in m and pressures there in Pa")
+        found.append(f"surcharge = {abridged(surcharge)}: must be a list of x1, x2 in m and pressures there in Pa")
         return found
     for k, load in enumerate(surcharge):
         found += _load_mistakes(k, load)
@@ -247,7 +248,7 @@ def datum_mistakes(foreland: Soil | None, layers: Layers) -> Texts:
 
 def _load_mistakes(k: int, load: Any) -> Texts:
     """Return messages about a surcharge (x1, x2, q1, q2) in m and Pa. `k` is its index, counted from 0."""
-    words = f"surcharge[{k}] = {shown(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
+    words = f"surcharge[{k}] = {abridged(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
         return [words]
     values = [array_of(value) for value in load]
@@ -264,7 +265,7 @@ def _load_mistakes(k: int, load: Any) -> Texts:
 def _top_mistakes(k: int, top: Any) -> Texts:
     """Return messages about the top of a layer. `k` is the index of the layer, counted from 0 at the ground."""
     if k == 0:
-        words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
+        words = f"layers[0]: top = {abridged(top)}: must be None, as its top is the ground"
         if top is None:
             return []
         return [words]

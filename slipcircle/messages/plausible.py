@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from generated import effects as declared
-from slipcircle.base.checks import UnusualInput
+from slipcircle.base.errors import UnusualInput
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.tree import leaves
 

@@ -4,7 +4,8 @@ import math
 from typing import Any
 
 from generated.layout import MOST_TURNS, TIME
-from slipcircle.base.checks import InputError, plain
+from slipcircle.base.arrays import plain
+from slipcircle.base.errors import InputError
 from slipcircle.core import Status
 from slipcircle.core.scene.effects import rotates
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import legendre
 
-from slipcircle.base.checks import EPS
+from slipcircle.base.arrays import EPS
 from slipcircle.base.kinds import ArrayTriple, Floats, Pair
 
 POINTS = 12

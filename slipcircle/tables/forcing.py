@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import InputError, array_of
+from slipcircle.base.arrays import array_of
+from slipcircle.base.errors import InputError
 from slipcircle.base.kinds import Effects, Parameters, ValueDict
 from slipcircle.tables.series import Pulse, Series
 
@@ -18,7 +19,7 @@ _OF_RECORDS = ("record", "units", "column", "columns", "step", "start", "gaps")
 _IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 
-def resolved(name: str, given: Parameters) -> ValueDict:
+def with_functions_of_time(name: str, given: Parameters) -> ValueDict:
     """Return the parameters of an effect with functions of time built from pulses and lists.
 
     Raises

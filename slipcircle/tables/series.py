@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, array_of, frozen, mistakes, raise_all
+from slipcircle.base.arrays import INFINITY, array_of, frozen
+from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats, Integers
 
 PULSES = ("rectangular", "half-sine", "triangular", "sine")

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from generated.flow import PIECES
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import continuous

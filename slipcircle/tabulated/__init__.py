@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import INFINITY, Bounds, choose, mistakes
+from slipcircle.base.arrays import INFINITY, choose
+from slipcircle.base.errors import Bounds, mistakes
 from slipcircle.base.kinds import Effects, Names, NumberMap, Numbers, Texts
 from slipcircle.core import Arc, Dimensionless
 

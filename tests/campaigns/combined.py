@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle import Motion, load, solve
-from slipcircle.base.checks import UnusualInput
+from slipcircle.base.errors import UnusualInput
 from tests.campaigns import options
 from tests.support.along_the_arc import of_scene
 

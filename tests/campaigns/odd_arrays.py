@@ -38,7 +38,7 @@ from slipcircle import (
     grid,
     solve,
 )
-from slipcircle.base.checks import UnusualInput
+from slipcircle.base.errors import UnusualInput
 from slipcircle.derivatives import with_parameters
 from tests.campaigns import options
 

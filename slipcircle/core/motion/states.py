@@ -8,7 +8,7 @@ from typing import Any, Self
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import choose, may_overflow, plain
+from slipcircle.base.arrays import choose, may_overflow, plain
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.scene import Scene
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from generated.effects import EFFECTS
 from generated.program import Program, Recipe
-from slipcircle.base.checks import raise_all
+from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.program import build_program
@@ -45,8 +45,8 @@ class Plan:
     @property
     def left_out(self) -> Names:
         """Names of effects that the scene does not use. Cohesion and pore pressure given by soils count as used."""
-        known = (*self.effects, *self.scene.arc.own_effects)
-        return tuple(effect for effect in EFFECTS if effect not in known)
+        included = (*self.effects, *self.scene.arc.own_effects)
+        return tuple(effect for effect in EFFECTS if effect not in included)
 
     @property
     def fragments(self) -> Names:

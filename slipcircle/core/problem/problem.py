@@ -16,7 +16,7 @@ from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
 from generated.program import OF_COHESION, OF_SOIL, Program, Recipe
-from slipcircle.base.checks import choose, may_overflow, plain
+from slipcircle.base.arrays import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Function, Names, Parameters, Shape, ValueDict, Values, cached_property
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from generated import kernels
 from generated.effects import Parameter
-from slipcircle.base.checks import Fault, choose, complaint, freeze, mistakes, plain, raise_all, shape_mistakes, two_sum
+from slipcircle.base.arrays import choose, freeze, plain, two_sum
+from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import

@@ -6,7 +6,8 @@ from typing import Any
 
 from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
 from generated.program import OF_SOIL
-from slipcircle.base.checks import EMPTY, Frozen, frozen, parameter_mistakes, raise_all
+from slipcircle.base.arrays import EMPTY, Frozen, frozen
+from slipcircle.base.errors import parameter_mistakes, raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters, TextDict
 from slipcircle.core.lazy import lazy_import
 
@@ -153,4 +154,4 @@ def resolved(name: str, given: Frozen) -> Frozen:
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
         return given
-    return Frozen(lazy_import("forcing").resolved(name, given))
+    return Frozen(lazy_import("forcing").with_functions_of_time(name, given))

@@ -6,7 +6,7 @@ import numpy as np
 
 from generated.effects import LAWS
 from generated.program import OF_SOIL
-from slipcircle.base.checks import Bounds, mistakes, parameter_mistakes, shown
+from slipcircle.base.errors import Bounds, abridged, mistakes, parameter_mistakes
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, without_soil
@@ -36,7 +36,7 @@ def rate_mistakes(given: Any, path: str = "rate") -> list[str]:
     ``given`` is the law's name and parameters, and ``path`` names it in the messages.
     """
     if not isinstance(given, MAPPING):
-        return [f"{path} = {shown(given)}: must be a law of speed with its parameters"]
+        return [f"{path} = {abridged(given)}: must be a law of speed with its parameters"]
     return _named_faults(given, path, RATE_LAWS)
 
 

@@ -12,7 +12,8 @@ import numpy as np
 
 from generated.effects import Parameter
 from generated.program import OF_COHESION
-from slipcircle.base.checks import EPS, Fault, plain
+from slipcircle.base.arrays import EPS, plain
+from slipcircle.base.errors import Fault
 from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Shape, Values, cached_property
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, cohesion_law

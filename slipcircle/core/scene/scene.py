@@ -10,18 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, LEAST, LIMITS, QUESTIONED_FRICTION
-from slipcircle.base.checks import (
-    EMPTY,
-    INFINITY,
-    Bounds,
-    Frozen,
-    InputError,
-    freeze,
-    mistakes,
-    plain,
-    raise_all,
-    shape_mistakes,
-)
+from slipcircle.base.arrays import EMPTY, INFINITY, Frozen, freeze, plain
+from slipcircle.base.errors import Bounds, InputError, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import MAPPING, Array, Effects, Function, Numbers, Parameters, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import

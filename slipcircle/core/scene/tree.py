@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import INFINITY, LAWS, Parameter
-from slipcircle.base.checks import EMPTY, Bounds, InputError, raise_all
+from slipcircle.base.arrays import EMPTY
+from slipcircle.base.errors import Bounds, InputError, raise_all
 from slipcircle.base.kinds import MAPPING, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import raise_all
+from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
 from slipcircle.base.text import printed
 from slipcircle.core import Scene, joined, leaves

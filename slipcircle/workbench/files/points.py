@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Pair, Texts, ValueDict, Values
 from slipcircle.base.optional import optional
 from slipcircle.ground import points_errors

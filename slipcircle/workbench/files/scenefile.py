@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import InputError, Message, plain
+from slipcircle.base.arrays import plain
+from slipcircle.base.errors import InputError, Message
 from slipcircle.base.kinds import Rename, Tell, Texts, ValueDict, Values
 from slipcircle.core import Arc, Scene, law_mistakes
 from slipcircle.ground import Section

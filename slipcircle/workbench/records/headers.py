@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from slipcircle.base.checks import INFINITY
+from slipcircle.base.arrays import INFINITY
 from slipcircle.base.kinds import TextDict
 from slipcircle.workbench.records.columns import is_direction
 

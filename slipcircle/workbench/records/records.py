@@ -14,7 +14,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, array_of, frozen, mistakes, raise_all
+from slipcircle.base.arrays import EPS, INFINITY, array_of, frozen
+from slipcircle.base.errors import Bounds, InputError, mistakes, raise_all
 from slipcircle.base.kinds import Floats, PathName, Texts
 from slipcircle.tables import Series, bad_sample
 from slipcircle.workbench.common.units import (

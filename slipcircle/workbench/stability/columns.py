@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import Bounds
+from slipcircle.base.errors import Bounds
 from slipcircle.base.kinds import Floats
 from slipcircle.core import bounds
 from slipcircle.ground import FAR, Ponds, Section, continued

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import InputError, raise_all
+from slipcircle.base.errors import InputError, raise_all
 from slipcircle.base.kinds import Floats, Pair, Tell, Texts, Values
 from slipcircle.base.text import measured
 from slipcircle.workbench.stability.condensed import least

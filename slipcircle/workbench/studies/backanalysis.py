@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slipcircle.base.checks import EPS
+from slipcircle.base.arrays import EPS
 from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Texts, Values
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
@@ -203,8 +203,8 @@ def backanalyse(
     checked(scene, "backanalyse")
     every = [run_out, end_displacement, peak_velocity, duration, toe_rise]
     every += [toe_x, crest_drop, centroid_travel, factor_of_safety]
-    asked = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
-    observed, intervals = observations(asked or scene.observed)
+    arguments = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
+    observed, intervals = observations(arguments or scene.observed)
     return _analysed(search_problem(scene, field, bounds, observed, intervals), intervals)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special

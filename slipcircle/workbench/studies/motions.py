@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.core import Motion, Scene, plan, problem_of, solve
 from slipcircle.derivatives import with_parameter_arrays

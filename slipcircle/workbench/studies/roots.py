@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from slipcircle.base.checks import EPS, quiet
+from slipcircle.base.arrays import EPS, quiet
 from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.workbench.studies.problem import Kinds, SearchProblem
 

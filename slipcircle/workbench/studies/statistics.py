@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayTriple, Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special

@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import quiet
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import Flags, Floats, NumberMap, Pair
 
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}
@@ -320,8 +320,6 @@ def comparisons(displacement: Floats, shaking: Shaking) -> list[Comparison]:
 
 def _compared(regression: Regression, displacement_cm: Floats, shaking: Shaking, predicted: Floats) -> Comparison:
     """Return the comparison of computed displacements in cm with a regression.
-
-    ``predicted`` is ln D by the regression, D in cm; both arrays have one value for each record.
 
     ``predicted`` is ln D by the regression, D in cm; both arrays have one value for each record.
     """

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.base.arrays import INFINITY
+from slipcircle.base.errors import Bounds, mistakes, raise_all
 from slipcircle.base.kinds import PathName
 from slipcircle.tables import Series
 from slipcircle.workbench.common import files
@@ -64,8 +65,8 @@ def synthetic_records(
     >>> study.displacement.shape
     (3, 2, 1, 1)
     """
-    given = {"count": count, "arias": arias, "duration": duration, "gravity": gravity, "seed": seed}
-    raise_all("synthetic records", mistakes(given, _BOUNDS, one=given))
+    arguments = {"count": count, "arias": arias, "duration": duration, "gravity": gravity, "seed": seed}
+    raise_all("synthetic records", mistakes(arguments, _BOUNDS, one=arguments))
     streams = np.random.SeedSequence(seed).spawn(count)
     noises = [_noise(np.random.default_rng(stream), duration) for stream in streams]
     scales = [math.sqrt(arias / intensities(noise, gravity).arias) for noise in noises]

@@ -1,23 +1,19 @@
-"""Input checks and input errors. Each mistake has one message with the field, its value and the allowed values."""
+"""Input errors and checks. Each mistake has one message with the field, its value and the allowed values."""
 
 import math
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from contextlib import nullcontext
-from operator import is_
 from os import PathLike
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from slipcircle.base.arrays import INFINITY, array_of
 from slipcircle.base.kinds import Rename, Shape, Texts, Values
 
-EPS = 2.0**-52  # distance of 1.0 from the next float
-INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # open lower and upper bound, and their description in words
 Fault = tuple[Any, Callable[[int], str]]  # mask of invalid lanes, and a function that describes a lane
-_WITHOUT_WARNING: Any = nullcontext()
 _ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
 
 
@@ -97,148 +93,7 @@ class UnusualInput(UserWarning):
     """Warning about a number that was probably meant in another unit."""
 
 
-def plain(value: Any) -> Any:
-    """Return numbers in the cheapest form for computation, a float or a float64 array."""
-    if type(value) is float:
-        return value
-    if np.ndim(value):
-        return np.asarray(value, np.float64)
-    return float(value)
-
-
-def may_overflow(shape: Shape) -> Any:
-    """Return a context that silences overflow warnings of arrays.
-
-    The overflow itself is reported when the result is read.
-    """
-    if not shape:
-        return _WITHOUT_WARNING
-    return np.errstate(over="ignore")
-
-
-def quiet() -> Any:
-    """Return a context without NumPy's warnings, for arrays in which some lanes have no result."""
-    return np.errstate(all="ignore")
-
-
-_NUMBERS = frozenset((bool, int, float, np.float64))
-
-
-def loses_something(value: Any) -> bool:
-    """Return whether `numpy.asarray` would drop a mask or a unit of a value, or of one within a list."""
-    kind = type(value)
-    if isinstance(value, list | tuple):
-        others = set(map(type, value)) - _NUMBERS
-        return bool(others) and any(map(loses_something, value))
-    if isinstance(value, np.ndarray):  # subclasses have units, or a mask
-        return kind not in (np.ndarray, np.memmap)
-    if hasattr(kind, "dims"):  # of xarray
-        return loses_something(value.data)
-    has_unit = hasattr(kind, "dimensionality") or hasattr(kind, "unit")
-    return has_unit or hasattr(kind, "units")
-
-
-def array_of(value: Any) -> NDArray[Any]:
-    """Return an input as an array, an array of objects (which every check rejects) if a mask or unit would be lost."""
-    nothing = np.asarray(None)
-    try:
-        is_text = isinstance(value, bytearray)
-        array = nothing if is_text or loses_something(value) else np.asarray(value)
-    except (ValueError, RuntimeError):  # ragged, or nested too deep
-        return nothing
-    if array.dtype.kind == "f":
-        return array.astype(np.float64, copy=False)
-    return array
-
-
-def real_number(value: Any) -> float:
-    """Return one real number as a float; NaN for anything else."""
-    array = array_of(value)
-    is_number = array.ndim == 0 and array.dtype.kind in "iuf"
-    return float(array) if is_number else math.nan
-
-
-class Frozen(dict[Any, Any]):
-    """Read-only mapping whose contents were checked."""
-
-    def _refuse(self, *_: Any, **__: Any) -> Any:
-        raise TypeError("a scene's mappings are read-only: use dataclasses.replace(scene, ...) to change a copy")
-
-    __setitem__ = __delitem__ = __ior__ = _refuse
-    clear = pop = popitem = setdefault = update = _refuse
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Return the constructor's arguments for pickle."""
-        return Frozen, (dict(self),)
-
-
-EMPTY = Frozen()
-_FIXED = frozenset((bool, int, float, str, Frozen))
-
-
-def frozen(value: Any) -> Any:
-    """Return a read-only copy of an array, a list or a mapping, and any other value unchanged."""
-    kind = type(value)
-    if kind in _FIXED:
-        return value
-    if kind is dict or isinstance(value, Mapping):
-        if not value:
-            return EMPTY
-        if _FIXED.issuperset(map(type, value.values())):
-            return Frozen(value)
-        return Frozen({key: frozen(one) for key, one in value.items()})
-    if kind is list or kind is tuple:
-        items = tuple(map(frozen, value))
-        same = kind is tuple and all(map(is_, items, value))
-        return value if same else items
-    if isinstance(value, np.floating):
-        return float(value)
-    if not hasattr(kind, "__array__") or isinstance(value, np.generic):
-        return value
-    if not loses_something(value):
-        array = _read_only(array_of(value))
-        if hasattr(kind, "dims"):  # xarray's stay labelled
-            return value.copy(data=array)
-        return array
-    return value
-
-
-def _read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """Return an array that cannot be modified. Writeable arrays are copied."""
-    base = getattr(array.base, "flags", array.flags)
-    can_change = array.flags.writeable or base.writeable
-    if can_change:
-        array = array.copy()
-        array.flags.writeable = False
-    return array
-
-
-def freeze(owner: Any, fields: Iterable[str]) -> None:
-    """Replace the named fields of a frozen dataclass by read-only copies."""
-    for name in fields:
-        value = getattr(owner, name)
-        own = frozen(value)
-        if own is not value:
-            object.__setattr__(owner, name, own)
-
-
-def choose(mask: Any, one: Any, other: Any) -> Any:
-    """Return ``one`` where a mask is true and else ``other``, without an array if the mask is a single truth value."""
-    if type(mask) is bool or not isinstance(mask, np.ndarray):
-        return one if mask else other
-    return np.where(mask, one, other)
-
-
-def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
-    """Return the rounded sum of two numbers and its rounding error (Knuth's TwoSum)."""
-    total = a + b
-    part = total - a
-    error_of_a = a - (total - part)
-    error_of_b = b - part
-    return total, error_of_a + error_of_b
-
-
-def shown(value: Any) -> str:
+def abridged(value: Any) -> str:
     """Return the representation of a value on one line, or its type and beginning if it is long."""
     if isinstance(value, int) and abs(value) >= 10**100:
         return f"an integer of {value.bit_length()} bits"
@@ -267,9 +122,9 @@ def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> 
     lower, upper, allowed = bounds
     array = array_of(value)
     if one and array.ndim > 0:
-        return [f"{{{name}}} = {shown(value)}: must be one number"]
+        return [f"{{{name}}} = {abridged(value)}: must be one number"]
     if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
-        return [f"{{{name}}} = {shown(value)}: must be {allowed}"]
+        return [f"{{{name}}} = {abridged(value)}: must be {allowed}"]
     above = array > lower
     below = array < upper
     allowed_values = np.isfinite(array) & above & below
@@ -295,32 +150,32 @@ _KINDS = {
 }
 
 
-def parameter_mistakes(path: str, given: Values, parameters: Sequence[Any]) -> Texts:
+def parameter_mistakes(path: str, values: Values, parameters: Sequence[Any]) -> Texts:
     """Return a message for each parameter that is missing, invalid or unknown; ``path`` names its effect or law."""
-    if _are_plain(given, parameters):
+    if _are_plain(values, parameters):
         return []
-    known = {p.name: p for p in parameters if p.kind != "rotation"}
-    missing = [p for name, p in known.items() if not p.optional and name not in given]
+    declared = {p.name: p for p in parameters if p.kind != "rotation"}
+    missing = [p for name, p in declared.items() if not p.optional and name not in values]
     sentences = [f"{path}: {p.name!r} is missing: {p.help}" for p in missing]
-    names = ", ".join(known) or "none"
-    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in given if name not in known]
-    for name, p in known.items():
-        if name in given:
-            sentences += _value_mistakes(path, p, given[name])
+    names = ", ".join(declared) or "none"
+    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in values if name not in declared]
+    for name, p in declared.items():
+        if name in values:
+            sentences += _value_mistakes(path, p, values[name])
     return sentences
 
 
-def _are_plain(given: Values, parameters: Sequence[Any]) -> bool:
+def _are_plain(values: Values, parameters: Sequence[Any]) -> bool:
     """Return whether the values by name are one valid float per required parameter and nothing else, the usual case."""
     count = 0
     for p in parameters:
-        if p.optional and p.name not in given:
+        if p.optional and p.name not in values:
             continue
         count += 1
-        value = given.get(p.name)
+        value = values.get(p.name)
         if p.kind != "number" or type(value) is not float or not p.lower < value < p.upper:
             return False
-    return len(given) == count
+    return len(values) == count
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
@@ -343,7 +198,7 @@ def _value_mistakes(path: str, p: Any, value: Any) -> Texts:
     choices = p.kind.replace("|", ", ")
     allowed = _KINDS.get(p.kind, f"one of {choices}")
     name = f"{path}.{p.name}"
-    sentence = f"{{{name}}} = {shown(value)}: must be {allowed}: {p.help}"
+    sentence = f"{{{name}}} = {abridged(value)}: must be {allowed}: {p.help}"
     return [Message(sentence)]
 
 
@@ -353,7 +208,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
         case "number" | "list" | "fixed":
             return False
         case "series":
-            return hasattr(value, "kinks")
+            return hasattr(type(value), "kinks")
         case "flag":
             return isinstance(value, bool)
         case "text" | "name":
