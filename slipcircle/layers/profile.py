@@ -41,7 +41,7 @@ _INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from
 _DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
-class Part(NamedTuple):
+class ProfilePart(NamedTuple):
     """Integrals along the arcs of some circles from their left ends, in pieces.
 
     Attributes
@@ -79,14 +79,14 @@ class Part(NamedTuple):
         up_to += _of_piece(self.before[:count], piece)
         return up_to
 
-    def combined(self, weights: Floats) -> "Part":
+    def combined(self, weights: Floats) -> "ProfilePart":
         """Return the load in a single column, the sum of all columns with weights, (columns, circles).
 
         Only the first `PRESSING` integrals are retained.
         """
         before = np.einsum("scpn,cn->spn", self.before[:PRESSING], weights)
         series = np.einsum("sctpn,cn->stpn", self.series[:PRESSING], weights)
-        return Part(self.edges, before[:, None], series[:, None])
+        return ProfilePart(self.edges, before[:, None], series[:, None])
 
 
 def _of_piece(values: Floats, piece: Integers) -> Floats:
@@ -113,7 +113,7 @@ class Profile(NamedTuple):
     """
 
     whole: Floats
-    parts: Sequence[Part]
+    parts: Sequence[ProfilePart]
 
     def up_to(self, beta: Floats, count: int) -> Floats:
         """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
@@ -177,7 +177,7 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
         each = np.stack([of_piece.sum(axis=2) for of_piece in by_piece], axis=2)
         series = np.stack([of_piece[:retained] for of_piece in by_piece], axis=3)
         before = np.cumsum(np.insert(each, 0, 0.0, axis=2), axis=2)
-        part = Part(np.stack([*firsts, lasts[-1]]), before, series)
+        part = ProfilePart(np.stack([*firsts, lasts[-1]]), before, series)
         whole.append(before[:, :, -1])
         if has_many:
             part = part.combined(steps[:, some])
