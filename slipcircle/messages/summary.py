@@ -42,11 +42,11 @@ def summary(motion: Any) -> str:
 def ensemble_summary(motion: Any) -> str:
     """Return the number of cases of an ensemble by status and the range of their run-outs, as one line of text."""
     counts = [f"{Status[name].words}: {count}" for name, count in motion.count().items()]
-    known = motion.run_out[~np.isnan(motion.run_out)]
+    finite = motion.run_out[~np.isnan(motion.run_out)]
     span = "not known"
-    if known.size:
+    if finite.size:
         factor, unit = printed("m")
-        span = f"{shown(factor * known.min())} to {shown(factor * known.max())} {unit}"
+        span = f"{shown(factor * finite.min())} to {shown(factor * finite.max())} {unit}"
     return f"{', '.join(counts)}; run-out {span}"
 
 

@@ -253,11 +253,11 @@ class Numbers:
             return
         scales = {**self.mass.scales, "strength_factor": self.start["strength_factor"]}
         declared = ALL_EFFECTS[without_soil(effect)].parameters
-        given = [p for p in declared if p.name in parameters]
-        for p in given:
+        present = [p for p in declared if p.name in parameters]
+        for p in present:
             if p.kind == "number":  # a symbol may depend on several
                 scales[p.name] = plain(parameters[p.name])
-        for p in given:
+        for p in present:
             if not p.symbol:
                 continue
             value = parameters[p.name]

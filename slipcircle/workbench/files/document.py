@@ -85,24 +85,24 @@ class Document:
         spelt: TextDict = {}  # keys as typed, by their published spelling
         for name, value in content.items():
             full = joined(path, name)
-            known, *_ = published(name)
-            if known not in table.keys:
-                known = name
-            if known in spelt:
-                self._report(full, f"{joined(path, spelt[known])} and {full}: are one quantity; remove one")
+            spelling, *_ = published(name)
+            if spelling not in table.keys:
+                spelling = name
+            if spelling in spelt:
+                self._report(full, f"{joined(path, spelt[spelling])} and {full}: are one quantity; remove one")
             elif name in table.tables and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in table.tables:
                 self._report(full, f"{full} = {shown_value(value)}: must be {self._described(full)}")
-            elif known in table.keys:
-                key = table.keys[known]
-                self.typed[joined(path, key.name)] = joined(path, known)
+            elif spelling in table.keys:
+                key = table.keys[spelling]
+                self.typed[joined(path, key.name)] = joined(path, spelling)
                 arguments[key.name] = self._argument(full, key.spelt(name), value, content, table)
             else:
                 meant, advice = _advice(path, name, self._tables)
                 self._meant.add(meant)
                 self._report(full, f"{full} = {shown_value(value)}: is unknown; {advice}")
-            spelt.setdefault(known, name)
+            spelt.setdefault(spelling, name)
         self._report_mixed_units(path, table, spelt)
         self._note_missing(path, spelt)
         self._check_sets(path, spelt)
@@ -114,9 +114,9 @@ class Document:
         `spelt` maps the published spelling of each key to the key as typed.
         """
         units: dict[str, TextDict] = {}
-        for known, name in spelt.items():
-            if known in table.keys:
-                quantity = units.setdefault(table.keys[known].unit, {})
+        for spelling, name in spelt.items():
+            if spelling in table.keys:
+                quantity = units.setdefault(table.keys[spelling].unit, {})
                 quantity.setdefault(published(name)[1], joined(path, name))
         for typed in units.values():
             if len(typed) > 1:
@@ -288,7 +288,7 @@ def _similar(unknown: str, here: Texts, table: Table) -> str:
 
     `here` are the keys and tables allowed at this place.
     """
-    units = {key: found[1] for key in (unknown, *here) if (found := _UNITS.search(key))}
+    units = {key: ending[1] for key in (unknown, *here) if (ending := _UNITS.search(key))}
     of_unit = [key for key in here if key in units and units[key] == units.get(unknown)]
     similar = get_close_matches(unknown, here, 1)
     if not similar:

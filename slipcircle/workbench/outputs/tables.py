@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import TextDict
 from slipcircle.base.progress import is_terminal
-from slipcircle.base.text import DIGITS, clean, measured, printed, shown
+from slipcircle.base.text import DIGITS, clean, drawn_unit, measured, printed, shown
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
 from slipcircle.messages import VelocityTimes
@@ -168,10 +168,7 @@ def stretches_part(motion: Motion) -> ResultTable | None:
     for name in stresses:
         whole[name] = sum(record["length"] * record[name] for record in records) / length
     rows = []
-    (of_length, length_unit), (of_stress, unit) = printed("m"), printed("Pa")
-    if unit == "Pa":
-        of_stress = 1e-3
-        unit = "kPa"
+    (of_length, length_unit), (of_stress, unit) = printed("m"), drawn_unit("Pa")
     for record in (*records, whole):
         in_unit = [of_stress * record[name] for name in stresses]
         rows.append([record["soil"], of_length * record["length"], f"{100 * record['weight_share']:.1f}", *in_unit])
@@ -331,17 +328,25 @@ def _total(columns: Sequence[Sequence[str]], most: int) -> int:
     return sum(_widths(columns, most)) + _GAP * len(columns)
 
 
-def headed(name: str, unit: str) -> str:
-    """Return the head of a column: its name, and in brackets the unit of output for its SI unit."""
-    return f"{name} ({printed(unit)[1]})"
-
-
 def in_unit(cell: Any, unit: str) -> Any:
     """Return an outcome in an SI unit, or an `Estimate` of one, converted to the unit of output."""
     factor, _ = printed(unit)
     if isinstance(cell, Estimate):
         return Estimate(*(factor * x for x in cell))
     return factor * cell
+
+
+def unit_table(units: Mapping[str, str], rows: Iterable[Iterable[Any]], title: str = "", note: str = "") -> ResultTable:
+    """Return a table in units of output, from rows of cells in SI units and the unit of each column by its name.
+
+    Cells of columns without a unit remain as they are.
+    """
+    heads = [f"{name} ({printed(unit)[1]})" if unit else name for name, unit in units.items()]
+    cells = []
+    for row in rows:
+        by_unit = zip(row, units.values(), strict=True)
+        cells.append([in_unit(cell, unit) if unit else cell for cell, unit in by_unit])
+    return ResultTable(heads, cells, title, note)
 
 
 def interval_text(e: Estimate) -> str:

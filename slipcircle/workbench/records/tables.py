@@ -44,9 +44,9 @@ def number_table(quantity: RecordedQuantity, name: str, text: str) -> NumberTabl
     lines, separator, width = first_row(name, text, quantity.name)
     above = text.split("\n", lines)[:lines]
     said = dict.fromkeys(_STATEMENT.groupindex, ("", ""))
-    for found in filter(None, map(_STATEMENT.match, reversed(above))):
-        key = next(key for key, value in found.groupdict().items() if value)
-        said[key] = found["of"] or "", found["value"].strip()
+    for statement in filter(None, map(_STATEMENT.match, reversed(above))):
+        key = next(key for key, value in statement.groupdict().items() if value)
+        said[key] = statement["of"] or "", statement["value"].strip()
     columns = _columns(quantity, above, separator, width)
     _, stated = said["count"]
     count = "".join(re.findall(r"^\d{1,15}", stated))
@@ -70,9 +70,9 @@ def _unit(quantity: RecordedQuantity, said: dict[str, tuple[str, str]]) -> str:
     """
     for key in ("unit", "peak"):
         bracket, value = said[key]
-        known = [word for word in (bracket, value, value.partition(" ")[0]) if unit_of(word, quantity)]
-        if known or (key == "unit" and value):
-            return known[0] if known else value
+        spelt = [word for word in (bracket, value, value.partition(" ")[0]) if unit_of(word, quantity)]
+        if spelt or (key == "unit" and value):
+            return spelt[0] if spelt else value
     return ""
 
 

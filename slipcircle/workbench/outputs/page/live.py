@@ -246,13 +246,20 @@ def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str
         yield "Grey, dashed: the scene as given. This page itself solves the scene with the values of the sliders."
 
 
+def _compact(data: Values) -> str:
+    """Return data as JSON without blanks."""
+    return json.dumps(data, separators=(",", ":"), allow_nan=False)
+
+
 def _packed(data: Values) -> str:
     """Return data as compressed JSON in base64, which the script unpacks."""
-    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
-    return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode()
+    content = gzip.compress(_compact(data).encode(), mtime=0)
+    return base64.b64encode(content).decode()
 
 
 def _as_script_data(data: Values) -> str:
     """Return data as JSON with escaped ``&``, ``<`` and ``>``, which is safe inside HTML and XML."""
-    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
-    return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
+    text = _compact(data)
+    for character in "&<>":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return text

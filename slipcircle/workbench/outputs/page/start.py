@@ -77,7 +77,8 @@ class StartSeries(NamedTuple):
         half = (self.high - self.low) / 2
         shear = np.stack([self._shear(driven, (middle + half * x)[self.soils]) for x in places])
         of_soils = shear @ np.eye(len(self.low))[self.soils]
-        coefficients = np.tensordot(np.linalg.inv(chebyshev.chebvander(places, self.degree)), of_soils, 1)
+        polynomials = chebyshev.chebvander(places, self.degree)
+        coefficients = np.tensordot(np.linalg.inv(polynomials), of_soils, 1)
         return np.moveaxis(coefficients, -1, 0).reshape(self.terms, -1)
 
     def _shear(self, driven: Driven, mobilised: Floats) -> Floats:
