@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "625a41812dd9a54b14a56f664fe40b2a0de9c1bec0511c15d10ce727294f3cf1"
+#define DIGEST "7190a56c1fb528c01115b4411eefe18264b8e8c913e5dc28b74f2f52ddfd3f7f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2198,11 +2198,11 @@ INLINE V end_of(Batch *b, int t, int piece, V per)
     return job->data[t].breaks[following] * per;
 }
 
-/* Return the lanes that are pressed through a piece that ends before the end time and not at the last break. */
-INLINE M passes(Batch *b, int t, int piece, V per, V press)
+/* Return the lanes that are pressed through a piece that ends before the end time and not at the last break.
+ * ``until`` is the end of the piece. */
+INLINE M passes(Batch *b, int t, int piece, V per, V until, V press)
 {
     V *const c = b->c;
-    V until = end_of(b, t, piece, per);
     V following = end_of(b, t, piece + 1, per);
     M before_last = (until < following) & (following < INFINITY);
     V latest = c[END_TIME] * (1.0 - (4.0 * EPS));
@@ -2343,14 +2343,16 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     V omega = broadcast(0.0);
     V x = broadcast(0.0);
     M on = here;
+    V until = end_of(b, t, piece, per);
     while (bits(on)) {
-        V until = end_of(b, t, piece, per);
         V length = until - now;
         V after = base + (slope * value);
-        const Pair speed_way = pass_piece(b, on, now, length, x, omega, net, after);
-        V speed = speed_way.one, way = speed_way.other;
-        omega = speed;
-        x = x + way;
+        if (bits(on & ((omega > 0.0) | (net > 0.0) | (after > 0.0)))) {
+            const Pair speed_way = pass_piece(b, on, now, length, x, omega, net, after);
+            V speed = speed_way.one, way = speed_way.other;
+            omega = speed;
+            x = x + way;
+        }
         now = until;
         net = after;
         piece = piece + 1;
@@ -2358,7 +2360,8 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
         double height = job->data[t].coefficients[2 * following];
         value = height * c[job->table[t].cell + SCALED_BY];
         V press = weight + (grip * value);
-        M inside = passes(b, t, piece, per, press);
+        until = end_of(b, t, piece, per);
+        M inside = passes(b, t, piece, per, until, press);
         M leaves = on & ~inside;
         EACH(lane, bits(leaves)) {
             end_slide(b, lane, t, piece, x[lane], omega[lane]);
@@ -2394,7 +2397,8 @@ static M slide_together(Batch *b, M here, int t)
         V per = 1.0 / c[job->table[t].cell + SCALE];
         V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
         V press = weight + (grip * ahead);
-        M inside = there & passes(b, t, piece, per, press);
+        V until = end_of(b, t, piece, per);
+        M inside = there & passes(b, t, piece, per, until, press);
         slide(b, inside, t, piece, slope, base, grip, weight);
     }
     return forward & ~there;

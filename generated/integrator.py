@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 13b3269b5423ea737b6ce91c78e46e0790fd22f16dd184583dba2baea2f6b100
+# sha256 of the text below: c2c3aef41e1c45631316cdfb950b3fa116f483142a749a4ed63be8b2a04f6362
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1229,10 +1229,9 @@ def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
     return t.places[following] * per
 
 
-def passes(s: Lanes, t: Table, piece: int, per: Floats, press: Floats) -> Mask:
+def passes(s: Lanes, t: Table, piece: int, per: Floats, until: Floats, press: Floats) -> Mask:
     """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
     c = s.cells
-    until = end_of(s, t, piece, per)
     following = end_of(s, t, piece + 1, per)
     before_last = (until < following) & (following < INFINITY)
     latest = c[ix.END_TIME] * (1.0 - 4.0 * EPS)
@@ -1366,13 +1365,14 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     omega: Floats = 0.0
     x: Floats = 0.0
     on = here
+    until = end_of(s, t, piece, per)
     while np.any(on):
-        until = end_of(s, t, piece, per)
         length = until - now
         after = base + slope * value
-        speed, way = pass_piece(s, on, now, length, x, omega, net, after)
-        omega = speed
-        x = x + way
+        if np.any(on & ((omega > 0.0) | (net > 0.0) | (after > 0.0))):
+            speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+            omega = speed
+            x = x + way
         now = until
         net = after
         piece = piece + 1
@@ -1380,7 +1380,8 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
         height = t.heights[2 * following]
         value = height * c[t.cells + ix.SCALED_BY]
         press = weight + grip * value
-        inside = passes(s, t, piece, per, press)
+        until = end_of(s, t, piece, per)
+        inside = passes(s, t, piece, per, until, press)
         leaves = on & np.logical_not(inside)
         i = np.flatnonzero(leaves)
         if i.size:
@@ -1411,7 +1412,8 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
         per = 1.0 / c[t.cells + ix.SCALE]
         ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
         press = weight + grip * ahead
-        inside = there & passes(s, t, piece, per, press)
+        until = end_of(s, t, piece, per)
+        inside = there & passes(s, t, piece, per, until, press)
         slide(s, inside, t, piece, slope, base, grip, weight)
     return forward & np.logical_not(there)
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d6ab780be1e452b84c1e91910cd747cf8fc6e00835c2dcc527c84fa00e5c5159
+# sha256 of the text below: a188e93ac013af4852453b25f613ade54eb30ea68e2f4961f29b873f3d2de404
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "625a41812dd9a54b14a56f664fe40b2a0de9c1bec0511c15d10ce727294f3cf1"  # of the compiled integrator's source
+DIGEST = "7190a56c1fb528c01115b4411eefe18264b8e8c913e5dc28b74f2f52ddfd3f7f"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

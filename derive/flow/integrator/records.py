@@ -133,9 +133,11 @@ def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
     return t.places[following] * per
 
 
-def passes(s: Lanes, t: T, piece: N, per: V, press: V) -> M:
-    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
-    until = end_of(s, t, piece, per)
+def passes(s: Lanes, t: T, piece: N, per: V, until: V, press: V) -> M:
+    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break.
+
+    ``until`` is the end of the piece.
+    """
     following = end_of(s, t, piece + 1, per)
     before_last = until < following and following < INFINITY
     latest = s.end_time * (1.0 - 4.0 * EPS)
@@ -264,13 +266,14 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
     omega: V = 0.0
     x: V = 0.0
     on: M = here
+    until = end_of(s, t, piece, per)
     while any_lane(on):
-        until = end_of(s, t, piece, per)
         length = until - now
         after = base + slope * value
-        speed, way = pass_piece(s, on, now, length, x, omega, net, after)
-        omega = speed
-        x = x + way
+        if any_lane(on and (omega > 0.0 or net > 0.0 or after > 0.0)):
+            speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+            omega = speed
+            x = x + way
         now = until
         net = after
         piece = piece + 1
@@ -278,7 +281,8 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
         height = t.heights[2 * following]
         value = height * t.scaled_by
         press = weight + grip * value
-        inside = passes(s, t, piece, per, press)
+        until = end_of(s, t, piece, per)
+        inside = passes(s, t, piece, per, until, press)
         leaves = on and not inside
         if leaves:
             end_slide(s, t, piece, x, omega)
@@ -310,6 +314,7 @@ def slide_together(s: Lanes, here: M, t: T) -> M:
         per = 1.0 / t.scale
         ahead = t.value + t.lower
         press = weight + grip * ahead
-        inside = there and passes(s, t, piece, per, press)
+        until = end_of(s, t, piece, per)
+        inside = there and passes(s, t, piece, per, until, press)
         slide(s, inside, t, piece, slope, base, grip, weight)
     return forward and not there
