@@ -17,8 +17,8 @@ from slipcircle.core.scene.arc import DIP, GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.effects import cohesion_mistakes
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
-from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
-from slipcircle.core.scene.tree import STORED, Leaf, Parts, bounds, declared, joined, leaves, number, numbers
+from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked_scene
+from slipcircle.core.scene.tree import STORED, Leaf, Parts, bounds, declared, leaves, number, numbers, path_of_part
 
 __all__ = [
     "ANSWERED",
@@ -41,11 +41,11 @@ __all__ = [
     "State",
     "Status",
     "bounds",
-    "checked",
+    "checked_scene",
     "cohesion_mistakes",
     "declared",
     "depends_on",
-    "joined",
+    "path_of_part",
     "law_mistakes",
     "law_names",
     "law_parts",

@@ -15,7 +15,7 @@ import numpy as np
 from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, plain, real_number
 from slipcircle.base.kinds import Flags, Floats, Values
-from slipcircle.core.scene.scene import Scene, checked
+from slipcircle.core.scene.scene import Scene, checked_scene
 from slipcircle.core.scene.tree import Leaf, leaves, mapped, put, replace_unchecked
 
 USUAL_WEIGHT = 2e4  # usual unit weight of soils, N/m^3
@@ -53,7 +53,7 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
     and an increase of cohesion without a datum are omitted. A length that all soils share has one name. A record is
     scaled by its peak.
     """
-    if checked(scene, "parameters").shape:
+    if checked_scene(scene, "parameters").shape:
         raise ValueError("parameters: takes a single scene; give one case of the ensemble")
     numbers = scene.numbers
     left_out = {"width", *scene.arc.numbers_without_effect()}

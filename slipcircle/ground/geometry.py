@@ -79,7 +79,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _cut(self) -> Cut:
-        return circles.cut(*self._circle)
+        return circles.cut_by_circles(*self._circle)
 
     @cached_property
     def _candidates(self) -> tuple[Any, ...]:

@@ -43,7 +43,7 @@ _WHOLE = _INTEGRAL.sum(axis=0, keepdims=True)  # up to the right end, where ever
 _DEVELOPING = np.concatenate([_INTEGRAL, _WHOLE, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
-class Part(NamedTuple):
+class ProfilePart(NamedTuple):
     """Integrals along the arcs of some circles from their left ends, in pieces.
 
     Attributes
@@ -81,14 +81,14 @@ class Part(NamedTuple):
         up_to += _of_piece(self.before[:count], piece)
         return up_to
 
-    def combined(self, weights: Floats) -> "Part":
+    def combined(self, weights: Floats) -> "ProfilePart":
         """Return the load in a single column, the sum of all columns with weights, (columns, circles).
 
         Only the first `PRESSING` integrals are retained.
         """
         before = np.einsum("scpn,cn->spn", self.before[:PRESSING], weights)
         series = np.einsum("sctpn,cn->stpn", self.series[:PRESSING], weights)
-        return Part(self.edges, before[:, None], series[:, None])
+        return ProfilePart(self.edges, before[:, None], series[:, None])
 
 
 def _of_piece(values: Floats, piece: Integers) -> Floats:
@@ -115,7 +115,7 @@ class Profile(NamedTuple):
     """
 
     whole: Floats
-    parts: Sequence[Part]
+    parts: Sequence[ProfilePart]
 
     def up_to(self, beta: Floats, count: int) -> Floats:
         """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
@@ -178,7 +178,7 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
         each = np.stack([of_piece[:, :, -1] for of_piece in by_piece], axis=2)
         series = np.stack([of_piece[:retained, :, :-1] for of_piece in by_piece], axis=3)
         before = np.cumsum(np.insert(each, 0, 0.0, axis=2), axis=2)
-        part = Part(np.stack([*firsts, lasts[-1]]), before, series)
+        part = ProfilePart(np.stack([*firsts, lasts[-1]]), before, series)
         whole.append(before[:, :, -1])
         if has_many:
             part = part.combined(steps[:, some])
@@ -191,8 +191,8 @@ def _developed(
 ) -> ArrayTriple:
     """Return series of pieces, (pieces, integrals, columns, terms + 1, circles), and sizes of their coefficients.
 
-    The last term is the integral over the piece. The head is the greater of the first two coefficients, the tail the greater of the last two, each (pieces, circles).
-    The arguments are those of `_integrands`.
+    The last term is the integral over the piece. The head is the greater of the first two coefficients, the tail the
+    greater of the last two, each (pieces, circles). The arguments are those of `_integrands`.
     """
     values = _integrands(strips, weights, strip[:, None], circle, first, last)
     *axes, pieces, circles = values.shape

@@ -43,7 +43,7 @@ def with_functions_of_time(name: str, parameters: Parameters) -> ValueDict:
     return dict(parameters)
 
 
-def factor(effect: str, parameters: Parameters, name: str) -> Any:
+def shaking_factor(effect: str, parameters: Parameters, name: str) -> Any:
     """Return the factor of a parameter of a resolved effect.
 
     Shaking has an amplitude, a scale or a peak. `effect` and `name` are the names of the effect and of its parameter,
@@ -67,7 +67,7 @@ def record_numbers(shaking: Parameters) -> ValueDict:
     record = shaking["horizontal"]
     if not isinstance(record, Series):
         return {}
-    scale = factor("shaking", shaking, "horizontal")
+    scale = shaking_factor("shaking", shaking, "horizontal")
     return {"scale": scale, "peak": scale * record.greatest}
 
 
@@ -80,7 +80,7 @@ def in_time(called: Effects) -> dict[str, Series | Pulse]:
     for effect, parameters in called.items():
         for name, value in parameters.items():
             if isinstance(value, Series | Pulse):
-                functions[f"{effect}.{name}"] = value.scaled(float(factor(effect, parameters, name)))
+                functions[f"{effect}.{name}"] = value.scaled(float(shaking_factor(effect, parameters, name)))
     return functions
 
 
@@ -143,7 +143,7 @@ def _check_strength(parameters: Parameters) -> None:
         record = parameters.get(name)
         if not isinstance(record, Series):
             continue
-        peak = float(np.max(np.abs(factor("shaking", parameters, name)))) * record.greatest
+        peak = float(np.max(np.abs(shaking_factor("shaking", parameters, name)))) * record.greatest
         if peak > STRONGEST:
             unlikely = f"{{{name}}} reaches {peak:.6g} g, more than any recorded ground motion ({STRONGEST:g} g)"
             unit = 'its values are over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'

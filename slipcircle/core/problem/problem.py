@@ -267,7 +267,7 @@ class Numbers:
             elif p.kind != "series":  # a function of the rotation, tabulated by the mass
                 self.start[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
             else:
-                factor = lazy_import("forcing").factor(effect, parameters, p.name)
+                factor = lazy_import("forcing").shaking_factor(effect, parameters, p.name)
                 scaled = p.dimensionless(factor, scales)
                 self.add_table(symbol, lazy_import("tables").of_time(value), self.mass.time_scale, scaled)
 

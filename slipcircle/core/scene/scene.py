@@ -338,7 +338,7 @@ def accuracy_mistakes(accuracy: Any) -> list[str]:
     return mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}, one=("accuracy",))
 
 
-def checked(scene: Any, what: str) -> Scene:
+def checked_scene(scene: Any, what: str) -> Scene:
     """Return the argument if it is a scene, and otherwise raise an error.
 
     ``what`` names the operation in the message.

@@ -17,7 +17,7 @@ from generated.effects import EFFECTS
 from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
 from slipcircle.base.text import printed
-from slipcircle.core import Scene, joined, leaves
+from slipcircle.core import Scene, leaves, path_of_part
 from slipcircle.workbench.common.distributions import (
     Gaussian,
     Triangle,
@@ -48,7 +48,7 @@ def by_key(scene: Any) -> dict[str, Key]:
     found = dict[str, Key]()
     for path, full, p, _ in leaves(scene):
         for name, key in keys_of(p).items():
-            spelt = joined(full.rpartition(".")[0], name)
+            spelt = path_of_part(full.rpartition(".")[0], name)
             spelt = f"slip.{spelt}" if spelt.startswith("rate.") else spelt
             beside_law = spelt.replace(".cohesion.cohesion_kPa", ".cohesion_kPa")  # of a soil, which may have a law
             found |= {one: replace(key, key=one, name=path) for one in (beside_law, spelt)}

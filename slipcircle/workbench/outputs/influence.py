@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.base.text import printed, shown
 from slipcircle.derivatives import Sensitivity
-from slipcircle.workbench.common.quantities import words
+from slipcircle.workbench.common.quantities import in_words
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.pictures.tornado import size_of
@@ -70,7 +70,7 @@ def sensitivity_part(
         cells = [_cell(table, output, parameter, key) for output in table.outputs]
         rows.append([_label(table, key), shown(value, 6), *limit, *cells])
     head = ["by", "value", "F = 1 at", "distance"]
-    head += [words(output, printed(unit)[1]) for output, unit in table.outputs.items()]
+    head += [in_words(output, printed(unit)[1]) for output, unit in table.outputs.items()]
     return ResultTable(head, rows, name, _note(table, names))
 
 

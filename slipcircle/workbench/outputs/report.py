@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.base.progress import track
+from slipcircle.base.progress import tracked
 from slipcircle.base.text import printed, shown
 from slipcircle.core import Motion, Plan, Scene, Status, law_names, plan
 from slipcircle.layers import LayeredSection
@@ -196,7 +196,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[ResultTable | Raw]:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep samples the uncertain inputs.")
     yield tag("h3", "Pictures")
-    for what, caption in track(_captions(motion).items(), "pictures drawn"):
+    for what, caption in tracked(_captions(motion).items(), "pictures drawn"):
         yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, picture(what, motion, "svg"))
     if stability_of(plan.scene):
         yield from slope_parts(plan.scene, with_tables=False)

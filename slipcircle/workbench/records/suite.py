@@ -22,7 +22,7 @@ from typing import Any, Literal, NamedTuple
 
 from slipcircle.base.errors import InputError, raise_all
 from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
-from slipcircle.base.progress import track
+from slipcircle.base.progress import tracked
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import files_in
 from slipcircle.workbench.common.units import ACCELERATION, unit_of
@@ -288,7 +288,7 @@ def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> t
     entries = []
     unread = []
     remaining = _KEPT
-    for file in track(files, "records read"):
+    for file in tracked(files, "records read"):
         try:
             for entry in _entries(file, vertical, reading):
                 if isinstance(entry, Unread):
