@@ -37,8 +37,10 @@ _CIRCLES = 200  # circles of a part
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
 _INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end of a piece
-# From values at the nodes to the coefficients of the integral, followed by their own first two and last two.
-_DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
+_WHOLE = _INTEGRAL.sum(axis=0, keepdims=True)  # up to the right end, where every Chebyshev polynomial is 1
+# From values at the nodes to the coefficients of the integral and the whole integral, followed by their own first two
+# and last two coefficients.
+_DEVELOPING = np.concatenate([_INTEGRAL, _WHOLE, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
 class ProfilePart(NamedTuple):
@@ -173,9 +175,8 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
         pieces = [piece for *arrays, smooth in rounds for piece in compress(zip(*arrays, strict=True), smooth)]
         pieces.sort(key=lambda piece: float((piece[0] + piece[1]).sum()))  # from left to right
         firsts, lasts, by_piece = zip(*pieces, strict=True)
-        # At the right end of a piece every Chebyshev polynomial is 1.
-        each = np.stack([of_piece.sum(axis=2) for of_piece in by_piece], axis=2)
-        series = np.stack([of_piece[:retained] for of_piece in by_piece], axis=3)
+        each = np.stack([of_piece[:, :, -1] for of_piece in by_piece], axis=2)
+        series = np.stack([of_piece[:retained, :, :-1] for of_piece in by_piece], axis=3)
         before = np.cumsum(np.insert(each, 0, 0.0, axis=2), axis=2)
         part = ProfilePart(np.stack([*firsts, lasts[-1]]), before, series)
         whole.append(before[:, :, -1])
@@ -188,18 +189,17 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
 def _developed(
     strips: Strips, weights: Floats, circle: Integers, strip: Integers, first: Floats, last: Floats
 ) -> ArrayTriple:
-    """Return series of pieces, (pieces, integrals, columns, terms, circles), and sizes of their coefficients.
+    """Return series of pieces, (pieces, integrals, columns, terms + 1, circles), and sizes of their coefficients.
 
-    The head is the greater of the first two coefficients, the tail the greater of the last two, each (pieces, circles).
-    The arguments are those of `_integrands`.
+    The last term is the integral over the piece. The head is the greater of the first two coefficients, the tail the
+    greater of the last two, each (pieces, circles). The arguments are those of `_integrands`.
     """
     values = _integrands(strips, weights, strip[:, None], circle, first, last)
     *axes, pieces, circles = values.shape
     developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)
     by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
-    terms = _COUNT + 1
-    series = by_piece[:, :, :terms]
-    of_terms = np.abs(by_piece[:, :, terms:]).max(axis=(0, 1))
+    series, sizes = np.split(by_piece, [_COUNT + 2], axis=2)
+    of_terms = np.abs(sizes).max(axis=(0, 1))
     return np.moveaxis(series, 3, 0), of_terms[:2].max(axis=0), of_terms[2:].max(axis=0)
 
 
