@@ -97,11 +97,11 @@ class SlopeInput:
         geometry = Section(ground["ground"], **circle, **self.water, unit_weight=1.0, base=ground.get("base"))
         raise_all("Section", complaint([outside_between(geometry)], ()))
         # The circle is known to be above the base, which may lie higher than ground beside it.
-        given = at_circle(replace(self.slope(), base=None), geometry) if has_strength else None
+        fixed = at_circle(replace(self.slope(), base=None), geometry) if has_strength else None
         pushed = "shaking" in self.given or self.given[""].get("initial_velocity")
-        if not pushed and not (self.profile and given and given.facing):
+        if not pushed and not (self.profile and fixed and fixed.facing):
             require_drive(geometry)
-        return circle, given and replace(_deep_enough(given, geometry), start=self.start)
+        return circle, fixed and replace(_deep_enough(fixed, geometry), start=self.start)
 
     def section(self, circle: Values) -> Section:
         """Return the section that moves along a circle, a mapping with "centre", "radius" and "between"."""

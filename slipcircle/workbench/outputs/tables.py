@@ -361,9 +361,7 @@ def interval_text(e: Estimate) -> str:
     def text(x: float) -> str:
         if math.isnan(x):
             return "?"
-        if x == math.inf:
-            return BEYOND
-        return to_error(x, error)
+        return to_error(x, error) if x < math.inf else BEYOND
 
     value, low, high = map(text, e)
     if math.isnan(e.value):

@@ -139,12 +139,12 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> Texts:
         low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
     except (TypeError, ValueError):
         return [f"{{{name}}} = {pair!r}: must be two numbers, the least and the greatest x"]
-    given = f"{{{name}}} = [{low:.10g}, {high:.10g}]"
+    interval = f"{{{name}}} = [{low:.10g}, {high:.10g}]"
     if not low <= high:
-        return [f"{given}: must be the least and the greatest x, in this order"]
+        return [f"{interval}: must be the least and the greatest x, in this order"]
     if high < ground[0, 0] or low > ground[-1, 0]:
         reach = f"from {ground[0, 0]:.10g} to {ground[-1, 0]:.10g}"
-        return [f"{given}: lies beside the ground, which extends {reach}"]
+        return [f"{interval}: lies beside the ground, which extends {reach}"]
     return []
 
 

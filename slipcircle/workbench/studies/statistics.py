@@ -317,21 +317,19 @@ def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
         return exceeds.sum(axis=(1, 3)) / (~np.isnan(displacement)).sum(axis=(1, 3))
 
 
-def exceedance_probabilities(
-    displacement: Floats, thresholds: Floats, confidence: float = 0.95
-) -> list[list[Estimate]]:
+def exceedance_probabilities(displacement: Floats, thresholds: Floats) -> list[list[Estimate]]:
     """Return the probabilities that displacements exceed thresholds, m, as lists by scale of lists by threshold.
 
-    The intervals are conservative: they treat each record as one draw (Clopper and Pearson 1934), as if both polarities
-    and all samples of a record exceeded a threshold together. Intervals for motions as independent draws would be too
-    short, because the two polarities of a record are not independent.
+    The intervals of 95 % are conservative: they treat each record as one draw (Clopper and Pearson 1934), as if both
+    polarities and all samples of a record exceeded a threshold together. Intervals for motions as independent draws
+    would be too short, because the two polarities of a record are not independent.
     """
     records, _, scales, _ = displacement.shape
     by_scale = []
     for k in range(scales):
         values = _valid(displacement, k)
         shares = (values[:, None] > thresholds).mean(axis=0) if values.size else np.full(thresholds.size, np.nan)
-        rows = np.stack([shares, *proportion(shares * records, records, confidence)], axis=1)
+        rows = np.stack([shares, *proportion(shares * records, records, 0.95)], axis=1)
         by_scale.append([Estimate(*row) for row in rows.tolist()])
     return by_scale
 
