@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7190a56c1fb528c01115b4411eefe18264b8e8c913e5dc28b74f2f52ddfd3f7f"
+#define DIGEST "27de8a4d3db134cf7672d3e4a871ec46948f893a5c1b879144e3d546db553d06"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2624,13 +2624,17 @@ INLINE void choose_step(Batch *b, M here, V room, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V radius = broadcast(INFINITY);
-    for (const State *q = job->state; q < job->state + job->states; q++) {
-        if (q->rate != job->role->omega) {
-            radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+    c[STEP] = pick(here, room, c[STEP]);
+    M complete = here & (c[SERIES_ORDER] == c[ORDER]);
+    if (bits(complete)) {
+        V radius = broadcast(INFINITY);
+        for (const State *q = job->state; q < job->state + job->states; q++) {
+            if (q->rate != job->role->omega) {
+                radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+            }
         }
+        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, room), c[STEP]), c[STEP]);
     }
-    c[STEP] = pick(here, pick(c[SERIES_ORDER] < c[ORDER], room, minimum(c[FACTOR] * radius, room)), c[STEP]);
 }
 
 /* Advance the states and the functions of time by the step. */
@@ -3007,8 +3011,12 @@ static void look_ahead(Batch *b, M here, V room)
     V *net = b->r + job->role->net;
     M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
     M jumps = (net[0] > 0.0) & ~touches;
-    V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
-    V reach = pick(c[SERIES_ORDER] < c[ORDER], room, minimum(c[FACTOR] * radius, room));
+    V reach = room;
+    M complete = here & (c[SERIES_ORDER] == c[ORDER]);
+    if (bits(complete)) {
+        V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
+        reach = pick(complete, minimum(c[FACTOR] * radius, room), room);
+    }
     c[STRETCH] = pick(here, minimum(reach, c[STRETCH]), c[STRETCH]);
     V e[STRIDE];
     margin_of(e, net, top - 1, broadcast(-1.0), broadcast(0.0), touches);

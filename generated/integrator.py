@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c2c3aef41e1c45631316cdfb950b3fa116f483142a749a4ed63be8b2a04f6362
+# sha256 of the text below: c624f96fde3603d442c2cda249b20df7caf7405a604b3eb7becd898218d699fb
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1638,12 +1638,14 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
 def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
     """Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early."""
     c = s.cells
-    radius: Floats = INFINITY
-    for q in s.states:
-        if q.rate != s.roles.omega:
-            radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
-    c[ix.STEP] = np.where(here, np.where(c[ix.SERIES_ORDER] < c[ix.ORDER], room, np.minimum(c[ix.FACTOR] * radius,
-        room)), c[ix.STEP])
+    c[ix.STEP] = np.where(here, room, c[ix.STEP])
+    complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
+    if np.any(complete):
+        radius: Floats = INFINITY
+        for q in s.states:
+            if q.rate != s.roles.omega:
+                radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), c[ix.STEP]), c[ix.STEP])
 
 
 def advance_states(s: Lanes, here: Mask, top: int) -> None:
@@ -1966,8 +1968,11 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     net = s.registers[s.roles.net]
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
     jumps = (net[0] > 0.0) & np.logical_not(touches)
-    radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
-    reach = np.where(c[ix.SERIES_ORDER] < c[ix.ORDER], room, np.minimum(c[ix.FACTOR] * radius, room))
+    reach = room
+    complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
+    if np.any(complete):
+        radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
+        reach = np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), room)
     c[ix.STRETCH] = np.where(here, np.minimum(reach, c[ix.STRETCH]), c[ix.STRETCH])
     e = np.zeros_like(s.registers[0])
     margin_of(e, net, top - 1, -1.0, 0.0, touches)
