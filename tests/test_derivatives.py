@@ -186,7 +186,7 @@ def test_hard_scenes_against_differences(which: str) -> None:
 def test_a_table_has_the_numbers_that_are_not_given_and_none_at_the_limit() -> None:
     found = solve(load("vaiont-as-printed")).sensitivity()
     assert list(found.parameters) == ["friction", "radius", "unit_weight", "gravity", "end_time"]
-    assert "run_out [m]" in str(found)
+    assert "run-out (m)" in str(found)
     still = solve(replace(load("vaiont"), friction=0.6)).sensitivity()
     assert not still.values.any()
     assert np.isnan(still.elasticities).all()
