@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import measured, shown
+from slipcircle.base.text import amount_text, number_text
 from slipcircle.core import Scene
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
@@ -118,7 +118,7 @@ def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) 
     ``compared`` are the comparisons at this scale, given by its index.
     """
     units = {"regression": "", "in range": "", "predicted": "m", "ln ratio": "", "std": "", "published std": ""}
-    factor = shown(study.block_factor)
+    factor = number_text(study.block_factor)
     divided = f"displacements are divided by {factor}, the ratio of the displacement on the arc to that of a block"
     notes = [divided, "ln ratio: mean over the records"]
     rows = []
@@ -129,7 +129,7 @@ def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) 
         if not math.isnan(c.negligible):
             shares = f"{100 * c.negligible:.1f} % of the records, computed {100 * c.negligible_computed:.1f} %"
             notes.append(f"{c.name} counts displacements above 1 cm only; at most 1 cm for {shares}")
-    k_y = shown(study.yield_coefficient)
+    k_y = number_text(study.yield_coefficient)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
     return unit_table(units, rows, title, "; ".join(notes))
 
@@ -139,7 +139,7 @@ def _exceedance_part(study: Study) -> ResultTable:
     thresholds = study.records.thresholds
     levels = exceedance_probabilities(study.displacement, thresholds)
     pga = [] if study.records.to_pga else np.median(study.pga, axis=0)[:, None].tolist()
-    head = ["", *["PGA (g)"] * bool(pga), *(f"D > {measured(d, 'm')}" for d in thresholds.tolist())]
+    head = ["", *["PGA (g)"] * bool(pga), *(f"D > {amount_text(d, 'm')}" for d in thresholds.tolist())]
     rows = [[study.scale_text(k), *(pga[k] if pga else []), *levels[k]] for k in range(len(levels))]
     median = "" if study.records.to_pga else "PGA: median of the records; "
     note = f"{median}95 % intervals, of as many draws as there are records"
@@ -149,8 +149,9 @@ def _exceedance_part(study: Study) -> ResultTable:
 def _fragility_part(study: Study) -> ResultTable:
     """Return a table of lognormal fragility curves, with the reason where a curve is missing."""
     head = ["", "median PGA (g)", "dispersion", "no curve"]
-    rows = [[f"D > {measured(c.threshold, 'm')}", c.median, c.dispersion, c.reason or "-"] for c in study.fragility()]
-    if not any(curve.reason for curve in study.fragility()):
+    curves = study.fragility()
+    rows = [[f"D > {amount_text(c.threshold, 'm')}", c.median, c.dispersion, c.reason or "-"] for c in curves]
+    if not any(curve.reason for curve in curves):
         head, rows = head[:-1], [row[:-1] for row in rows]
     title = "lognormal fragility: probability Phi(ln(PGA/median)/dispersion) that D exceeds a threshold"
     return ResultTable(head, rows, title, f"greatest likelihood; {interval_note(len(study.suite))}")

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import ValueDict, Values
-from slipcircle.base.text import printed, shown
+from slipcircle.base.text import number_text, output_unit
 from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
@@ -253,11 +253,11 @@ def _run_outs(study: Study, keys: Sequence[str], ends: Sequence[str], note: str)
     """
     down, along = (level.tolist() for level in study.design.levels)
     run_outs = study.samples["run_out"].tolist()
-    factor, _ = printed(OUTCOMES["run_out"].unit)
+    factor, _ = output_unit(OUTCOMES["run_out"].unit)
     cells = [w if math.isnan(r) else factor * r for r, w in zip(run_outs, ends, strict=True)]
     rows = [[at, *cells[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
     title = f"{study.scene.name}: {OUTCOMES['run_out'].heading} by {keys[0]} (rows) and {keys[1]} (columns)"
-    return ResultTable([keys[0], *map(shown, along)], rows, title, note)
+    return ResultTable([keys[0], *map(number_text, along)], rows, title, note)
 
 
 def _outcomes(study: Study, keys: Sequence[str], ends: Sequence[str]) -> ResultTable:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict
 from slipcircle.base.optional import optional
-from slipcircle.base.text import shown
+from slipcircle.base.text import number_text
 from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, html_table, tag
 from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, factors_of, in_words, results
@@ -31,7 +31,7 @@ def motion_table(motion: Motion) -> str:
 def _span(values: Any, unit: str) -> str:
     """Return the least and the greatest of the values that are not NaN, as text in the given unit; "-" without any."""
     finite = values[~np.isnan(values)]
-    return f"{shown(finite.min())} to {shown(finite.max())} {unit}" if finite.size else "-"
+    return f"{number_text(finite.min())} to {number_text(finite.max())} {unit}" if finite.size else "-"
 
 
 def to_dict(motion: Motion, times: ArrayLike | None) -> ValueDict:

@@ -16,7 +16,7 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
-from slipcircle.base.text import printed
+from slipcircle.base.text import output_unit
 from slipcircle.core import Scene, leaves, path_of_part
 from slipcircle.workbench.common.distributions import (
     Gaussian,
@@ -57,7 +57,7 @@ def by_key(scene: Any) -> dict[str, Key]:
 
 def in_output_unit(number: Key) -> Key:
     """Return a number with its key in the unit chosen for output, such as `cohesion.cohesion_psf`."""
-    factor, unit = printed(number.unit)
+    factor, unit = output_unit(number.unit)
     if factor == 1.0:
         return number
     key = number.key.removesuffix(suffix(number.written)) + suffix(unit)

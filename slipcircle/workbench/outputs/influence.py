@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import printed, shown
+from slipcircle.base.text import number_text, output_unit
 from slipcircle.derivatives import Sensitivity
 from slipcircle.workbench.common.quantities import in_words
 from slipcircle.workbench.files.keys import Key
@@ -54,7 +54,7 @@ def sensitivity_part(table: Sensitivity, stops: Mapping[str, float]) -> ResultTa
     ``stops`` are the `important_standstills`, which are listed with their distance.
     """
     names = important(table)
-    outcomes = (printed(unit)[0] * table.at[output] for output, unit in table.outputs.items())
+    outcomes = (output_unit(unit)[0] * table.at[output] for output, unit in table.outputs.items())
     rows: list[list[Any]] = [["", "", "", "", *outcomes]]
     keys = by_name(table.scene)
     for parameter in names:
@@ -63,11 +63,11 @@ def sensitivity_part(table: Sensitivity, stops: Mapping[str, float]) -> ResultTa
         limit = ["-", "-"]
         if parameter in stops:
             stop = float(key.from_si(stops[parameter]))
-            limit = [shown(stop, 4), f"{stop - value:+.2g}"]
+            limit = [number_text(stop, 4), f"{stop - value:+.2g}"]
         cells = [_cell(table, output, parameter, key) for output in table.outputs]
-        rows.append([_label(table, key), shown(value, 6), *limit, *cells])
+        rows.append([_label(table, key), number_text(value, 6), *limit, *cells])
     head = ["by", "value", "F = 1 at", "distance"]
-    head += [in_words(output, printed(unit)[1]) for output, unit in table.outputs.items()]
+    head += [in_words(output, output_unit(unit)[1]) for output, unit in table.outputs.items()]
     return ResultTable(head, rows, table.scene.name, _note(table, names))
 
 
@@ -92,7 +92,7 @@ def _cell(table: Sensitivity, output: str, parameter: str, key: Key) -> str:
         per_unit = 0.0
     else:
         per_unit = float(per_si * key.slope(value))
-    text = shown(printed(table.outputs[output])[0] * per_unit)
+    text = number_text(output_unit(table.outputs[output])[0] * per_unit)
     if at and per_unit * value and per_unit == per_unit:
         text += f" ({per_unit * value / at:+.2g})"
     kind = table.kind(output, parameter)

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import TextDict
 from slipcircle.base.progress import is_terminal
-from slipcircle.base.text import DIGITS, clean, drawn_unit, measured, printed, shown
+from slipcircle.base.text import DIGITS, amount_text, clean, drawn_unit, number_text, output_unit
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
 from slipcircle.messages import VelocityTimes
@@ -137,7 +137,7 @@ def _factors_at_start(motion: Motion) -> TextDict:
     if critical is not None and critical.slope.k_h:
         column |= _factors(critical.factors_of_safety, critical.slope.k_h)
     if starts(motion):
-        column["strength factor"] = shown(float(scene.strength_factor))
+        column["strength factor"] = number_text(float(scene.strength_factor))
     return column
 
 
@@ -168,7 +168,7 @@ def stretches_part(motion: Motion) -> ResultTable | None:
     for name in stresses:
         whole[name] = sum(record["length"] * record[name] for record in records) / length
     rows = []
-    (of_length, length_unit), (of_stress, unit) = printed("m"), drawn_unit("Pa")
+    (of_length, length_unit), (of_stress, unit) = output_unit("m"), drawn_unit("Pa")
     for record in (*records, whole):
         in_unit = [of_stress * record[name] for name in stresses]
         rows.append([record["soil"], of_length * record["length"], f"{100 * record['weight_share']:.1f}", *in_unit])
@@ -202,7 +202,7 @@ def stability_columns(critical: Critical) -> tuple[TextDict, TextDict]:
 def pond_row(soil: Any) -> TextDict:
     """Return the free water on a slope or on the ground of a single section as text by label; empty without it."""
     ponds = soil.free_water.of_one if isinstance(soil, Slope | Section) else []
-    factor, unit = printed("m")
+    factor, unit = output_unit("m")
     numbers = [[f"{factor * x:.8g}" for x in pond] for pond in ponds]
     texts = [f"x = {first} to {last} {unit}, level {level} {unit}" for first, last, level in numbers]
     if texts:
@@ -215,7 +215,7 @@ def _circle(critical: Critical) -> TextDict:
     column = {
         "circle": least_of(critical.method) if critical.method else "as given",
         "centre": _point(critical.centre, critical.radius),
-        "radius": measured(critical.radius, "m"),
+        "radius": amount_text(critical.radius, "m"),
         "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
     }
     if not math.isnan(critical.negative):  # NaN for an overhanging circle
@@ -227,13 +227,13 @@ def _circle(critical: Critical) -> TextDict:
 
 def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> TextDict:
     """Return factors of safety as texts by labels that name the method, and k_h unless it is 0."""
-    condition = f", k_h = {shown(k_h)}" if k_h else ""
+    condition = f", k_h = {number_text(k_h)}" if k_h else ""
     return {f"{factor_label(method)}{condition}": factor_text(factor) for method, factor in by_method.items()}
 
 
 def _point(xy: Sequence[float], radius: float) -> str:
     """Return x and y in m as text in the unit of output, to the last place of the printed radius, also in m."""
-    factor, unit = printed("m")
+    factor, unit = output_unit("m")
     places = DIGITS - 1 - math.floor(math.log10(factor * radius))
     return ", ".join(f"{round(factor * value, places) + 0.0:.12g}" for value in xy) + f" {unit}"
 
@@ -260,7 +260,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> ResultTable:
     outcomes = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
     rows = []
     for rung in rungs:
-        values = [measured(getattr(rung, q.name), q.unit) for q in outcomes]
+        values = [amount_text(getattr(rung, q.name), q.unit) for q in outcomes]
         end = "yes" if rung.peak_velocity else "does not move"
         rows.append(
             [
@@ -330,7 +330,7 @@ def _total(columns: Sequence[Sequence[str]], most: int) -> int:
 
 def in_unit(cell: Any, unit: str) -> Any:
     """Return an outcome in an SI unit, or an `Estimate` of one, converted to the unit of output."""
-    factor, _ = printed(unit)
+    factor, _ = output_unit(unit)
     if isinstance(cell, Estimate):
         return Estimate(*(factor * x for x in cell))
     return factor * cell
@@ -341,7 +341,7 @@ def unit_table(units: Mapping[str, str], rows: Iterable[Iterable[Any]], title: s
 
     Cells of columns without a unit remain as they are.
     """
-    heads = [f"{name} ({printed(unit)[1]})" if unit else name for name, unit in units.items()]
+    heads = [f"{name} ({output_unit(unit)[1]})" if unit else name for name, unit in units.items()]
     cells = []
     for row in rows:
         by_unit = zip(row, units.values(), strict=True)

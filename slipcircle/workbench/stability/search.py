@@ -10,7 +10,7 @@ import numpy as np
 
 from slipcircle.base.errors import InputError, raise_all
 from slipcircle.base.kinds import Floats, Pair, Tell, Texts, Values
-from slipcircle.base.text import measured
+from slipcircle.base.text import amount_text
 from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.critical import Critical, circle_of
 from slipcircle.workbench.stability.factors import YIELD
@@ -100,7 +100,7 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> Texts:
     centre, radius, _, _ = search.circles(q)
     if search.depth and search.thickness(q, centre, radius)[0] < search.depth + near:
         sentences.append(
-            f"the mass is as thin as the search allows, {measured(search.depth, 'm', 6)}; thinner ones may be worse"
+            f"the mass is as thin as the search allows, {amount_text(search.depth, 'm', 6)}; thinner ones may be worse"
         )
     return sentences
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.kinds import ArrayPair, Floats, Integers, ValueDict
-from slipcircle.base.text import shown
+from slipcircle.base.text import number_text
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
 
@@ -185,8 +185,8 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
     highest = log_pga[stays].max()
     if lowest < highest - _SAME:
         return ""
-    first = shown(math.exp(lowest))
-    last = shown(math.exp(highest))
+    first = number_text(math.exp(lowest))
+    last = number_text(math.exp(highest))
     if lowest <= highest + _SAME:
         return f"no motion exceeds it below a peak of {first} g and every one above; give scales next to it"
     return f"no motion exceeds it up to a peak of {last} g and every one does from {first} g; give scales between"

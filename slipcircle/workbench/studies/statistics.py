@@ -8,7 +8,7 @@ import numpy as np
 
 from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayTriple, Floats
-from slipcircle.base.text import shown
+from slipcircle.base.text import number_text
 from slipcircle.workbench.common.distributions import special
 
 # Least values for an interval from replicates: samples of each, samples in the tail, standard deviation of the counts.
@@ -49,7 +49,7 @@ BEYOND = "beyond"  # replaces an infinite value, due to samples that slide witho
 
 def value_text(value: float) -> str:
     """Return a value of an estimate as text, `BEYOND` if it is infinite."""
-    return BEYOND if value == math.inf else shown(value)
+    return BEYOND if value == math.inf else number_text(value)
 
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:

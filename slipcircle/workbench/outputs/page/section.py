@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Pair
-from slipcircle.base.text import printed
+from slipcircle.base.text import output_unit
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.pictures.plotstyle import SOILS
@@ -179,7 +179,7 @@ def section_ticks(frame: Frame, names_left: bool) -> Raw:
     ``names_left`` says that the names are at the left.
     """
     view = frame.view
-    factor, unit = printed("m")
+    factor, unit = output_unit("m")
     drawn = ""
     for x in _round_numbers(factor * view.left, factor * view.right, _TICKS[0]):
         across, _ = frame.points([x / factor, 0.0])
