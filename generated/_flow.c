@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "f4233526c03bf64d51133ad46ebd1340629e7e83d9189cc68ba9f593eb4f8708"
+#define DIGEST "e6ff181549f79510441d44cdd92af265253d7cdcd7315267773bd2f112775063"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2234,6 +2234,16 @@ INLINE M rests_through(Batch *b, int t, int piece, V per)
     return inside & quiet;
 }
 
+/* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
+static int last_at_rest(Batch *b, M on, int t, int piece, V per)
+{
+    int last = piece;
+    while (!bits(on & ~rests_through(b, t, last + 1, per))) {
+        last = last + 1;
+    }
+    return last;
+}
+
 /* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
 static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, double omega)
 {
@@ -2377,9 +2387,7 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
             x = x + way;
         }
         if (!bits(acts)) {
-            while (!bits(on & ~rests_through(b, t, piece + 1, per))) {
-                piece = piece + 1;
-            }
+            piece = last_at_rest(b, on, t, piece, per);
             until = end_of(b, t, piece, per);
             after = base + (slope * right_value(b, t, piece));
         }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f9884bfbb9387d65c4fc85051bfca62cf10260ed1731134d840429554c973e52
+# sha256 of the text below: 62246ddb3ec201810c1877bae391e58f53438feb5e390493b5d2f6f1b9a7c2a7
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1260,6 +1260,14 @@ def rests_through(s: Lanes, t: Table, piece: int, per: Floats) -> Mask:
     return inside & quiet
 
 
+def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, per: Floats) -> int:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last = piece
+    while not np.any(on & np.logical_not(rests_through(s, t, last + 1, per))):
+        last = last + 1
+    return last
+
+
 def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
     """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = lane.cells
@@ -1394,8 +1402,7 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
             omega = speed
             x = x + way
         if not np.any(acts):
-            while not np.any(on & np.logical_not(rests_through(s, t, piece + 1, per))):
-                piece = piece + 1
+            piece = last_at_rest(s, on, t, piece, per)
             until = end_of(s, t, piece, per)
             after = base + slope * right_value(s, t, piece)
         now = until

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0053d5f3b2d8e1c63b635e5ca8c743064dd7db12badd4aeb810e67174cbd1aae
+# sha256 of the text below: 2de2208f235829d5ffff2a4db95ccedd93463ac1ebc025aeced99a1685f3e52c
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "f4233526c03bf64d51133ad46ebd1340629e7e83d9189cc68ba9f593eb4f8708"  # of the compiled integrator's source
+DIGEST = "e6ff181549f79510441d44cdd92af265253d7cdcd7315267773bd2f112775063"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -164,6 +164,14 @@ def rests_through(s: Lanes, t: T, piece: N, per: V) -> M:
     return inside and quiet
 
 
+def last_at_rest(s: Lanes, on: M, t: T, piece: N, per: V) -> N:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last: N = piece
+    while not any_lane(on and not rests_through(s, t, last + 1, per)):
+        last = last + 1
+    return last
+
+
 def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
     """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
     lane.x = x
@@ -293,8 +301,7 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
             omega = speed
             x = x + way
         if not any_lane(acts):
-            while not any_lane(on and not rests_through(s, t, piece + 1, per)):
-                piece = piece + 1
+            piece = last_at_rest(s, on, t, piece, per)
             until = end_of(s, t, piece, per)
             after = base + slope * right_value(s, t, piece)
         now = until

@@ -12,6 +12,7 @@ from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.pictures.tornado import size_of
 from slipcircle.workbench.outputs.tables import ResultTable
+from slipcircle.workbench.studies.standstill import standstills
 
 _MOST = 10  # rows
 _TERMS = {
@@ -42,21 +43,17 @@ def _is_point(name: str) -> bool:
     return name.startswith(("ground.", "level.", "centre."))
 
 
-def sensitivity_part(
-    table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str
-) -> ResultTable:
-    """Return a table of derivatives of the outputs per unit of the key of each number.
+def important_standstills(table: Sensitivity) -> dict[str, float]:
+    """Return the values of the `important` numbers in SI units at which F = 1, by name; absent without such a value."""
+    return standstills(table.scene, important(table).items())
 
-    Parameters
-    ----------
-    table : Sensitivity
-    stops : mapping
-        Values in SI units at which F = 1, by name of the number. They are listed with their distance.
-    names : mapping
-        Names of the listed numbers, such as the result of `important`.
-    name : str
-        Title of the table.
+
+def sensitivity_part(table: Sensitivity, stops: Mapping[str, float]) -> ResultTable:
+    """Return a table of derivatives of the outputs per unit of the key of each of the `important` numbers.
+
+    ``stops`` are the `important_standstills`, which are listed with their distance.
     """
+    names = important(table)
     outcomes = (printed(unit)[0] * table.at[output] for output, unit in table.outputs.items())
     rows: list[list[Any]] = [["", "", "", "", *outcomes]]
     keys = by_name(table.scene)
@@ -71,7 +68,7 @@ def sensitivity_part(
         rows.append([_label(table, key), shown(value, 6), *limit, *cells])
     head = ["by", "value", "F = 1 at", "distance"]
     head += [in_words(output, printed(unit)[1]) for output, unit in table.outputs.items()]
-    return ResultTable(head, rows, name, _note(table, names))
+    return ResultTable(head, rows, table.scene.name, _note(table, names))
 
 
 def _label(table: Sensitivity, key: Key) -> str:

@@ -286,15 +286,15 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
     """
     terminal = is_terminal(sys.stdout)
     width = min(shutil.get_terminal_size().columns, WIDEST) if terminal else WIDTH
-    lines = [*_layout(head, rows, title, note, width)]
+    lines = [*table_lines(head, rows, title, note, width)]
     coloured = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
     for line, after in zip(lines, [*lines[1:], ""], strict=True):
         headed = coloured and after.startswith("--")
         print(f"{BOLD}{line}{PLAIN}" if headed else line)
 
 
-def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
-    """Yield the lines of a table, at most ``width`` characters, in blocks of the first and as many columns as fit."""
+def table_lines(head: Sequence[str], rows: Rows, title: str, note: str, width: int = WIDTH) -> Iterator[str]:
+    """Yield the lines of a table of at most ``width`` characters, in blocks of the first and as many columns as fit."""
     every_row = [head, *rows] if head else rows
     first, *rest = ([*map(cell_text, column)] for column in zip(*every_row, strict=True))
     yield from wrap(clean(title), width)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from slipcircle.base.kinds import Texts
 from slipcircle.workbench.common.textfiles import NUMBER, NUMBER_AND_STEP, SEPARATORS, first_row, split, without_comment
-from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, period_of, seconds_of, unit_of
+from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, seconds_of, unit_of
 from slipcircle.workbench.records.columns import Column, column_of
 
 _STATEMENT = re.compile(  # in a header: "SAMPLING INTERVAL (sec) : 0.02", "#SampleRate(Hz): 200", "UNITS: cm/s^2"
@@ -60,7 +60,7 @@ def _step(said: dict[str, tuple[str, str]]) -> float:
 
     `said` has the bracket and the value of each statement by its kind.
     """
-    return seconds_of(*said["step"]) or period_of(*said["rate"])
+    return seconds_of(*said["step"]) or seconds_of(*said["rate"], default="Hz")
 
 
 def _unit(quantity: RecordedQuantity, said: dict[str, tuple[str, str]]) -> str:
