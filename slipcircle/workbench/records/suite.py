@@ -38,10 +38,11 @@ _SHOWN = 5  # number of reasons in the error for a suite without a record
 
 
 class Measures(NamedTuple):
-    """Intensity measures of a record, and the warning about its velocity at the end, otherwise empty."""
+    """Intensity measures of a record, the warning about its velocity at the end, and a digest of its samples."""
 
     intensities: Intensities
     drift: str
+    digest: str
 
 
 @dataclass(frozen=True)
@@ -63,8 +64,6 @@ class Entry:
         Unit of the values in the file.
     peak : float
         Greatest absolute acceleration over gravity.
-    digest : str
-        Digest of times and values, by which a resumed study identifies the record.
     is_vertical : bool
     kept : Series or None
         Samples of arrays and of small suites.
@@ -79,7 +78,6 @@ class Entry:
     step: float
     unit: str
     peak: float
-    digest: str
     is_vertical: bool = False
     kept: Series | None = field(default=None, repr=False)
     reading: Values = field(default_factory=dict, repr=False)
@@ -87,12 +85,13 @@ class Entry:
 
     @cached_property
     def measures(self) -> Measures:
-        """Intensity measures and drift warning, computed when they are first requested."""
+        """Intensity measures, drift warning and digest, computed when they are first requested."""
         if self.known is not None:
             return self.known
         record = self.record()
         gravity = float(self.reading.get("gravity", 9.81))
-        return Measures(intensities(record, gravity), drift_warning(record, gravity))
+        digest = hashlib.sha256(record.time.tobytes() + record.values.tobytes()).hexdigest()
+        return Measures(intensities(record, gravity), drift_warning(record, gravity), digest)
 
     @property
     def intensities(self) -> Intensities:
@@ -103,6 +102,11 @@ class Entry:
     def drift(self) -> str:
         """Warning about a velocity that does not return to zero, otherwise empty."""
         return self.measures.drift
+
+    @property
+    def digest(self) -> str:
+        """Digest of times and values, by which a resumed study identifies the record."""
+        return self.measures.digest
 
     @property
     def station(self) -> str:
@@ -373,7 +377,6 @@ def _entry(
     is_vertical: bool = False,
 ) -> Entry:
     """Return the entry of a record. `unit` is the unit in its file."""
-    digest = hashlib.sha256(series.time.tobytes() + series.values.tobytes()).hexdigest()
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
     peak = series.greatest
-    return Entry(name, file, place, series.time.size, step, unit, peak, digest, is_vertical, series, reading or {})
+    return Entry(name, file, place, series.time.size, step, unit, peak, is_vertical, series, reading or {})
