@@ -18,7 +18,7 @@ from slipcircle.core.scene.effects import cohesion_mistakes
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
-from slipcircle.core.scene.tree import STORED, Leaf, Parts, bounds, declared, joined, leaves, number, numbers
+from slipcircle.core.scene.tree import STORED, Leaf, Parts, declared, joined, leaves, number, numbers, present
 
 __all__ = [
     "ANSWERED",
@@ -40,7 +40,6 @@ __all__ = [
     "Scene",
     "State",
     "Status",
-    "bounds",
     "checked",
     "cohesion_mistakes",
     "declared",
@@ -56,6 +55,7 @@ __all__ = [
     "numbers",
     "numpy_only",
     "plan",
+    "present",
     "problem_of",
     "program_integers",
     "solve",

@@ -20,7 +20,7 @@ from slipcircle.core.scene.arc import GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
-from slipcircle.core.scene.tree import bounds, declared, number
+from slipcircle.core.scene.tree import declared, number
 from slipcircle.ground.errors import geometry_errors, motion_errors
 from slipcircle.ground.geometry import SectionGeometry
 from slipcircle.ground.ground import FAR, WEIGHT, line_errors, section_errors
@@ -107,8 +107,7 @@ class Section(SectionGeometry, Mass):
         """Check lines, circle and numbers, convert their units and freeze them."""
         take_units(self, (*self.quantities, "ponds"))
         freeze(self, self.quantities)
-        kind: Any = type(self)
-        errors = section_errors(vars(self), self.quantities, bounds(kind))
+        errors = section_errors(self)
         if not errors:
             impossible = geometry_errors(self)
             errors = complaint(impossible, self.shape)

@@ -18,7 +18,7 @@ from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
-from slipcircle.core.scene.tree import Parts, bounds, number
+from slipcircle.core.scene.tree import Parts, declared, number
 
 GRAVITY = 9.81  # default
 WIDTH = 1.0
@@ -164,7 +164,7 @@ class Arc(Mass, Generic[Numbers]):
         """Return messages about the fields: numbers out of bounds, shapes that do not broadcast, impossible arcs."""
         values = {name: getattr(self, name) for name in self.quantities}
         kind: Any = type(self)
-        found = mistakes(values, bounds(kind)) or shape_mistakes(values)
+        found = mistakes(values, declared(kind)) or shape_mistakes(values)
         if not found and not self._is_plain_arc:
             angles = np.broadcast(self.theta_1, self.theta_2)
             found = complaint(self.geometry_errors(), angles.shape)

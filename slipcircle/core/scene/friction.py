@@ -2,18 +2,16 @@
 
 from typing import Any
 
-import numpy as np
-
-from generated.effects import LAWS
+from generated.effects import LAWS, Parameter
 from generated.program import OF_SOIL
-from slipcircle.base.errors import Bounds, abridged, mistakes, parameter_mistakes
+from slipcircle.base.errors import abridged, mistakes, parameter_mistakes
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, without_soil
 
 NAMES = tuple(LAWS)
 RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
-COEFFICIENT: Bounds = (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")
+COEFFICIENT = Parameter("friction", lower=-5e-324, allowed="a friction coefficient, tan(phi): a number of at least 0")
 
 
 def law_mistakes(given: Any) -> list[str]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from generated.effects import INFINITY, LAWS, Parameter
 from slipcircle.base.arrays import EMPTY
-from slipcircle.base.errors import Bounds, InputError, raise_all
+from slipcircle.base.errors import InputError, raise_all
 from slipcircle.base.kinds import MAPPING, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 
@@ -61,10 +61,20 @@ def declared(kind: Any) -> dict[str, Parameter]:
     return found
 
 
-@lru_cache
-def bounds(kind: Any) -> dict[str, Bounds]:
-    """Return lower and upper open bound and the allowed values in words of the numbers in `declared`, by field."""
-    return {name: (one.lower, one.upper, one.allowed) for name, one in declared(kind).items()}
+def present(node: Any, numbers: Mapping[str, Parameter] | None = None) -> dict[str, Parameter]:
+    """Return the declarations of the numbers of a dataclass that have a value and allowed values in words, by field.
+
+    ``numbers`` are the declarations by field, by default those of `declared`. A field is absent if it is None and
+    may be.
+    """
+    kind: Any = type(node)
+    known = declared(kind) if numbers is None else numbers
+    found = {}
+    for field in fields(node):
+        is_absent = field.default is None and getattr(node, field.name) is None
+        if field.name in known and known[field.name].allowed and not is_absent:
+            found[field.name] = known[field.name]
+    return found
 
 
 def parts_of_fields(node: Any) -> Parts:

@@ -235,7 +235,6 @@ _TOP = (
     ),
 )
 ARC = tuple(declared(Arc).values())
-_GIVEN = [Parameter(n, "", *b[:2], f"{n.replace('_', ' ')}, dimensionless", n, kind="fixed") for n, b in GIVEN.items()]
 
 
 def _number(key: Key, written: str = "", tangent: bool = False) -> Key:
@@ -333,7 +332,7 @@ _growth = table_of("", _of_growth).keys
 EFFECT_TABLES["cohesion"] = COHESION._replace(
     laws={law: table._replace(keys={**table.keys, **_growth}) for law, table in COHESION.laws.items()}
 )
-_GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN)
+_GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", GIVEN.values())
 ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={"given": _GIVEN_TABLE})
 _SEEN = []
 for _q in OBSERVABLE.values():

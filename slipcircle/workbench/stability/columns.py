@@ -12,20 +12,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.errors import Bounds
 from slipcircle.base.kinds import Floats
-from slipcircle.core import bounds
-from slipcircle.ground import FAR, Ponds, Section, continued
-from slipcircle.layers import STRESS, Soil, edge_below
-
-BOUNDS: dict[str, Bounds] = {  # of the fields of a slope
-    **bounds(Section),
-    **bounds(Soil),
-    "datum": (-FAR, FAR, "one finite number in m"),
-    "pressure": STRESS,
-    "friction": (-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
-    "k_h": (-1.0, 1.0, "between -1 and 1"),
-}
+from slipcircle.ground import Ponds, continued
+from slipcircle.layers import edge_below
 
 
 class SoilArrays(NamedTuple):

@@ -4,20 +4,28 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.arrays import freeze
-from slipcircle.base.errors import InputError, complaint, raise_all
+from slipcircle.base.errors import InputError, complaint, one_number, raise_all
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
-from slipcircle.core import cohesion_mistakes, law_mistakes
+from slipcircle.core import cohesion_mistakes, declared, law_mistakes, present
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
-from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, friction_at_rest, growth_at_rest, layer_mistakes
-from slipcircle.workbench.stability.columns import BOUNDS, SlopeArrays, SoilArrays, level_line
+from slipcircle.layers import (
+    STRESS,
+    LayeredSection,
+    Soil,
+    cohesion_at_rest,
+    friction_at_rest,
+    growth_at_rest,
+    layer_mistakes,
+)
+from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
@@ -148,7 +156,8 @@ class Slope:
             of_laws = self._law_mistakes()
             mistakes += of_laws
             fields |= {"cohesion": 0.0, "friction": 0.0} if of_laws else self._strength
-        mistakes += slope_errors(fields, BOUNDS)
+        numbers = {name: p for name, p in present(self, _NUMBERS).items() if name in fields}
+        mistakes += slope_errors(fields, numbers)
         if self.level is not None and self.pore_ratio != 0.0:
             mistakes.append(
                 f"{{pore_ratio}} = {self.pore_ratio!r}: {{level}} gives the pore pressure, too; remove one of them"
@@ -214,6 +223,13 @@ class Slope:
         return any(np.any(soil.peak) for soil, _ in self.soils)
 
 
+_NUMBERS = {
+    **{name: replace(p, kind="fixed") for name, p in (declared(Section) | declared(Soil)).items()},
+    "datum": declared(Section)["base"],
+    "pressure": replace(STRESS, kind="fixed"),
+    "friction": one_number(-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
+    "k_h": one_number(-1.0, 1.0, "between -1 and 1"),
+}
 _LAYERED = ("layers", "surcharge", "crack", "crack_water", "k_h_on_surcharge")
 _OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio", "cohesion_gradient", "datum")
 
