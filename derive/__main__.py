@@ -112,10 +112,7 @@ COMMANDS = {
         _JSON | {"markdown": "a page for a colleague"},
     ),
     "hard": Command("the hard cases: errors of the printed form, of the kernel and of solve", {}),
-    "prove": Command(
-        "prove the error bounds of the kernels again, from their certificates alone",
-        {"gappa": "ask Gappa, a program by others, for the rounding in them; its scripts are left in build/gappa"},
-    ),
+    "prove": Command("prove the error bounds of the kernels again, from their certificates alone", {}),
     "theorem": Command(
         "enclose and prove the motion of an arc with friction; without a quantity, of the slide of Vaiont",
         {"json": "an object for the given slide, or a list with the slides of Vaiont"},
@@ -198,10 +195,9 @@ def main(argv: list[str] | None = None) -> int:
         for note in Stages().other_versions():
             say(note)
     if options.command == "prove":
-        from derive.check import certify, gappa
+        from derive.check import certify
 
-        proved = gappa.compare() if options.form == "gappa" else certify.prove_all()
-        return 0 if proved else 1
+        return 0 if certify.prove_all() else 1
     if options.command == "theorem":
         return _prove_motion(options)
     if options.command == "verify":

@@ -100,11 +100,11 @@ def _parser(called: str) -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"slipcircle {slipcircle.__version__}")
-    known = parser.add_subparsers(
+    subparsers = parser.add_subparsers(
         prog="slipcircle", dest="command", required=True, metavar="COMMAND", help=argparse.SUPPRESS
     )
     for name, words in COMMANDS.items():
-        added = known.add_parser(name, description=f"{words[0].upper()}{words[1:]}.")
+        added = subparsers.add_parser(name, description=f"{words[0].upper()}{words[1:]}.")
         if name == called:
             module = import_module(f"slipcircle.workbench.commands.{name}")
             added.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")

@@ -36,7 +36,7 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.studies import engines, export
 from slipcircle.workbench.studies.design import Design
-from slipcircle.workbench.studies.engines import engine, stored
+from slipcircle.workbench.studies.engines import open_executor, stored
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.study import Study
 from tests.support.blocks import quake
@@ -75,7 +75,7 @@ def test_what_is_no_executor_is_refused() -> None:
         ValueError, match=r"executor = 'threads': must be an executor of concurrent.futures or a Dask client"
     ):
         ensemble(SCENE, 10, executor="threads")
-    with pytest.raises(ValueError, match="leave out --workers"), engine("threads", 2, "tcp://127.0.0.1:1"):
+    with pytest.raises(ValueError, match="leave out --workers"), open_executor("threads", 2, "tcp://127.0.0.1:1"):
         pass
 
 
@@ -162,7 +162,7 @@ def test_a_dask_client_is_an_executor(cluster: Cluster) -> None:
 
 
 def test_blocks_of_a_killed_dask_worker_go_to_another(cluster: Cluster, tmp_path: Path) -> None:
-    with engine(scheduler=cluster.address) as pool, ThreadPoolExecutor(1) as killer:
+    with open_executor(scheduler=cluster.address) as pool, ThreadPoolExecutor(1) as killer:
         done = killer.submit(_kill_once_started, cluster.workers[0], tmp_path)
         found = ensemble(SCENE, executor=pool, folder=tmp_path, **STUDY)
         done.result()
@@ -170,7 +170,7 @@ def test_blocks_of_a_killed_dask_worker_go_to_another(cluster: Cluster, tmp_path
 
 
 def test_a_killed_dask_scheduler_loses_no_stored_block(cluster: Cluster, tmp_path: Path) -> None:
-    with engine(scheduler=cluster.address) as pool, ThreadPoolExecutor(1) as killer:
+    with open_executor(scheduler=cluster.address) as pool, ThreadPoolExecutor(1) as killer:
         killer.submit(_kill_once_started, cluster.scheduler, tmp_path)
         with pytest.raises(CancelledError):
             ensemble(SCENE, executor=pool, folder=tmp_path, **STUDY)
@@ -474,18 +474,12 @@ def test_commands_tell_what_is_done_how_much_of_it_and_the_time_left(
     assert all(0 < int(done) <= int(total) for done, total in shares)
 
 
-@pytest.mark.parametrize(("with_rich", "erased"), [(True, "\x1b[2K"), (False, "\x1b[K")])
-def test_progress_on_a_terminal_leaves_an_empty_line(
-    with_rich: bool, erased: str, told_at_once: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    if with_rich:
-        pytest.importorskip("rich")
-    else:
-        monkeypatch.setattr(progress_module, "find_spec", lambda name: None)
+def test_progress_on_a_terminal_leaves_an_empty_line(told_at_once: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("rich")
     terminal = io.StringIO()
     monkeypatch.setattr(terminal, "isatty", lambda: True)
     with Progress(4, "scenes", terminal) as told:
         for _ in range(4):
             told()
     assert "3 of 4 scenes, " in terminal.getvalue()
-    assert terminal.getvalue().rpartition("scenes")[2].rstrip("\n").endswith(erased)
+    assert terminal.getvalue().rpartition("scenes")[2].rstrip("\n").endswith("\x1b[2K")

@@ -1,5 +1,6 @@
 """The text of programs: what is written is what the program does, in Python and in C, or nothing is written."""
 
+import ast
 import re
 from dataclasses import replace
 
@@ -42,3 +43,21 @@ def test_c_that_does_something_else_is_refused(form: str, monkeypatch: pytest.Mo
     monkeypatch.setattr(emit_c, "C", replace(emit_c.C, number=lambda x: float(np.nextafter(x, 2)).hex()))
     with pytest.raises(ProofError, match=r"text that was written: found .* wanted"):
         emit_c.CText(form).functions("kernel", chosen.program)
+
+
+@pytest.mark.parametrize(
+    ("value", "width"),
+    [
+        ("x" * 150, 160),
+        (f"'{'x' * 150}'", 162),
+        (f"'{'x' * 80}/{'y' * 80}'", 120),
+        (f"'{'word ' * 40}'", 120),
+        (f"{'x' * 90} * {'y' * 90}", 120),
+        (f"f({'x' * 90}, {'y' * 90})", 120),
+    ],
+)
+def test_a_long_line_is_broken_where_it_can_be(value: str, width: int) -> None:
+    line = f"first = ({value})"
+    lines = emit.wrapped(line).split("\n")
+    assert ast.dump(ast.parse("\n".join(lines))) == ast.dump(ast.parse(line))
+    assert max(map(len, lines)) <= width

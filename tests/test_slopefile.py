@@ -15,7 +15,7 @@ import slipcircle
 from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import critical_of_file
-from slipcircle.workbench.files.variation import slope_of
+from slipcircle.workbench.files.variation import varied_slope
 from slipcircle.workbench.outputs.guide import COMPARED
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import METHODS
@@ -368,7 +368,7 @@ def test_factors_of_samples_are_those_of_a_search_of_each() -> None:
     factors = []
     for k in range(6):
         values = {n: float(u.to_si(study.samples[u.key][k])) for n, u in study.design.inputs.items()}
-        searched = slipcircle.critical(slope_of(with_parameters(study.scene, values), stability.slope))
+        searched = slipcircle.critical(varied_slope(with_parameters(study.scene, values), stability.slope))
         factors.append(searched.factors_of_safety["bishop"] or math.nan)
     assert study.failure["searched bishop"].value == np.mean(np.array(factors) < 1.0)
     once, each = (study.factor_quantile(method, 0.5).value for method in ("bishop", "searched bishop"))

@@ -17,8 +17,10 @@ from slipcircle.core import Status
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.records import recordfiles
+from slipcircle.workbench.records import suite as suites
 from slipcircle.workbench.records.records import read_record
-from slipcircle.workbench.records.suite import place_of, read_suite
+from slipcircle.workbench.records.stations import place_of
+from slipcircle.workbench.records.suite import read_suite
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import Shaking, comparisons
 from slipcircle.workbench.suites.synthetic import write_records
@@ -89,6 +91,20 @@ def test_a_folder_of_mixed_formats_is_one_suite(folder: Path) -> None:
     assert read_record(channels, column="up", holds="driving").greatest == pytest.approx(0.0825, abs=2e-5)
     with pytest.raises(ValueError, match=r"several columns of acceleration; give column, one of 1 \(90\), 2 \(UP\)"):
         read_record(channels, holds="driving")
+
+
+def test_records_beyond_the_memory_are_read_again_for_their_samples_alone(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stored, *_ = read_suite([folder / "more" / "0111a.smc"], holds="driving")
+    monkeypatch.setattr(suites, "_KEPT", 0)
+    entry, *_ = read_suite([folder / "more" / "0111a.smc"], holds="driving")
+    assert np.array_equal(entry.record().values, stored.record().values)
+    Path(entry.file).unlink()
+    assert entry.intensities == stored.intensities == intensities(stored.record(), 9.81)
+    assert entry.drift == stored.drift
+    with pytest.raises(ValueError, match="No such file"):
+        entry.record()
 
 
 @pytest.mark.parametrize(

@@ -328,7 +328,7 @@ def test_claims_are_selected_by_place(names: list[str], found: list[str]) -> Non
 
 def test_selected_claims_are_reported_in_full() -> None:
     text = report(names=["Table 4-1"])
-    assert text.endswith("7 claims: 3 holds to the printed digits, 4 wrong.")
+    assert text.endswith("7 claims: 3 hold to the printed digits, 4 wrong.")
     assert "assumes radial components" in text
     assert [x["id"] for x in json.loads(report("json", verdict="misprint"))] == ["(3.20)", "(4.5)", "Appendix I"]
     for refused in ({"names": ["9.9"]}, {"names": [""]}, {"verdict": "silly"}):

@@ -319,7 +319,7 @@ def wrapped(text: str) -> str:
 
 
 def _wrap(line: str) -> list[str]:
-    """Return a line broken into lines of at most 120 columns, after commas and in strings."""
+    """Return a line broken into lines of at most 120 columns, after commas and in strings, where it has such places."""
     indent = " " * (len(line) - len(line.lstrip()) + (8 if line.startswith("def") else 4))
     lines = []
     last = ""
@@ -330,8 +330,16 @@ def _wrap(line: str) -> list[str]:
         last += item
         while len(last.rstrip()) > 120:  # adjacent strings are joined
             cut = last.rfind(" ", 0, 118) + 1
-            quote = next((q for q in "'\"" if last.count(q, 0, cut) % 2), "")
-            cut = cut if quote else max(last.rfind(sign, 0, 118) for sign in "*/") + 1
+            if not _open_quote(last, cut):
+                cut = max(last.rfind(sign, 0, 118) for sign in "*/") + 1
+            quote = _open_quote(last, cut)
+            if not last[:cut].strip(" '\""):
+                break
             lines.append(last[:cut] + quote)
             last = indent + quote + last[cut:]
     return [*lines, last.rstrip()]
+
+
+def _open_quote(line: str, place: int) -> str:
+    """Return the quotation mark of the string that contains a place of a line, empty outside of strings."""
+    return next((q for q in "'\"" if line.count(q, 0, place) % 2), "")

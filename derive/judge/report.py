@@ -12,6 +12,13 @@ from derive.judge.verify import Row, judged
 
 SIMPLY = ("holds", "holds to the printed digits", "definition")
 ERRORS = ("wrong", "misprint")
+PLURAL = {
+    "holds": "hold",
+    "holds to the printed digits": "hold to the printed digits",
+    "definition": "definitions",
+    "misprint": "misprints",
+    "assumption": "assumptions",
+}
 
 
 def selected(names: Sequence[str]) -> list[Claim]:
@@ -46,7 +53,7 @@ def counts(rows: Iterable[Row]) -> str:
     number = Counter(row.verdict for row in rows)
     total = sum(number.values())
     plural = "" if total == 1 else "s"
-    by_verdict = (f"{number[v]} {v}" for v in VERDICTS if number[v])
+    by_verdict = (f"{number[v]} {v if number[v] == 1 else PLURAL.get(v, v)}" for v in VERDICTS if number[v])
     return f"{total} claim{plural}: {', '.join(by_verdict)}"
 
 

@@ -136,9 +136,9 @@ def freeze(owner: Any, fields: Iterable[str]) -> None:
     """Replace the named fields of a frozen dataclass by read-only copies."""
     for name in fields:
         value = getattr(owner, name)
-        own = frozen(value)
-        if own is not value:
-            object.__setattr__(owner, name, own)
+        read_only = frozen(value)
+        if read_only is not value:
+            object.__setattr__(owner, name, read_only)
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:

@@ -158,32 +158,32 @@ _KINDS = {
 }
 
 
-def parameter_mistakes(path: str, given: Values, parameters: Sequence[Parameter]) -> Texts:
+def parameter_mistakes(path: str, values: Values, parameters: Sequence[Parameter]) -> Texts:
     """Return a message for each parameter that is missing, invalid or unknown; ``path`` names its effect or law."""
-    if _are_plain(given, parameters):
+    if _are_plain(values, parameters):
         return []
-    known = {p.name: p for p in parameters if p.kind != "rotation"}
-    missing = [p for name, p in known.items() if not p.optional and name not in given]
+    declared = {p.name: p for p in parameters if p.kind != "rotation"}
+    missing = [p for name, p in declared.items() if not p.optional and name not in values]
     sentences = [f"{path}: {p.name!r} is missing: {p.help}" for p in missing]
-    names = ", ".join(known) or "none"
-    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in given if name not in known]
-    for name, p in known.items():
-        if name in given:
-            sentences += _value_mistakes(f"{path}.{name}", p, given[name])
+    names = ", ".join(declared) or "none"
+    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in values if name not in declared]
+    for name, p in declared.items():
+        if name in values:
+            sentences += _value_mistakes(f"{path}.{name}", p, values[name])
     return sentences
 
 
-def _are_plain(given: Values, parameters: Sequence[Parameter]) -> bool:
+def _are_plain(values: Values, parameters: Sequence[Parameter]) -> bool:
     """Return whether the values by name are one valid float per required parameter and nothing else, the usual case."""
     count = 0
     for p in parameters:
-        if p.optional and p.name not in given:
+        if p.optional and p.name not in values:
             continue
         count += 1
-        value = given.get(p.name)
+        value = values.get(p.name)
         if p.kind != "number" or type(value) is not float or not p.lower < value < p.upper:
             return False
-    return len(given) == count
+    return len(values) == count
 
 
 def _value_mistakes(name: str, p: Parameter, value: Any) -> Texts:
@@ -205,7 +205,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
         case "number" | "list" | "fixed":
             return False
         case "series":
-            return hasattr(value, "kinks")
+            return hasattr(type(value), "kinks")
         case "flag":
             return isinstance(value, bool)
         case "text" | "name":

@@ -1,4 +1,4 @@
-"""Progress of long computations on stderr: a bar with rich on a terminal, otherwise a line now and then."""
+"""Progress of long computations on stderr: a bar on a terminal with rich, otherwise a line now and then."""
 
 import sys
 import time
@@ -11,9 +11,8 @@ from typing import IO, Any, ClassVar, Self, TypeVar
 from slipcircle.base.text import clean
 
 T = TypeVar("T")
-_SOON = 1.0, 10.0  # s before the first output of `counted` on a terminal, and elsewhere
-_OFTEN, _SELDOM = 0.2, 2.0  # s between updates on a terminal; elsewhere initially, doubled after each line
-_CLEAR = "\r\x1b[K"  # the line of a terminal
+_SOON = 1.0, 10.0  # s before the first output of `counted` as a bar, and as a line
+_OFTEN, _SELDOM = 0.2, 2.0  # s between updates of a bar; between lines initially, doubled after each line
 
 
 def is_terminal(stream: Any) -> bool:
@@ -42,8 +41,8 @@ class Progress:
         self.total, self.things, self.stream = total, things, stream or sys.stderr
         self.done = self.kept = 0
         self.start = self.shown = time.monotonic()
-        self.is_terminal = is_terminal(self.stream)
-        self.pause = _OFTEN if self.is_terminal else _SELDOM
+        self.has_bar = is_terminal(self.stream) and find_spec("rich") is not None
+        self.pause = _OFTEN if self.has_bar else _SELDOM
         self.bar: Any = None
 
     def __enter__(self) -> Self:
@@ -58,8 +57,6 @@ class Progress:
         Progress.is_shown &= Progress.running > 0
         if self.bar is not None:
             self.bar.stop()
-        elif self.is_terminal and not self.is_silent:
-            print(_CLEAR, end="", file=self.stream, flush=True)
 
     def __call__(self, count: int = 1, kept: int = 0) -> None:
         """Add finished items to the count, ``kept`` of them from an earlier run."""
@@ -70,22 +67,20 @@ class Progress:
             return
         self.shown = now
         Progress.is_shown = True
-        if not self.is_terminal:
+        if not self.has_bar:
             self.pause *= 2
             print(self.text(), file=self.stream, flush=True)
-        elif find_spec("rich"):
-            if self.bar is None:
-                rich = import_module("rich.progress")
-                console = import_module("rich.console").Console(file=self.stream)
-                columns = rich.BarColumn(), rich.TextColumn("{task.description}", markup=False)
-                bar = rich.Progress(*columns, console=console, auto_refresh=False, transient=True)
-                bar.add_task("", total=self.total)
-                bar.start()
-                self.bar = bar  # which can be stopped now
-            (task,) = self.bar.task_ids
-            self.bar.update(task, completed=self.done, description=self.text(), refresh=True)
-        else:
-            print(f"{_CLEAR}{self.text()}", end="", file=self.stream, flush=True)
+            return
+        if self.bar is None:
+            rich = import_module("rich.progress")
+            console = import_module("rich.console").Console(file=self.stream)
+            columns = rich.BarColumn(), rich.TextColumn("{task.description}", markup=False)
+            bar = rich.Progress(*columns, console=console, auto_refresh=False, transient=True)
+            bar.add_task("", total=self.total)
+            bar.start()
+            self.bar = bar  # which can be stopped now
+        (task,) = self.bar.task_ids
+        self.bar.update(task, completed=self.done, description=self.text(), refresh=True)
 
     def text(self) -> str:
         """Return the progress, the rate and the time left as text."""
@@ -107,7 +102,7 @@ def counted(total: int, things: str) -> Progress:
     ``total`` is the number of items, and ``things`` names them in the plural.
     """
     progress = Progress(total, things)
-    progress.shown += _SOON[not progress.is_terminal]
+    progress.shown += _SOON[not progress.has_bar]
     return progress
 
 

@@ -44,8 +44,8 @@ def digits_left(error: float) -> int:
     """
     if error <= 0.0:
         return DIGITS
-    known = math.floor(-math.log10(min(2 * error, 1.0)))
-    return max(1, min(DIGITS, known))
+    certain_digits = math.floor(-math.log10(min(2 * error, 1.0)))
+    return max(1, min(DIGITS, certain_digits))
 
 
 def clean(text: str, kept: str = "") -> str:

@@ -20,8 +20,8 @@ def take_units(owner: Any, fields: Iterable[str]) -> None:
     for name in fields:
         value = getattr(owner, name)
         if _has_units(value):
-            own = import_module("slipcircle.base.magnitudes").in_si(name, value)
-            object.__setattr__(owner, name, own)
+            number = import_module("slipcircle.base.magnitudes").in_si(name, value)
+            object.__setattr__(owner, name, number)
 
 
 def _has_units(value: Any) -> bool:

@@ -196,7 +196,7 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
     return start, np.minimum(2 * root / square, 1.0 - start)
 
 
-def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
+def complete_stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     """Return circle and number of every complete stretch, and whether each circle contains an end of the ground.
 
     A stretch is the ground between two crossings of a circle; numbers count from 0 from the left. The first two are

@@ -65,7 +65,7 @@ def _not_one_stretch(section: Any) -> Fault:
             beyond = f"x = {x - r:.6g} or {x + r:.6g}"
             return f"{which}: an end of the ground lies inside the circle; the ground must continue beyond {beyond}"
         cut = section._cut.only([k])
-        of_circle, _, _ = circles.stretches(cut)
+        of_circle, _, _ = circles.complete_stretches(cut)
         if section.between is not None and of_circle.size:
             return f"{{between}} = {section.between!r}: the circle cuts off no mass there"
         first, *_, last = _pairs(line)

@@ -89,7 +89,7 @@ class SectionGeometry(TurningMass):
         arrays over all candidates, x in m. The last is a mask over lanes, false if ``between`` selects the mass.
         """
         _, centre, radius = self._circle
-        lane, number, held = circles.stretches(self._cut)
+        lane, number, held = circles.complete_stretches(self._cut)
         of_stretches = self._cut.only(lane)
         first, last = circles.ends(of_stretches, number)
         r = radius[lane]

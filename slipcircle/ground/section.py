@@ -344,7 +344,7 @@ class Section(SectionGeometry, Mass):
                 function = given.get(name)
                 if function is None:
                     continue
-                table = lazy_import("water").table_of(self, function, turns, upslope, tolerance)
+                table = lazy_import("water").table_of_rotation(self, function, turns, upslope, tolerance)
                 symbol = symbols[name]
                 tables[symbol] = table
         return self._for_lanes(tables, shape), None

@@ -28,7 +28,7 @@ def first_rotation(last: Floats, upslope: bool) -> Floats:
     return np.zeros_like(last)
 
 
-def table_of(section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float) -> Data:
+def table_of_rotation(section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float) -> Data:
     """Return a function of the rotation of a section as a table, up to loss of contact.
 
     Without ``rotates`` it is constant. ``upslope`` is true if the mass may move up-slope, and ``tolerance`` is the

@@ -17,7 +17,7 @@ from slipcircle.base.arrays import choose
 from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Log
-from slipcircle.core.integrator.lanes import integrate
+from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import State, before, state_of
 from slipcircle.core.problem.plan import recipe_of
@@ -306,7 +306,7 @@ class History:
         """Return the log of events of a single motion, empty for an ensemble."""
         log: Log = []
         if not self.shape:
-            integrate(self.problem, log=log)
+            integrate_problem(self.problem, log=log)
         return log
 
     def lift_off(self) -> tuple[float, ...]:

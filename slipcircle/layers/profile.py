@@ -12,6 +12,7 @@ strips, where they are integrated as Chebyshev series, in pieces that are halved
 """
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from itertools import compress
 from typing import NamedTuple
 
@@ -20,6 +21,7 @@ from numpy.polynomial import chebyshev
 
 from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Integers
 from slipcircle.layers.strips import Strips
+from slipcircle.tables.interpolation import converged_pieces
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
@@ -31,7 +33,7 @@ _NODES = np.cos(np.pi * _MIDDLES / _COUNT)
 _FROM_FIRST = 1.0 + _NODES[:, None, None]  # distance from the left end over half the width of a piece
 _ACCURACY = 1e-15
 _SHORTEST = 1e-4  # width of a piece, rad
-_CIRCLES = 100  # circles of a part
+_CIRCLES = 200  # circles of a part
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
 _INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end of a piece
@@ -47,45 +49,56 @@ class Part(NamedTuple):
     edges : ndarray
         Directions of the left ends of pieces, and of the right end, (pieces + 1, circles).
     before : ndarray
-        Integrals up to the edges, (pieces + 1, circles, columns, integrals).
+        Integrals up to the edges, (integrals, columns, pieces + 1, circles).
     series : ndarray
-        Chebyshev coefficients of the integral within each piece, (pieces, circles, columns, integrals, terms).
+        Chebyshev coefficients of the integral within each piece, (integrals, columns, terms, pieces, circles).
     """
 
     edges: Floats
     before: Floats
     series: Floats
 
-    def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals).
+    def up_to(self, beta: Floats, count: int) -> Floats:
+        """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
 
         Directions are in rad from straight below the centre, positive to the right.
         """
-        pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
         piece = np.zeros(beta.shape, np.intp)
         for edge in edges[1:-1]:
             piece += inside >= edge
-        number = piece * circles + np.arange(circles)
-        first = edges.take(number)
-        width = edges.take(number + circles) - first
+        of_first_circle = piece[:, :1]
+        if np.all(piece == of_first_circle):
+            piece = of_first_circle
+        first = _of_piece(edges, piece)
+        width = _of_piece(edges[1:], piece) - first
         place = 2.0 * ((inside - first) / np.where(width != 0.0, width, 1.0)) - 1.0
-        polynomials = np.ascontiguousarray(chebyshev.chebvander(place, terms - 1))
-        every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
-        within = np.einsum("...it,...t->...i", every_piece.take(number, axis=0), polynomials)
-        up_to = self.before.reshape(-1, columns * integrals).take(number, axis=0)
-        up_to += within
-        return up_to.reshape(*beta.shape, columns, integrals)
+        polynomials = np.moveaxis(chebyshev.chebvander(place, _COUNT), -1, 0)
+        up_to = np.einsum("sctmn,tmn->scmn", _of_piece(self.series[:count], piece), polynomials)
+        up_to += _of_piece(self.before[:count], piece)
+        return up_to
 
     def combined(self, weights: Floats) -> "Part":
         """Return the load in a single column, the sum of all columns with weights, (columns, circles).
 
         Only the first `PRESSING` integrals are retained.
         """
-        before = np.einsum("kcsi,sc->kci", self.before[..., :PRESSING], weights)
-        series = np.einsum("kcsit,sc->kcit", self.series[..., :PRESSING, :], weights)
-        return Part(self.edges, before[:, :, None], series[:, :, None])
+        before = np.einsum("scpn,cn->spn", self.before[:PRESSING], weights)
+        series = np.einsum("sctpn,cn->stpn", self.series[:PRESSING], weights)
+        return Part(self.edges, before[:, None], series[:, None])
+
+
+def _of_piece(values: Floats, piece: Integers) -> Floats:
+    """Return the values (..., pieces, circles) of one piece for each of M directions, (..., M, circles).
+
+    `piece` are indices of pieces, (M, circles), or (M, 1) if all circles share them, as similar masses often do.
+    """
+    if piece.shape[1] == 1:
+        return values.take(piece[:, 0], axis=-2)
+    *axes, pieces, circles = values.shape
+    number = piece * circles + np.arange(circles)
+    return values.reshape(*axes, pieces * circles).take(number, axis=-1)
 
 
 class Profile(NamedTuple):
@@ -102,27 +115,24 @@ class Profile(NamedTuple):
     whole: Floats
     parts: Sequence[Part]
 
-    def up_to(self, beta: Floats) -> Floats:
-        """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles).
+    def up_to(self, beta: Floats, count: int) -> Floats:
+        """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
 
         Directions are in rad from straight below the centre, positive to the right.
         """
-        _, _, columns, integrals, _ = self.parts[0].series.shape
-        every = np.empty((integrals, columns, *beta.shape))
+        _, columns, *_ = self.parts[0].series.shape
+        every = np.empty((count, columns, *beta.shape))
         first = 0
         for part in self.parts:
             last = first + part.edges.shape[1]
-            every[..., first:last] = part.up_to(beta[:, first:last]).transpose(3, 2, 0, 1)
+            every[..., first:last] = part.up_to(beta[:, first:last], count)
             first = last
         return every
 
     @property
     def to_ends(self) -> Floats:
         """Integrals of the parts over whole arcs, (integrals, columns, circles)."""
-        return np.concatenate([part.before[-1] for part in self.parts]).T
-
-
-_Piece = tuple[Floats, Floats, Floats]  # ends of a piece, (circles,), and the series of its integrals
+        return np.concatenate([part.before[:, :, -1] for part in self.parts], axis=-1)
 
 
 def columns_of(steps: Floats, circles: int) -> ArrayPair:
@@ -152,68 +162,45 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     edges = strips.beta.T
     circles = np.arange(edges.shape[1])
     has_many = circles.size > 1
+    retained = PRESSING if has_many else _INTEGRALS
     parts = []
     whole = []
     for first in range(0, max(1, circles.size), _CIRCLES):
         some = slice(first, first + _CIRCLES)
         # The integrals of all columns along the arcs of some circles with the given edges of strips.
-        pieces = sorted(_converged(strips, weights, circles[some], edges[:, some]), key=_order)
+        develop = partial(_developed, strips, weights, circles[some])
+        rounds = converged_pieces(edges[:-1, some], edges[1:, some], develop, _ACCURACY, _SHORTEST)
+        pieces = [piece for *arrays, smooth in rounds for piece in compress(zip(*arrays, strict=True), smooth)]
+        pieces.sort(key=lambda piece: float((piece[0] + piece[1]).sum()))  # from left to right
         firsts, lasts, by_piece = zip(*pieces, strict=True)
-        series = np.ascontiguousarray(np.stack(by_piece))
-        each = series @ np.ones(_COUNT + 1)  # at the right end every Chebyshev polynomial is 1
-        before = np.concatenate([np.zeros_like(each[:1]), np.cumsum(each, axis=0)])
+        # At the right end of a piece every Chebyshev polynomial is 1.
+        each = np.stack([of_piece.sum(axis=2) for of_piece in by_piece], axis=2)
+        series = np.stack([of_piece[:retained] for of_piece in by_piece], axis=3)
+        before = np.cumsum(np.insert(each, 0, 0.0, axis=2), axis=2)
         part = Part(np.stack([*firsts, lasts[-1]]), before, series)
-        whole.append(part.before[-1])
+        whole.append(before[:, :, -1])
         if has_many:
             part = part.combined(steps[:, some])
         parts.append(part)
-    return Profile(np.concatenate(whole).T, parts)
+    return Profile(np.concatenate(whole, axis=-1), parts)
 
 
-def _order(piece: _Piece) -> float:
-    """Return a sort key of pieces from left to right: twice the directions of their middles, summed over circles."""
-    first, last, _ = piece
-    return float((first + last).sum())
+def _developed(
+    strips: Strips, weights: Floats, circle: Integers, strip: Integers, first: Floats, last: Floats
+) -> ArrayTriple:
+    """Return series of pieces, (pieces, integrals, columns, terms, circles), and sizes of their coefficients.
 
-
-def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> list[_Piece]:
-    """Return pieces in which the series have converged: strips, or parts of them.
-
-    `edges` are directions of the edges of the strips in rad, (strips + 1, circles), and `circle` the indices of these
-    circles.
+    The head is the greater of the first two coefficients, the tail the greater of the last two, each (pieces, circles).
+    The arguments are those of `_integrands`.
     """
-    first = edges[:-1]
-    last = edges[1:]
-    strip = np.arange(len(first))
-    done = list[_Piece]()
-    scale = 0.0
-    while len(strip):
-        series, size, tail = _developed(_integrands(strips, weights, strip[:, None], circle, first, last))
-        scale = float(size.max(initial=scale))
-        rough = np.logical_or.reduce((tail > _ACCURACY * scale) & (last - first > _SHORTEST), axis=1)
-        done += compress(zip(first, last, series, strict=True), ~rough)
-        left = first[rough]
-        right = last[rough]
-        middle = (left + right) / 2
-        first = np.concatenate([left, middle])
-        last = np.concatenate([middle, right])
-        strip = np.tile(strip[rough], 2)
-    return done
-
-
-def _developed(values: Floats) -> ArrayTriple:
-    """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
-
-    The values at nodes are (integrals, columns, nodes, pieces, circles). The head is the greater of the first two
-    coefficients, the tail the greater of the last two, each (pieces, circles).
-    """
+    values = _integrands(strips, weights, strip[:, None], circle, first, last)
     *axes, pieces, circles = values.shape
     developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)
     by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
     terms = _COUNT + 1
     series = by_piece[:, :, :terms]
     of_terms = np.abs(by_piece[:, :, terms:]).max(axis=(0, 1))
-    return series.transpose(3, 4, 1, 0, 2), of_terms[:2].max(axis=0), of_terms[2:].max(axis=0)
+    return np.moveaxis(series, 3, 0), of_terms[:2].max(axis=0), of_terms[2:].max(axis=0)
 
 
 def _integrands(

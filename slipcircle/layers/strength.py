@@ -90,7 +90,7 @@ class ArcStrength(StretchIntegrals):
     def _still(self) -> ArrayDict:
         """Parts of `StretchIntegrals` at the start by name, (parts, circles)."""
         circles = len(self.section._facing)
-        names = ["normal", "space"]
+        names = ["overburden", "space"]
         if any(self.section.depths):
             names.append("growth")
         if self.section.level is not None:

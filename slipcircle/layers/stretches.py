@@ -126,27 +126,26 @@ class StretchIntegrals:
             steps = np.ones((1, 1))
         return profile, steps / self.section._weights_per_area
 
-    def _pressing(self, rotation: Floats) -> Floats:
-        """Return integrals of unit weights below surfaces up to the joints met, (4, J + 1, surfaces, M, circles).
+    def _pressing(self, rotation: Floats, count: int) -> Floats:
+        """Return integrals of unit weights below surfaces up to the joints met, (count, J + 1, surfaces, M, circles).
 
-        The integrals begin at the entry, with x down-slope.
+        The integrals are the first ones of a `Profile`. They begin at the entry, with x down-slope.
         """
         profile, _ = self._surfaces
         facing = self.section._facing
         met = self._joints_met(rotation)
-        circles = met.shape[-1]
-        directions = met.reshape(math.prod(met.shape[:-1]), circles)
-        whole = profile.to_ends[:PRESSING, :, None]
+        joints, *_, circles = met.shape
+        directions = met.reshape(-1, circles)
+        whole = profile.to_ends[:count, :, None]
         to_the_right = facing * directions
-        from_entry = profile.up_to(to_the_right)[:PRESSING]
+        from_entry = profile.up_to(to_the_right, count)
         np.subtract(whole, from_entry, out=from_entry, where=facing < 0.0)
-        integrals, surfaces, *_ = from_entry.shape
-        by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
-        shape = integrals, surfaces, 1, *rotation.shape
-        up_to_exit = np.broadcast_to(whole[:, :, None], shape)
-        every = np.concatenate([by_joint, up_to_exit], axis=2)
+        surfaces = from_entry.shape[1]
+        every = np.empty((count, joints + 1, surfaces, *rotation.shape))
+        every[:, :-1] = from_entry.reshape(count, surfaces, *met.shape).swapaxes(1, 2)
+        every[:, -1] = whole
         every[RADIAL_X] *= facing
-        return np.moveaxis(every, 1, 2)
+        return every
 
     def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
         """Return parts by name, each (parts, M, circles), after rotations (M, circles) in rad.
@@ -156,15 +155,18 @@ class StretchIntegrals:
         every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
             # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
-            pressing = self._pressing(rotation)
-            by_joint = pressing.reshape(PRESSING, math.prod(pressing.shape[1:3]), *rotation.shape)
-            radial_y, radial_x, polar, overburden = by_joint
+            count = PRESSING if "overburden" in names else PRESSING - 1
+            pressing = self._pressing(rotation, count)
+            by_joint = pressing.reshape(count, math.prod(pressing.shape[1:3]), *rotation.shape)
+            radial_y, radial_x, polar, *cover = by_joint
             cosine = np.cos(rotation)
             sine = np.sin(rotation)
             slope = radial_x * sine
             normal = -radial_y * cosine - slope
             tilt = radial_x * cosine - radial_y * sine
-            every |= {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
+            every |= {"normal": normal, "tilt": tilt, "inertia": polar}
+            if cover:
+                (every["overburden"],) = cover
         return every
 
     def space(self, rotation: Floats) -> Floats:

@@ -172,7 +172,7 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     """
     left = first[:, None]
     right = last[:, None]
-    cuts = [left, right]
+    cuts = []
     for line in lines:
         cuts += [line[..., 0], meets_circle(line)]
     for one, other in combinations(lines, 2):
@@ -182,9 +182,11 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     circles = len(first)
     of_circles = [np.broadcast_to(x, (circles, x.shape[-1])) for x in cuts]
     every = np.concatenate(of_circles, axis=1)
-    within_mass = np.clip(every, left, right)
-    edges = np.sort(within_mass.T, axis=0)
-    return distinct(edges, _THIN).T
+    inside = (left < every) & (every < right)
+    of_any_circle = np.any(inside, axis=0)
+    within_mass = np.clip(every[:, of_any_circle], left, right)
+    edges = np.concatenate([left, np.sort(within_mass), right], axis=1)
+    return distinct(edges.T, _THIN).T
 
 
 def meets_circle(line: Floats) -> Floats:

@@ -13,7 +13,7 @@ from generated.program import Program
 from slipcircle.base.arrays import EPS, choose
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Samples
-from slipcircle.core.integrator.lanes import integrate
+from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
 
@@ -128,7 +128,7 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
     spread = np.zeros(problem.lanes)
     unlike = np.zeros(problem.lanes, bool)
     for run in range(1, RUNS):
-        cells = integrate(problem, perturbed_runs(problem, slice(run, run + 1), rounding))
+        cells = integrate_problem(problem, perturbed_runs(problem, slice(run, run + 1), rounding))
         greatest = np.fmax.reduce(np.abs(np.array(_summary(cells)) - of_motion) / sizes)
         spread = np.fmax(spread, greatest)
         # Whether runs end with another status than the motion, or move where the motion does not.
@@ -154,7 +154,7 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
     of_motion = _summary(final)
     samples = Samples(of_motion[0] * SHARES, states)
-    cells = integrate(problem, perturbed_runs(problem, slice(None), rounding), samples)
+    cells = integrate_problem(problem, perturbed_runs(problem, slice(None), rounding), samples)
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
     moves = final[ix.PHASES] > 0.0
     move_alike = min(phases) > 0.0 if moves else max(phases) == 0.0

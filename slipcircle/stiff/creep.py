@@ -91,7 +91,7 @@ def other_than_position(problem: Problem) -> str:
     return ""
 
 
-def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
+def integrate_creeping(problem: Problem, begin: Floats, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
     """Return final cells of lanes, where creeping lanes end at an infinite time in their equilibrium.
 
     `ix.REST_SINCE` of a creeping lane is its arrival, when all but `LEFT` of its run-out is covered.

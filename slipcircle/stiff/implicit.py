@@ -48,7 +48,9 @@ SHRINKS = 0.1
 DIVERGES = 0.25
 
 
-def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: Integers) -> None:
+def integrate_implicitly(
+    problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: Integers
+) -> None:
     """Integrate some lanes one after the other from their present states, as `generated.integrator.integrate` does.
 
     `which` are the indices of the lanes. Their columns of `cells` are replaced by the final values.

@@ -19,7 +19,7 @@ _OF_RECORDS = ("record", "units", "column", "columns", "step", "start", "gaps")
 _IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 
-def resolved(name: str, given: Parameters) -> ValueDict:
+def with_functions_of_time(name: str, given: Parameters) -> ValueDict:
     """Return the parameters of an effect with functions of time built from pulses and lists.
 
     Raises

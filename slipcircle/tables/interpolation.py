@@ -4,11 +4,12 @@ Each piece interpolates at Chebyshev nodes. It is halved until the neglected coe
 """
 
 import math
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.polynomial import Chebyshev, Polynomial
 
-from slipcircle.base.kinds import ArrayPair, Floats, Function
+from slipcircle.base.kinds import ArrayPair, ArrayTriple, Flags, Floats, Function, Integers
 from slipcircle.base.sections import distinct
 from slipcircle.core.scene.piecewise import Data
 
@@ -36,6 +37,45 @@ def _powers_of_chebyshev() -> Floats:
 
 
 POWERS = _powers_of_chebyshev()
+
+
+def converged_pieces(
+    first: Floats,
+    last: Floats,
+    develop: Callable[[Integers, Floats, Floats], ArrayTriple],
+    accuracy: float,
+    shortest: float,
+) -> Iterator[tuple[Floats, Floats, Floats, Flags]]:
+    """Halve pieces until their series have converged; yield their ends and series, with a mask of converged pieces.
+
+    Parameters
+    ----------
+    first, last : ndarray
+        Ends of the initial pieces, (pieces, n).
+    develop : callable
+        Takes the index of the initial piece that contains each piece, (pieces,), and the ends of the pieces. It returns
+        their series, (pieces, ...), sizes of coefficients, and the sizes of the last coefficients, (pieces, n).
+    accuracy : float
+        Greatest size of the last coefficients, relative to the greatest size.
+    shortest : float
+        Greatest width of a piece that is not halved further.
+    """
+    number = np.arange(len(first))
+    scale = 0.0
+    while len(number):
+        series, sizes, tails = develop(number, first, last)
+        scale = float(sizes.max(initial=scale))
+        is_wide = last - first > shortest
+        is_rough = is_wide & (tails > accuracy * scale)
+        rough = np.logical_or.reduce(is_rough, axis=1)
+        yield first, last, series, ~rough
+        left = first[rough]
+        right = last[rough]
+        middle = (left + right) / 2
+        first = np.concatenate([left, middle])
+        last = np.concatenate([middle, right])
+        number = np.tile(number[rough], 2)
+
 
 # --- functions of the rotation ---------------------------------------------------------------------------------------
 
@@ -66,23 +106,19 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
     first, last = _first_pieces(edges, _widest(tolerance))
     end = edges[-1]
     constant = _constant(function, end)
+
     starts = [edges[:0]]
     coefficients = [constant[:0]]
-    scale = 0.0
-    while len(first):
+
+    def develop(_: Integers, first: Floats, last: Floats) -> ArrayTriple:
         chebyshev = _chebyshev(function, first, last)
-        greatest = np.abs(chebyshev).max(initial=0.0)
-        scale = max(scale, float(greatest))
-        width = last - first
-        is_wide = width > _SHORTEST
-        neglected = _next_coefficients(chebyshev)
-        is_rough = is_wide & (neglected > tolerance * scale)
-        rough = is_rough.any(axis=1)
-        smooth = ~rough
-        powers = _in_powers(chebyshev[smooth], width[smooth])
-        starts.append(first[smooth])
-        coefficients.append(powers)
-        first, last = _halves(first[rough], last[rough])
+        sizes = np.abs(chebyshev)
+        return chebyshev, sizes, _next_coefficients(sizes)
+
+    for start, stop, chebyshev, smooth in converged_pieces(first, last, develop, tolerance, _SHORTEST):
+        starts.append(start[smooth])
+        width = stop - start
+        coefficients.append(_in_powers(chebyshev[smooth], width[smooth]))
     start = np.concatenate(starts)
     order = np.argsort(start.sum(axis=1), kind="stable")
     powers = np.concatenate(coefficients)
@@ -120,14 +156,6 @@ def _first_pieces(edges: Floats, widest: float) -> ArrayPair:
     return first, last
 
 
-def _halves(first: Floats, last: Floats) -> ArrayPair:
-    """Return both ends of the two halves of each piece, (2 pieces, n), first all left halves, then all right halves."""
-    middle = (first + last) / 2
-    firsts = np.concatenate([first, middle])
-    lasts = np.concatenate([middle, last])
-    return firsts, lasts
-
-
 def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
     """Return the Chebyshev coefficients, (pieces, TERMS, functions, n), of functions on pieces of shape (pieces, n).
 
@@ -144,12 +172,12 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
     return np.einsum("kj,fpjn->pkfn", TO_CHEBYSHEV, by_piece)
 
 
-def _next_coefficients(chebyshev: Floats) -> Floats:
+def _next_coefficients(size: Floats) -> Floats:
     """Return an estimate of the size of the first neglected coefficient, (pieces, n), for the worst function.
 
-    The coefficients are (pieces, TERMS, functions, n). The ratio of the last two to the preceding two is extrapolated.
+    The sizes of the coefficients are (pieces, TERMS, functions, n). The ratio of the last two to the preceding two is
+    extrapolated.
     """
-    size = np.abs(chebyshev)
     last = size[:, -2:].max(axis=1)
     before = size[:, -4:-2].max(axis=1)
     divisor = np.where(before > 0.0, before, 1.0)

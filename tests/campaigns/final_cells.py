@@ -17,7 +17,7 @@ import slipcircle
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator import compiled
-from slipcircle.core.integrator.lanes import integrate
+from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.problem.problem import Problem
 from slipcircle.tables import Series
 from tests.support.lanes import posed
@@ -64,10 +64,10 @@ def main(file: str) -> None:
         for name, problem in problems(1 if level else 20):
             if level:
                 with patch.object(compiled, "widest", partial(binary.LEVELS.get, level)):
-                    final = integrate(problem)
+                    final = integrate_problem(problem)
             else:
                 with compiled.numpy_only():
-                    final = integrate(problem)
+                    final = integrate_problem(problem)
             cells[f"{level or 'NumPy'} {name}"] = final[: ix.OMEGA + 1]
     if not Path(file).exists():
         np.savez_compressed(file, allow_pickle=False, **cells)

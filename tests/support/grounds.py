@@ -25,7 +25,7 @@ def bumpy(rng: np.random.Generator, edges: int) -> tuple[Ground, tuple[float, fl
         ground = list(zip(x.tolist(), y.tolist(), strict=True))
         centre, radius = (float(rng.uniform(-0.4, 0.4)), float(rng.uniform(0.3, 2.0))), float(rng.uniform(0.8, 2.5))
         parts = circles.cut(np.array([ground]), np.array([centre]), np.array([radius]))
-        lanes, _, held = circles.stretches(parts)
+        lanes, _, held = circles.complete_stretches(parts)
         above = np.interp(centre[0], x, y) < centre[1] and all(y < 0 for _, (y,) in circles.ends(parts, [0]))
         if len(lanes) == 1 and not held[0] and above and moments(ground, centre, radius)["area"] > 1e-3:
             return ground, centre, radius

@@ -48,8 +48,8 @@ def level() -> str:
     if module() is None:
         return ""
     levels = module().LEVELS
-    asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
-    return asked if asked in levels else next(iter(levels))
+    selected = os.environ.get("SLIPCIRCLE_COMPILED", "")
+    return selected if selected in levels else next(iter(levels))
 
 
 @cache

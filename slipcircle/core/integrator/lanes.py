@@ -11,7 +11,7 @@ from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 
 
-def integrate(
+def integrate_problem(
     problem: Problem, begin: Floats | None = None, samples: Samples | None = None, log: Log | None = None
 ) -> Floats:
     """Integrate all lanes to their end and return their final cells.
@@ -30,13 +30,13 @@ def integrate(
         begin = problem.cells() if begin is None else begin
         if np.any(begin[ix.END_TIME] == np.inf):
             advance = partial(_integrate, problem, log=log)
-            final: Floats = lazy_import("creep").integrate(problem, begin, samples, advance)
+            final: Floats = lazy_import("creep").integrate_creeping(problem, begin, samples, advance)
             return final
     return _integrate(problem, begin, samples, log)
 
 
 def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, log: Log | None) -> Floats:
-    """Return the final cells, (cells, lanes), of lanes that do not creep. The arguments are those of `integrate`."""
+    """Return the final cells, (cells, lanes), of lanes that do not creep. The arguments: see `integrate_problem`."""
     while True:
         if log is not None:
             log.clear()
@@ -95,7 +95,7 @@ def _go_on(problem: Problem, cells: Floats, samples: Samples | None, log: Log | 
     stopped = cells[ix.STATUS] == ix.TOO_LONG
     (which,) = np.nonzero(stopped & many_steps & moving)
     while which.size:
-        lazy_import("stiff").integrate(problem, cells, samples, log, which)
+        lazy_import("stiff").integrate_implicitly(problem, cells, samples, log, which)
         waiting = cells[ix.STATUS, which] == ix.NEED
         which = which[waiting]
         if which.size:

@@ -17,7 +17,7 @@ from generated import layout as ix
 from slipcircle.base.arrays import choose, may_overflow, plain
 from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
-from slipcircle.core.integrator.lanes import integrate
+from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import State, Status, state_of, statuses
 from slipcircle.core.problem.plan import Plan, recipe_of
@@ -387,7 +387,7 @@ class Motion(Conversions, Generic[Numbers]):
             return type(self)(plan, self._final[(slice(None), *rows)], invalid)
         plan = replace(plan, recipe=recipe_of(scene))  # other lanes may have standing water
         problem = problem_of(plan, invalid)  # a single lane is solved to rounding
-        return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
+        return type(self)(plan, integrate_problem(problem)[:, 0].tolist(), invalid, problem)
 
     def __repr__(self) -> str:
         """Return a summary of the results in one line."""

@@ -16,7 +16,7 @@ import numpy as np
 
 from slipcircle.base.arrays import plain
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.integrator.lanes import BLOCK, ENTRIES, integrate
+from slipcircle.core.integrator.lanes import BLOCK, ENTRIES, integrate_problem
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.problem.plan import Plan, plan
@@ -79,7 +79,7 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     lanes = math.prod(scene.shape)
     if lanes <= BLOCK:
         problem = problem_of(chosen, invalid)
-        final = integrate(problem)[:ENTRIES]
+        final = integrate_problem(problem)[:ENTRIES]
         if not scene.shape:  # plain numbers are ten times cheaper than arrays of one
             return Motion(chosen, final[:, 0].tolist(), invalid, problem)
         return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid, problem)
@@ -88,5 +88,5 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     for first in range(0, lanes, BLOCK):
         which = slice(first, first + BLOCK)
         part = lazy_import("parameters").lanes_of(scene, which, flat=True)
-        final[:, which] = integrate(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
+        final[:, which] = integrate_problem(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
     return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid)

@@ -45,8 +45,8 @@ class Plan:
     @property
     def left_out(self) -> Names:
         """Names of effects that the scene does not use. Cohesion and pore pressure given by soils count as used."""
-        known = (*self.effects, *self.scene.arc.own_effects)
-        return tuple(effect for effect in EFFECTS if effect not in known)
+        included = (*self.effects, *self.scene.arc.own_effects)
+        return tuple(effect for effect in EFFECTS if effect not in included)
 
     @property
     def fragments(self) -> Names:

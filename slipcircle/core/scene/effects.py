@@ -154,4 +154,4 @@ def resolved(name: str, given: Frozen) -> Frozen:
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
         return given
-    return Frozen(lazy_import("forcing").resolved(name, given))
+    return Frozen(lazy_import("forcing").with_functions_of_time(name, given))

@@ -59,7 +59,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command and return its answer."""
     form = "KEY or KEY=LOW:HIGH: friction.angle_deg=5:15"
-    fields = values.values_by_key("field", options.field or [], form, values.bounds)
+    fields = values.values_by_key("field", options.field or [], form, values.low_and_high)
     observed = {name: getattr(options, name) for name in OBSERVABLE}
     scene = load(options.scene)
     if options.method:
@@ -69,8 +69,8 @@ def run(options: argparse.Namespace) -> Answer:
             )
         scene = replace(scene, start=options.method)
     if not scene.observed and all(value is None for value in observed.values()):
-        known = ", ".join(OPTIONS.values())
-        raise ValueError(f"backanalyse: no observation: give one of {known}, or [observed] in the scene file")
+        choices = ", ".join(OPTIONS.values())
+        raise ValueError(f"backanalyse: no observation: give one of {choices}, or [observed] in the scene file")
     bounds = {key: ends for key, ends in fields.items() if ends}
     fit = backanalyse(scene, field=list(fields) or None, bounds=bounds, **observed)
     name = fit.motion.plan.scene.name

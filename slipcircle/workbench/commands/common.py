@@ -65,10 +65,10 @@ def choose_units(options: argparse.Namespace) -> None:
     """
     values = vars(options)
     scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
-    given = (values.get("units") or "").upper()
-    if given in SYSTEMS:
+    system = (values.get("units") or "").upper()
+    if system in SYSTEMS:
         options.units = None
-    chosen = {given} & {*SYSTEMS} or units_of_files(scenes) or {"SI"}
+    chosen = {system} & {*SYSTEMS} or units_of_files(scenes) or {"SI"}
     if len(chosen) > 1:
         raise ValueError(f"{options.command}: the scene files select different units of output; give --units SI or US")
     PRINTED.set(SYSTEMS[chosen.pop()])

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_context
-from slipcircle.workbench.common.quantities import plain, time_text
+from slipcircle.workbench.common.quantities import json_values, time_text
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs.pictures.files import picture
@@ -76,9 +76,9 @@ def run(options: argparse.Namespace) -> Answer:
     from slipcircle.workbench.cost.rows import recommended, with_verdicts
     from slipcircle.workbench.outputs.info import machine
 
-    wanted = _wanted(options)
+    target = _wanted(options)
     form = "KEY=FROM:TO, each key once, such as friction.angle_deg=6:20"
-    vary = values.values_by_key("vary", options.vary, form, values.bounds)
+    vary = values.values_by_key("vary", options.vary, form, values.low_and_high)
     if options.name in kernels.KERNELS:
         if vary:
             raise ValueError(
@@ -94,19 +94,19 @@ def run(options: argparse.Namespace) -> Answer:
         scene = load(options.name)
         rows = with_scene_context(scene, lambda scene: scenes.of_scene(scene, vary))
         title = scene.name
-    if wanted:
+    if target:
         chosen = [row for row in rows if row.group != scenes.ALONE]
-        rows = [row for row in rows if row.group == scenes.ALONE] + recommended(with_verdicts(chosen), **wanted)
+        rows = [row for row in rows if row.group == scenes.ALONE] + recommended(with_verdicts(chosen), **target)
     measured_on = machine()
-    record = {"name": title, "machine": measured_on, "rows": [plain(asdict(row)) for row in rows]}
+    record = {"name": title, "machine": measured_on, "rows": [json_values(asdict(row)) for row in rows]}
     drawn = {"plot": partial(picture, "cost", rows)}
-    return Answer(lambda: record, _parts(title, rows, measured_on, wanted), (), drawn)
+    return Answer(lambda: record, _parts(title, rows, measured_on, target), (), drawn)
 
 
-def _parts(title: str, rows: Sequence["CostRow"], machine: str, wanted: Mapping[str, float]) -> Iterator[ResultTable]:
+def _parts(title: str, rows: Sequence["CostRow"], machine: str, target: Mapping[str, float]) -> Iterator[ResultTable]:
     """Yield the table of measured rows, with notes below it.
 
-    ``machine`` describes the computer, and ``wanted`` is the requested accuracy or budget by name.
+    ``machine`` describes the computer, and ``target`` is the requested accuracy or budget by name.
     """
     fastest = {row.group: min(x.seconds for x in rows if x.group == row.group) for row in rows}
     cells = []
@@ -118,7 +118,7 @@ def _parts(title: str, rows: Sequence["CostRow"], machine: str, wanted: Mapping[
         taken = time_text(1e9 * row.seconds)
         cells.append([row.group, row.way, f"{row.count}", error, bound, taken, relative, verdict])
     heads = ["", "way", "N", "error", "bound", "time", "relative", "verdict"]
-    yield ResultTable(heads, cells, title, " ".join(_notes(rows, machine, wanted)))
+    yield ResultTable(heads, cells, title, " ".join(_notes(rows, machine, target)))
 
 
 def _error(error: float) -> str:
@@ -126,7 +126,7 @@ def _error(error: float) -> str:
     return f"{error:.1e}" if error else "0"
 
 
-def _notes(rows: Sequence["CostRow"], machine: str, wanted: Mapping[str, float]) -> Iterator[str]:
+def _notes(rows: Sequence["CostRow"], machine: str, target: Mapping[str, float]) -> Iterator[str]:
     """Yield the sentences below the table of measured rows; the arguments are those of `_parts`."""
     from slipcircle.workbench.cost.rows import RECOMMENDED, price_of_a_digit
     from slipcircle.workbench.cost.scenes import ALONE
@@ -142,7 +142,7 @@ def _notes(rows: Sequence["CostRow"], machine: str, wanted: Mapping[str, float])
     for row in rows:
         if row.bound is not None and row.error > row.bound:
             yield f"The error of {row.way} ({row.group}) is above its bound: a bug, please report it."
-    limit = "".join(f" for {name} {text}" for name, text in _shown(wanted))
+    limit = "".join(f" for {name} {text}" for name, text in _shown(target))
     chosen = [row for row in rows if row.verdict == RECOMMENDED]
     yield from (f"Recommended{limit}: {_measured(row)}." for row in chosen)
     if limit and not chosen:
@@ -158,7 +158,7 @@ def _measured(row: "CostRow") -> str:
     return f"{row.way} ({time_text(1e9 * row.seconds)}, error {_error(row.error)}{bound})"
 
 
-def _shown(wanted: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+def _shown(target: Mapping[str, float]) -> Iterator[tuple[str, str]]:
     """Yield the name and the text of the requested accuracy or budget."""
-    for name, value in wanted.items():
+    for name, value in target.items():
         yield name, time_text(1e9 * value) if name == "budget" else f"{value:g}"

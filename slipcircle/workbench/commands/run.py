@@ -75,7 +75,7 @@ def _live(motion: Motion, varied: str | None) -> str:
     if not varied:
         return live.page(motion)
     form = "KEY=FROM:TO, such as friction.residual_deg=8:18"
-    ((key, (low, high)),) = values.values_by_key("vary", [varied], form, values.bounds).items()
+    ((key, (low, high)),) = values.values_by_key("vary", [varied], form, values.low_and_high).items()
     return live.page(motion, with_scene_context(motion.plan.scene, lambda scene: live.slider(scene, key, low, high)))
 
 

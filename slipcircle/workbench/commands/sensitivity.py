@@ -24,8 +24,8 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command and return its answer."""
     motion = solve(load(options.scene))
     derivatives, name = motion.sensitivity(), motion.plan.scene.name
-    known = by_name(motion.plan.scene)
-    keys = {parameter: known[parameter].key for parameter in derivatives.parameters}
+    keys_by_name = by_name(motion.plan.scene)
+    keys = {parameter: keys_by_name[parameter].key for parameter in derivatives.parameters}
     names = important(derivatives)
     stops = standstills(motion.plan.scene, names.items())
     further = {"keys": keys, "elasticities": derivatives.elasticities, "standstills": stops}

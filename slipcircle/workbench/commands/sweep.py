@@ -31,7 +31,7 @@ from slipcircle.workbench.outputs.studytables import study_tables
 from slipcircle.workbench.outputs.tables import Answer, Files, ResultTable
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import FACTOR, METHODS
-from slipcircle.workbench.studies.engines import ENGINES, engine
+from slipcircle.workbench.studies.engines import ENGINES, open_executor
 from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
 
@@ -145,9 +145,9 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError("sweep: --records and --grid exclude each other; give --uncertain and --samples")
     of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility", "magnitude", "period")
     absent = (None, False)
-    given = [name for name in of_records if not any(getattr(options, name) is value for value in absent)]
-    if given and not under_records:
-        names = ", ".join(f"--{name.replace('_', '-')}" for name in given)
+    used = [name for name in of_records if not any(getattr(options, name) is value for value in absent)]
+    if used and not under_records:
+        names = ", ".join(f"--{name.replace('_', '-')}" for name in used)
         raise ValueError(f"sweep: {names}: for earthquake records only; give --records FOLDER as well")
     if options.units and not under_records:
         raise ValueError(f"sweep: --units {options.units}: must be SI or US; other units are those of --records")
@@ -160,20 +160,20 @@ def _table(columns: Mapping[str, Sequence[Any]]) -> bytes:
     return files.csv_table(columns, zip(*columns.values(), strict=True))
 
 
-def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
+def _with_distributions(scene: Scene, texts: Sequence[str]) -> Scene:
     """Return the scene with the distributions of ``--uncertain``, texts ``KEY=NAME:A:B`` that precede the file's."""
-    if not given:
+    if not texts:
         return scene
     forms = (":".join((name, *d.parameters)) for name, d in DISTRIBUTIONS.items())
     form = f"KEY=, each key once, and one of {', '.join(forms)}"
-    drawn = read.values_by_key("uncertain", given, form, read.distribution_parameters)
+    drawn = read.values_by_key("uncertain", texts, form, read.distribution_parameters)
     others = {name: u for name, u in uncertain_numbers(scene).items() if u.key not in drawn}
     return replace(scene, uncertain=others | drawn)
 
 
 def _compute(scene: Scene, levels: Values, options: argparse.Namespace) -> Study:
     """Return the study of a scene on a grid of levels by key, if there are any, under records or for samples."""
-    with engine(options.engine, options.workers, options.scheduler) as executor:
+    with open_executor(options.engine, options.workers, options.scheduler) as executor:
         if levels:
             return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)
         form = "KEY,KEY=R, each pair once, such as friction.angle_deg,cohesion.cohesion_kPa=-0.5"
@@ -254,8 +254,8 @@ def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str
     down, along = (level.tolist() for level in study.design.levels)
     run_outs = study.samples["run_out"].tolist()
     factor, _ = printed(OUTCOMES["run_out"].unit)
-    known = [w if math.isnan(r) else factor * r for r, w in zip(run_outs, words, strict=True)]
-    rows = [[at, *known[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
+    cells = [w if math.isnan(r) else factor * r for r, w in zip(run_outs, words, strict=True)]
+    rows = [[at, *cells[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
     title = f"{study.scene.name}: {OUTCOMES['run_out'].heading} by {keys[0]} (rows) and {keys[1]} (columns)"
     return ResultTable([keys[0], *map(shown, along)], rows, title, note)
 
@@ -268,8 +268,8 @@ def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Result
     heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
     heads |= {f"{FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
     factors = {name: printed(q.unit)[0] for name, q in OUTCOMES.items()}
-    known = [name for name in heads if name in study.samples]
-    columns = {heads[name] or name: (factors.get(name, 1.0) * study.samples[name]).tolist() for name in known}
+    names = [name for name in heads if name in study.samples]
+    columns = {heads[name] or name: (factors.get(name, 1.0) * study.samples[name]).tolist() for name in names}
     rows = [[*row, w] for *row, w in zip(*columns.values(), words, strict=True)]
     return ResultTable([*columns, "status"], rows, study.scene.name)
 
@@ -281,11 +281,11 @@ def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
     """
     shares = {}
     for name, values in study.samples.items():
-        known = values[~np.isnan(values)]
-        if name.startswith(FACTOR) and known.size:
-            quantiles = np.quantile(known, _GRID_QUANTILES, method="inverted_cdf").tolist()
+        finite = values[~np.isnan(values)]
+        if name.startswith(FACTOR) and finite.size:
+            quantiles = np.quantile(finite, _GRID_QUANTILES, method="inverted_cdf").tolist()
             named = {f"quantile_{p}": value for p, value in zip(_GRID_QUANTILES, quantiles, strict=True)}
-            shares[name.removeprefix(FACTOR)] = {"below_1": float(np.mean(known < 1.0)), **named}
+            shares[name.removeprefix(FACTOR)] = {"below_1": float(np.mean(finite < 1.0)), **named}
     return shares
 
 

@@ -96,7 +96,7 @@ def values_by_key(option: str, texts: Sequence[str], form: str, read: Callable[[
     return values
 
 
-def bounds(text: str) -> Pair | None:
+def low_and_high(text: str) -> Pair | None:
     """Return two numbers, parsed from ``LOW:HIGH``, in the unit of their key; None for empty text."""
     if not text:
         return None

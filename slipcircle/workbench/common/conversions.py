@@ -30,8 +30,8 @@ def motion_table(motion: Motion) -> str:
 
 def _span(values: Any, unit: str) -> str:
     """Return the least and the greatest of the values that are not NaN, as text in the given unit; "-" without any."""
-    known = values[~np.isnan(values)]
-    return f"{shown(known.min())} to {shown(known.max())} {unit}" if known.size else "-"
+    finite = values[~np.isnan(values)]
+    return f"{shown(finite.min())} to {shown(finite.max())} {unit}" if finite.size else "-"
 
 
 def to_dict(motion: Motion, times: ArrayLike | None) -> ValueDict:

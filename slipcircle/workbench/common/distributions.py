@@ -144,10 +144,10 @@ DISTRIBUTIONS: Mapping[str, Distribution] = {
 }
 
 
-def distribution_of(given: Values) -> Any:
+def distribution_of(parameters: Values) -> Any:
     """Return the distribution for a mapping such as ``{"distribution": "normal", "mean": 10, "std": 1}``."""
-    numbers = {k: float(v) for k, v in given.items() if k != "distribution"}
-    return DISTRIBUTIONS[given["distribution"]].frozen(**numbers)
+    numbers = {k: float(v) for k, v in parameters.items() if k != "distribution"}
+    return DISTRIBUTIONS[parameters["distribution"]].frozen(**numbers)
 
 
 def distribution_record(frozen: Any) -> ValueDict:
@@ -165,27 +165,27 @@ def distribution_record(frozen: Any) -> ValueDict:
     return {"distribution": type(getattr(frozen, "dist", frozen)).__name__} | moments | quantiles
 
 
-def distribution_mistakes(given: Values, limits: Pair) -> Texts:
+def distribution_mistakes(parameters: Values, limits: Pair) -> Texts:
     """Return a message for each mistake in the mapping of a distribution.
 
     ``limits`` are the least and greatest value of its number, in the same unit.
     """
-    name = given.get("distribution")
+    name = parameters.get("distribution")
     if name is None:
         return ["distribution: is missing: one of " + ", ".join(DISTRIBUTIONS)]
     if name not in DISTRIBUTIONS:
-        asked = "".join(f"; did you mean {n}?" for n in get_close_matches(str(name), DISTRIBUTIONS, 1))
-        return [f"distribution = {name!r}: must be one of {', '.join(DISTRIBUTIONS)}{asked}"]
-    kind, numbers = DISTRIBUTIONS[name], {k: v for k, v in given.items() if k != "distribution"}
-    known = kind.parameters
-    faults = [f"{k}: is missing" for k in known if k not in numbers]
-    faults += [f"{k}: is unknown; known are {', '.join(known)}" for k in numbers if k not in known]
-    for k in known:
+        suggestion = "".join(f"; did you mean {n}?" for n in get_close_matches(str(name), DISTRIBUTIONS, 1))
+        return [f"distribution = {name!r}: must be one of {', '.join(DISTRIBUTIONS)}{suggestion}"]
+    kind, numbers = DISTRIBUTIONS[name], {k: v for k, v in parameters.items() if k != "distribution"}
+    names = kind.parameters
+    faults = [f"{k}: is missing" for k in names if k not in numbers]
+    faults += [f"{k}: is unknown; known are {', '.join(names)}" for k in numbers if k not in names]
+    for k in names:
         value = numbers.get(k, 0.0)
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
             faults.append(f"{k} = {abridged(value)}: must be a finite number")
     faults = faults or [rule for rule, holds in kind.rules.items() if not holds(numbers)]
-    return faults or _limit_mistakes(distribution_of(given), *limits)
+    return faults or _limit_mistakes(distribution_of(parameters), *limits)
 
 
 def _limit_mistakes(distribution: Any, lower: float, upper: float) -> Texts:

@@ -27,28 +27,28 @@ def check_outputs(command: str, outputs: Mapping[str, str | Texts], inputs: Sequ
     ValueError
         Lists every path that cannot be written, with the reason.
     """
-    found, taken = [], {os.path.realpath(path): "the scene file" for path in inputs}
-    named = [(o, name) for o, given in outputs.items() for name in ([given] if isinstance(given, str) else given)]
+    mistakes, taken = [], {os.path.realpath(path): "the scene file" for path in inputs}
+    named = [(o, name) for o, paths in outputs.items() for name in ([paths] if isinstance(paths, str) else paths)]
     for option, name in named:
         path = Path(os.path.realpath(name))
         if _is_device(name):
             continue
         if path.is_dir() or not path.name or name.endswith(os.sep):
-            found.append(f"{option} {name}: is a folder; give a file's name")
+            mistakes.append(f"{option} {name}: is a folder; give a file's name")
         elif not path.parent.is_dir():
-            found.append(f"{option} {name}: there is no folder {Path(name).parent}")
+            mistakes.append(f"{option} {name}: there is no folder {Path(name).parent}")
         elif not os.access(path.parent, os.W_OK):
-            found.append(f"{option} {name}: may not be written")
+            mistakes.append(f"{option} {name}: may not be written")
         elif str(path) in taken:
-            found.append(f"{option} {name}: would overwrite {taken[str(path)]}")
+            mistakes.append(f"{option} {name}: would overwrite {taken[str(path)]}")
         elif option in NEW and os.path.lexists(name):
-            found.append(f"{option} {name}: is there already; give another name, or remove it first")
+            mistakes.append(f"{option} {name}: is there already; give another name, or remove it first")
         elif path.suffix.lower() not in ENDINGS.get(option, (path.suffix.lower(),)):
-            found.append(
+            mistakes.append(
                 f"{option} {name}: cannot be written in this format; give a name that ends in {ENDINGS[option][0]}"
             )
         taken[str(path)] = option
-    raise_all(command, found)
+    raise_all(command, mistakes)
 
 
 @contextmanager

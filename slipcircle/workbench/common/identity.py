@@ -47,8 +47,8 @@ class _Content(pickle.Pickler):
         named = value if hasattr(value, "__qualname__") or isinstance(value, ModuleType) else type(value)
         if isinstance(value, FunctionType) and not _is_installed(value):
             cells = [cell.cell_contents for cell in value.__closure__ or ()]
-            known = value.__globals__
-            read = {name: known[name] for name in sorted({*_globals(value.__code__)}) if name in known}
+            scope = value.__globals__
+            read = {name: scope[name] for name in sorted({*_globals(value.__code__)}) if name in scope}
             return str, (), (value.__code__, value.__defaults__, value.__kwdefaults__, cells, read)
         if not _is_installed(named):
             raise ValueError(f"{_name(named)} is not part of an installed package")

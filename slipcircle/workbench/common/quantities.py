@@ -214,8 +214,8 @@ def factors(scene: Any, of_motion: Any) -> ValueDict:
 
 def factors_of(motion: Any) -> ValueDict:
     """Return the factors of safety of a motion at its start by method; floats for a single motion, else arrays."""
-    found = factors(motion.plan.scene, motion.factor_of_safety)
-    return found if motion.shape else {method: float(factor) for method, factor in found.items()}
+    by_method = factors(motion.plan.scene, motion.factor_of_safety)
+    return by_method if motion.shape else {method: float(factor) for method, factor in by_method.items()}
 
 
 def factor_text(factor: float | None) -> str:
@@ -312,22 +312,22 @@ HISTORY: Mapping[str, Quantity] = {
 }
 
 
-def plain(value: Any) -> Any:
+def json_values(value: Any) -> Any:
     """Return a value converted to types of JSON, with numbers that are not finite replaced by None."""
     if is_dataclass(value) and not isinstance(value, type):
-        return plain(asdict(value))
+        return json_values(asdict(value))
     if isinstance(value, Mapping):
-        return {str(k): plain(v) for k, v in value.items()}
+        return {str(k): json_values(v) for k, v in value.items()}
     if isinstance(value, np.ndarray | np.generic):
-        return plain(value.tolist())
+        return json_values(value.tolist())
     if isinstance(value, list | tuple):
-        return [plain(v) for v in value]
+        return [json_values(v) for v in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def json_text(record: Any) -> str:
     """Return a record or a list of records as JSON text, each with its format version first (except a schema)."""
-    content = plain(record)
+    content = json_values(record)
     many = [content] if isinstance(content, dict) else content
     stamped = [one if "$schema" in one else {"format": JSON_FORMAT} | one for one in many]
     return json.dumps(stamped if many is content else stamped[0], indent=2, allow_nan=False)

@@ -29,9 +29,9 @@ def key_results(motion: Motion) -> TextDict:
     range of validity, and the run-out from the factor of safety of another method.
     """
     scene = motion.plan.scene
-    known = factors_of(motion)
-    method = next(name for name in (method_of(scene), OF_CLOSURE) if name in known)
-    column = {factor_label(method): factor_text(known[method])}
+    by_method = factors_of(motion)
+    method = next(name for name in (method_of(scene), OF_CLOSURE) if name in by_method)
+    column = {factor_label(method): factor_text(by_method[method])}
     observed = scene.observed
     ends = end_words(motion)
     for quantity in dict.fromkeys((*RESULTS, *OBSERVABLE.values())):

@@ -25,10 +25,8 @@ NUMBER_AND_STEP = re.compile(r"\s*(\d{1,15})[\s,;]+0?\.\d+\s*", re.ASCII)  # of 
 def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds: str) -> str:
     """Return the text of a regular file with newlines between its lines, in UTF-8, UTF-16 or Latin-1.
 
-    It must have at most ``most_bytes`` and ``most_numbers``. In messages ``name`` is the file, and ``kinds`` are
-    possible formats.
-
-    In messages ``name`` is the file, and ``kinds`` are the formats that it may have.
+    It must have at most ``most_bytes`` and ``most_numbers``. In messages ``name`` is the file, and ``kinds`` are the
+    formats that it may have.
 
     Raises
     ------

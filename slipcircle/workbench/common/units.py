@@ -125,11 +125,11 @@ def published(key: str) -> tuple[str, str, float]:
 
     The key ``height_ft`` gives ("height_m", "ft", 0.3048).
     """
-    found = _SUFFIX.search(key)
-    if found is None:
+    ending = _SUFFIX.search(key)
+    if ending is None:
         return key, "", 1.0
-    unit, end, ratio = _PUBLISHED[found[1]]
-    return key[: found.start() + 1] + end, unit, ratio
+    unit, end, ratio = _PUBLISHED[ending[1]]
+    return key[: ending.start() + 1] + end, unit, ratio
 
 
 def spelt_like(typed: str, key: str) -> str:
@@ -161,13 +161,13 @@ def seconds_of(unit: str, text: str, default: str = "s") -> float:
     ``unit`` replaces the unit in the text if it is not empty, and ``default`` applies without any. With Hz or sps the
     text is a rate.
     """
-    found = re.match(r"(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+)\s*([^\d\s/,;]*)", text, re.IGNORECASE)
-    if found is None or not 0.0 < float(found[1]) < 1e9:
+    amount = re.match(r"(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+)\s*([^\d\s/,;]*)", text, re.IGNORECASE)
+    if amount is None or not 0.0 < float(amount[1]) < 1e9:
         return 0.0
-    word = unit or found[2] or default
+    word = unit or amount[2] or default
     if word.lower() in ("hz", "sps"):
-        return 1.0 / float(found[1])
-    return float(found[1]) * TIME.units.get(unit_of(word, TIME) or "", 0.0)
+        return 1.0 / float(amount[1])
+    return float(amount[1]) * TIME.units.get(unit_of(word, TIME) or "", 0.0)
 
 
 def period_of(unit: str, text: str) -> float:
@@ -183,8 +183,6 @@ def over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floa
 
     ``units`` is a key of `UNITS`, and ``gravity`` is in m/s^2. Accelerations of the ground, with ``holds`` equal to
     "ground", change their sign.
-
-    Accelerations of the ground, with ``holds`` equal to "ground", change their sign.
     """
     factor = GRAVITIES.get(units, UNITS[units] / gravity)
     return values * (-factor if holds == "ground" else factor) + 0.0

@@ -72,8 +72,8 @@ def ways(name: str) -> Iterator[Way]:
             proved = tiers.BOUNDS.get(name, {}).get(tier, {})
             bound, _ = proved.get(form, proved.get("plain", (None, None)))
             kind = "float32" if tier == "float32" else "float64"
-            asked = bound if tier.startswith("1e") else None  # a tier is the cheapest that meets its own bound
-            call = partial(_compiled.kernel(name, kernels.TEXTS[name], level), accuracy=asked)
+            accuracy = bound if tier.startswith("1e") else None  # a tier is the cheapest that meets its own bound
+            call = partial(_compiled.kernel(name, kernels.TEXTS[name], level), accuracy=accuracy)
             yield Way(tier if level != "numpy" else f"{tier}, NumPy", call, kind, bound)
     yield Way("printed", partial(as_printed, name))
 

@@ -37,7 +37,7 @@ def effect_ladder(scene: Scene) -> list[Rung]:
     motions = [full]
     while chosen:
         without = [(e, _solved(scene, tuple(x for x in chosen if x != e), full)) for e in reversed(chosen)]
-        least, motion = min(without, key=lambda found: _distance(found[1], full))
+        least, motion = min(without, key=lambda one: _distance(one[1], full))
         chosen = tuple(e for e in chosen if e != least)
         order.insert(0, least)
         motions.insert(0, motion)
@@ -66,8 +66,8 @@ def _solved(scene: Scene, effects: Names, full: Motion) -> Motion:
     arc = scene.arc
     if isinstance(arc, Section) and "pore_pressure" in {*full.plan.effects} - {*effects}:
         arc = replace(arc, level=None)  # the water level would add the effect
-    given = {e: scene.called[e] for e in effects if e in scene.effects}
-    part = replace(scene, arc=arc, effects=given, uncertain={})
+    parameters = {e: scene.called[e] for e in effects if e in scene.effects}
+    part = replace(scene, arc=arc, effects=parameters, uncertain={})
     try:
         return solve(part)
     except ValueError:

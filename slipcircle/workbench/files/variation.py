@@ -28,12 +28,12 @@ def along_means(scene: Scene) -> Scene:
     if np.allclose(medians, [*means.values()], rtol=1e-12, atol=0.0):
         return scene
     assert isinstance(scene.arc, Section)
-    found = critical(slope_of(with_parameters(scene, means), found.slope), found.method, **found.limits)
+    found = critical(varied_slope(with_parameters(scene, means), found.slope), found.method, **found.limits)
     section = replace(scene.arc, centre=found.centre, radius=found.radius, between=found.between)
     return replace(scene, arc=section, stability=found.without_map())
 
 
-def slope_of(scene: Scene, like: Slope) -> Slope:
+def varied_slope(scene: Scene, like: Slope) -> Slope:
     """Return a slope with the ground, level, soils, surcharge and crack of a scene, otherwise equal to `like`.
 
     The arc of the scene must be a `Section`.

@@ -23,7 +23,7 @@ __all__ = ["animate", "factors_of_safety", "html", "plot", "to_dict", "to_pandas
 
 # By type of the result, or of the records of a study: kind of the overview, function that gives its data, and panels.
 _DRAWN: Mapping[type, tuple[str, Function, Values]] = {
-    Critical: ("search", lambda found: ("", found), {}),
+    Critical: ("search", lambda critical: ("", critical), {}),
     Motion: ("motions", lambda motion: [motion], plots.PANELS),
     Study: ("study", lambda study: study, studyplots.PANELS),
     GroundMotions: ("suite", lambda study: study, suiteplots.PANELS),

@@ -19,20 +19,20 @@ def facts() -> TextDict:
     """Return versions, the processor, the kernels in use, and digests of the generated files, as texts by name."""
     remedy = FREE_THREADED if is_free_threaded() else "`python -m derive.build` compiles them"
     kernels = f"NumPy, not compiled: {remedy}" if LEVEL == "numpy" else f"compiled, {LEVEL}"
-    found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
-    found |= {"kernels": kernels, "integrator": describe_integrator()}
+    versions = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
+    versions |= {"kernels": kernels, "integrator": describe_integrator()}
     for library in ("numpy", *EXTRAS):
         try:
-            found[library] = metadata.version(library)
+            versions[library] = metadata.version(library)
         except metadata.PackageNotFoundError:
-            found[library] = f"not installed: {install(library)}"
+            versions[library] = f"not installed: {install(library)}"
     ours = Path(str(generated.__file__)).parent
     derive = find_spec("derive")
     if derive is not None and derive.origin != str(ours.parent / "derive" / "__init__.py"):
-        found["derive"] = f"in the way is {derive.origin}: rename it, or start in another folder"
+        versions["derive"] = f"in the way is {derive.origin}: rename it, or start in another folder"
     for path in sorted(ours.glob("*.py")):
-        found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
-    return found
+        versions[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    return versions
 
 
 def processor() -> str:

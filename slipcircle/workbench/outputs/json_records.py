@@ -6,7 +6,7 @@ from typing import Any
 
 from slipcircle.base.kinds import ValueDict
 from slipcircle.layers import LayeredSection, stretches
-from slipcircle.workbench.common.quantities import RESULTS, factors_of, plain, results
+from slipcircle.workbench.common.quantities import RESULTS, factors_of, json_values, results
 from slipcircle.workbench.common.starting import method_of, starts
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.stability.starting import OF_CLOSURE
@@ -19,7 +19,7 @@ def record(motion: Any) -> ValueDict:
     factors = motion.further_factors
     further = {"residual": factors.residual_method, "final": factors.at_rest_method}
     states = {name: asdict(getattr(motion, name)) for name in ("farthest", "peak", "end")}
-    return plain(
+    return json_values(
         {
             "scene": scene.name,
             "note": scene.note,

@@ -33,12 +33,12 @@ class Input(NamedTuple):
 
 def scene_inputs(scene: Scene, file: str) -> list[Input]:
     """Return the inputs of a scene as in the text of its file, with its comments; uncertain inputs are marked."""
-    given = list(_of_file(file))
+    inputs = list(_of_file(file))
     uncertain = {unknown.key: unknown.record for unknown in uncertain_numbers(scene).values()}
-    for place, one in enumerate(given):
+    for place, one in enumerate(inputs):
         if one.path in uncertain:
-            given[place] = one._replace(value=f"uncertain, {_shown(uncertain[one.path])}")
-    return given
+            inputs[place] = one._replace(value=f"uncertain, {_shown(uncertain[one.path])}")
+    return inputs
 
 
 def _of_file(file: str) -> Iterator[Input]:
@@ -47,14 +47,14 @@ def _of_file(file: str) -> Iterator[Input]:
     yield from _of_table(layout.tables, toml_comments(file), "", layout.content)
 
 
-def _of_table(tables: Values, sources: Mapping[str, str], path: str, given: Values) -> Iterator[Input]:
+def _of_table(tables: Values, sources: Mapping[str, str], path: str, content: Values) -> Iterator[Input]:
     """Yield the inputs of the table at a path of a file and of its subtables.
 
-    ``tables`` are the declared tables by path, ``sources`` the comments by path, and ``given`` is the content of the
+    ``tables`` are the declared tables by path, ``sources`` the comments by path, and ``content`` is the content of the
     table.
     """
     keys, prefix = tables[path].keys, f"{path}." if path else ""
-    for name, value in given.items():
+    for name, value in content.items():
         where = f"{prefix}{name}"
         if where in ("report", "output"):
             continue
@@ -70,7 +70,7 @@ def _of_table(tables: Values, sources: Mapping[str, str], path: str, given: Valu
             of_gravity = "g" if name.endswith("_g") else ""
             unit = _unit(key) or of_gravity
             yield Input(where, _shown(value), unit, key.help, source)
-    spelt = {published(name)[0] for name in given}
+    spelt = {published(name)[0] for name in content}
     for name, key in keys.items():
         title, _, default = key.help.partition(", by default ")
         if default and name not in spelt and name != "name":
@@ -79,9 +79,9 @@ def _of_table(tables: Values, sources: Mapping[str, str], path: str, given: Valu
 
 def _unit(key: Key) -> str:
     """Return the unit in the description of a key, or an empty text."""
-    found = re.search(r"\(([^()]*)\)$", key.allowed)
-    if found:
-        return found[1]
+    unit = re.search(r"\(([^()]*)\)$", key.allowed)
+    if unit:
+        return unit[1]
     return ""
 
 
@@ -90,7 +90,7 @@ def toml_comments(file: str) -> TextDict:
 
     Tables of a list are numbered from 1; quotes of names are dropped.
     """
-    found = {}
+    comments = {}
     table = ""
     counts: Counter[str] = Counter()
     for line in file.splitlines():
@@ -103,8 +103,8 @@ def toml_comments(file: str) -> TextDict:
             table = f"{table}.{counts[table]}"
         path = table if what[1] else f"{table}.{what[2]}".lstrip(".")
         if what[3]:
-            found[path] = what[3].strip()
-    return found
+            comments[path] = what[3].strip()
+    return comments
 
 
 def _shown(value: Any) -> str:

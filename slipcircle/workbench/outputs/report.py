@@ -147,10 +147,10 @@ def input_parts(plan: Plan, file: bytes) -> Iterable[ResultTable | Raw]:
 
     ``file`` is the content of the scene file.
     """
-    given = []
+    inputs = []
     for path, *cells in scene_inputs(plan.scene, file.decode("utf-8-sig")):
-        given.append([Raw(f'<code class="path">{escaped(path)}</code>'), *cells])
-    yield ResultTable(["input", "value", "unit", "what it is", "source"], given, "Inputs")
+        inputs.append([Raw(f'<code class="path">{escaped(path)}</code>'), *cells])
+    yield ResultTable(["input", "value", "unit", "what it is", "source"], inputs, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
         use = "used" if name in plan.effects else "not included" if name in plan.left_out else "by the soils"
@@ -323,9 +323,9 @@ def _of_study(study: Study, tables: Iterable[ResultTable | str], file: bytes) ->
 
 def _key_numbers(study: Study) -> Iterator[tuple[str, str]]:
     """Yield label and value of yield coefficient, displacements at own scale, moving share and block factor."""
-    found = distribution(study.displacement, study.own_scale)
+    at_scale = distribution(study.displacement, study.own_scale)
     yield "yield coefficient", shown(study.yield_coefficient)
-    for words, value in (("16 % of", found.p16), ("median", found.median), ("84 % of", found.p84)):
+    for words, value in (("16 % of", at_scale.p16), ("median", at_scale.median), ("84 % of", at_scale.p84)):
         yield f"{words} displacements", f"{value_text(in_unit(value, 'm'))} {printed('m')[1]}"
-    yield "that move", f"{100 * found.moving:.3g} %"
+    yield "that move", f"{100 * at_scale.moving:.3g} %"
     yield "displacement of the arc over that of a block", shown(study.block_factor)

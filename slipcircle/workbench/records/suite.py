@@ -12,10 +12,10 @@ memory does not grow with the number of records.
 """
 
 import hashlib
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatch
+from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
@@ -26,49 +26,22 @@ from slipcircle.base.progress import track
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import files_in
 from slipcircle.workbench.common.units import ACCELERATION, unit_of
-from slipcircle.workbench.records.columns import is_direction, is_vertical
+from slipcircle.workbench.records.columns import is_direction
 from slipcircle.workbench.records.recordfiles import Channel, Options, contents
 from slipcircle.workbench.records.records import checked_samples, shaking_of
+from slipcircle.workbench.records.stations import Place, place_of
 from slipcircle.workbench.suites.intensities import Intensities, drift_warning, intensities
 from slipcircle.workbench.suites.repeated import repeated
 
 _KEPT = 2**21  # number of samples of a suite that remain in memory
 _SHOWN = 5  # number of reasons in the error for a suite without a record
-# Components at the end of a file's name, as PEER, K-NET, ESM and COSMOS write them: azimuths, axes, channel codes.
-_AXIS = "NS|EW|UD|UP|DN|DWN|DOWN|VERT?|VRT|VERTICAL|FN|FP|H1|H2"
-_NAMED = re.compile(
-    rf"(?P<station>.*?)(?:(?<!\d)(?P<azimuth>[0-2]\d\d|3[0-5]\d|360)|[-_. ](?P<axis>{_AXIS})(?P<level>[12]?)"
-    r"|[-_. ](?P<letter>[NEWSVZXYLT]))",
-    re.IGNORECASE,
-)
-_SEED = re.compile(r"(?P<station>.*?)(?:^|[-_. ])[BCEHS][NGHL](?P<channel>[NEZ123])(?P<rest>\..*)?")
 
 
-class Place(NamedTuple):
-    """Station, or the text before the component, and component in the name of a file."""
+class Measures(NamedTuple):
+    """Intensity measures of a record, and the warning about its velocity at the end, otherwise empty."""
 
-    station: str
-    component: str
-
-    @property
-    def is_vertical(self) -> bool:
-        """Whether the component is vertical."""
-        return is_vertical(self.component)
-
-
-def place_of(name: str, component: str = "") -> Place:
-    """Return station and component from the name of a file without its folder, or from its header or column."""
-    stem, dot, suffix = name.rpartition(".")
-    is_axis = re.fullmatch(f"(?:{_AXIS})[12]?", suffix, re.IGNORECASE)  # K-NET names components by the suffix
-    plain = name if is_axis or not dot else stem
-    named = _SEED.fullmatch(plain) or _NAMED.fullmatch(plain)
-    if named is None:
-        return Place(plain, component)
-    parts = {"level": "", "rest": ""} | named.groupdict(default="")
-    found = next(parts[key] for key in ("azimuth", "axis", "letter", "channel") if parts.get(key))
-    station = parts["station"].rstrip("-_. ") + parts["level"] + parts["rest"]
-    component = component or found.upper()
-    return Place(station, component)
+    intensities: Intensities
+    drift: str
 
 
 @dataclass(frozen=True)
@@ -88,12 +61,15 @@ class Entry:
         Mean time between samples, s.
     unit : str
         Unit of the values in the file.
-    intensities : Intensities
+    peak : float
+        Greatest absolute acceleration over gravity.
     digest : str
         Digest of times and values, by which a resumed study identifies the record.
     is_vertical : bool
-    drift : str
-        Warning about a velocity that does not return to zero, otherwise empty.
+    kept : Series or None
+        Samples of arrays and of small suites.
+    known : Measures or None
+        Value of `measures` if the samples of a file do not remain in memory.
     """
 
     name: str
@@ -102,17 +78,31 @@ class Entry:
     samples: int
     step: float
     unit: str
-    intensities: Intensities
+    peak: float
     digest: str
     is_vertical: bool = False
-    drift: str = ""
-    kept: Series | None = field(default=None, repr=False)  # samples of arrays and small suites
+    kept: Series | None = field(default=None, repr=False)
     reading: Values = field(default_factory=dict, repr=False)
+    known: Measures | None = field(default=None, repr=False)
+
+    @cached_property
+    def measures(self) -> Measures:
+        """Intensity measures and drift warning, computed when they are first requested."""
+        if self.known is not None:
+            return self.known
+        record = self.record()
+        gravity = float(self.reading.get("gravity", 9.81))
+        return Measures(intensities(record, gravity), drift_warning(record, gravity))
 
     @property
-    def peak(self) -> float:
-        """Greatest absolute acceleration over gravity."""
-        return self.intensities.pga
+    def intensities(self) -> Intensities:
+        """Intensity measures of the record."""
+        return self.measures.intensities
+
+    @property
+    def drift(self) -> str:
+        """Warning about a velocity that does not return to zero, otherwise empty."""
+        return self.measures.drift
 
     @property
     def station(self) -> str:
@@ -305,7 +295,7 @@ def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> t
                     unread.append(entry)
                     continue
                 remaining -= entry.samples
-                entries.append(entry if remaining >= 0 else replace(entry, kept=None))
+                entries.append(entry if remaining >= 0 else replace(entry, kept=None, known=entry.measures))
         except ValueError as error:
             said = error.worded(lambda name: f"--{name}") if isinstance(error, InputError) else str(error)
             unread.append(Unread(str(file), said.removeprefix(str(file)).lstrip(":, ")))
@@ -382,11 +372,8 @@ def _entry(
     reading: Values | None = None,
     is_vertical: bool = False,
 ) -> Entry:
-    """Return the entry of a record with its intensity measures. `unit` is the unit in its file."""
+    """Return the entry of a record. `unit` is the unit in its file."""
     digest = hashlib.sha256(series.time.tobytes() + series.values.tobytes()).hexdigest()
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
-    reading = reading or {}
-    gravity = float(reading.get("gravity", 9.81))
-    measures = intensities(series, gravity)
-    drift = drift_warning(series, gravity)
-    return Entry(name, file, place, series.time.size, step, unit, measures, digest, is_vertical, drift, series, reading)
+    peak = series.greatest
+    return Entry(name, file, place, series.time.size, step, unit, peak, digest, is_vertical, series, reading or {})

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
-from slipcircle.workbench.stability.descent import FINEST, in_order
+from slipcircle.workbench.stability.descent import FINEST, sorted_indices
 from slipcircle.workbench.stability.family import COARSE, FINE, NONE, Search
 from slipcircle.workbench.stability.slices import Rule
 
@@ -67,7 +67,7 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats) -> Floats:
     values = search.evaluate(best)
     finite = np.isfinite(values)
     if np.any(finite):
-        order = in_order(values)
+        order = sorted_indices(values)
         return best[order]
     best, _ = search.refined(best, step)
     return best
@@ -80,7 +80,7 @@ def _screened(search: Search) -> ArrayPair:
     """
     q, steps = search.coarse_family(touching=False)
     values = search.evaluate(q, _SAMPLED)
-    best = in_order(values)[:_SCREENED]
+    best = sorted_indices(values)[:_SCREENED]
     count = len(search.boundary_edges)
     repeated = np.repeat(best[:_TOUCHING], count)
     touching = q[repeated]

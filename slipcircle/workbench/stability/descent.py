@@ -117,7 +117,7 @@ def tied(values: Floats) -> Floats:
     return values + _TIE * np.abs(values)
 
 
-def in_order(values: Floats) -> Any:
+def sorted_indices(values: Floats) -> Any:
     """Return indices that sort values; ties keep their order and NaN is last."""
     order = np.argsort(values, kind="stable")
     ordered = values[order]

@@ -22,7 +22,7 @@ from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
 from slipcircle.workbench.stability.bases import angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
-from slipcircle.workbench.stability.descent import FINEST, Descent, in_order
+from slipcircle.workbench.stability.descent import FINEST, Descent, sorted_indices
 from slipcircle.workbench.stability.factors import YIELD, factors_by
 from slipcircle.workbench.stability.slices import EXACT, Rule
 from slipcircle.workbench.stability.stability import Slope
@@ -338,7 +338,7 @@ class Search:
             left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
         found = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
-        valleys = np.array(found)[in_order(values[found])]
+        valleys = np.array(found)[sorted_indices(values[found])]
         least = np.nanmin(values)
         tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
         return q[valleys], steps[valleys]
@@ -360,7 +360,7 @@ class Search:
                 values = self.evaluate(near.reshape(-1, 4), rule)
                 values = np.nan_to_num(values, nan=np.inf)
                 descent.move(near, values.reshape(near.shape[:2]))
-        order = in_order(descent.best)[:_KEPT]
+        order = sorted_indices(descent.best)[:_KEPT]
         return descent.q[order], step[order]
 
 
@@ -384,7 +384,7 @@ def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge
     """
     valleys: list[int] = []
     touched = q[:, 3]
-    order = in_order(values)
+    order = sorted_indices(values)
     order = order[np.isfinite(values[order])]
     for edge in np.unique(touched):
         rest = order[touched[order] == edge]

@@ -263,7 +263,7 @@ def factors_of_safety(scene: Any) -> ArrayDict:
     """
     if 0 in scene.shape:
         return {name: np.empty(scene.shape) for name in (*METHODS, "facing", "negative")}
-    blocks = [circle_factors(slope, *each_lane(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
+    blocks = [circle_factors(slope, *circles_of_lanes(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
     values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
@@ -285,7 +285,7 @@ def circles_of(scene: Any, slipped: bool = False, most: int = _BLOCK) -> Iterato
         yield slope, (by_lane(section.centre, 1), by_lane(section.radius), left, right), len(block)
 
 
-def each_lane(circles: Circles, lanes: int) -> Circles:
+def circles_of_lanes(circles: Circles, lanes: int) -> Circles:
     """Return centres, radii and ends of arcs for each of ``lanes`` lanes, which may share one arc."""
     centre, radius, left, right = (np.broadcast_to(x, (lanes, *x.shape[1:])) for x in circles)
     return centre, radius, left, right

@@ -19,7 +19,7 @@ from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
 from slipcircle.workbench.stability.slices import Rule
-from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
+from slipcircle.workbench.stability.stability import Circles, circles_of, circles_of_lanes, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
 _RULE = Rule(pieces=3)  # random factors are accurate to 1e-14
@@ -73,7 +73,7 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
     for slope, circles, lanes in blocks:
         is_shared = _is_shared(slope, circles)
         if not is_shared:
-            circles = each_lane(circles, lanes)
+            circles = circles_of_lanes(circles, lanes)
         driven = driven_slices(slope, *circles, _RULE)
         yield driven, lanes
 

@@ -203,8 +203,8 @@ def backanalyse(
     checked(scene, "backanalyse")
     every = [run_out, end_displacement, peak_velocity, duration, toe_rise]
     every += [toe_x, crest_drop, centroid_travel, factor_of_safety]
-    asked = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
-    observed, intervals = observations(asked or scene.observed)
+    arguments = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
+    observed, intervals = observations(arguments or scene.observed)
     return _analysed(search_problem(scene, field, bounds, observed, intervals), intervals)
 
 

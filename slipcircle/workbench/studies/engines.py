@@ -40,7 +40,9 @@ _FORMAT = "arrays"  # of a folder
 
 
 @contextmanager
-def engine(name: str = "threads", workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor]:
+def open_executor(
+    name: str = "threads", workers: int | None = None, scheduler: str | None = None
+) -> Iterator[Executor]:
     """Open an executor with "threads" or "processes" (by default one for each processor), or of a Dask scheduler.
 
     ``workers`` is their number, and ``scheduler`` an address, whose workers exist already.
@@ -76,13 +78,13 @@ def _pool(name: str, workers: int) -> Executor:
     return ThreadPoolExecutor(workers)
 
 
-def as_executor(given: Any) -> Executor:
+def as_executor(executor: Any) -> Executor:
     """Return an executor of `concurrent.futures`, or the executor of a Dask client."""
-    if hasattr(given, "get_executor"):
-        return given.get_executor(pure=False)  # keys by content would cost more than the blocks
-    if not hasattr(given, "submit"):
-        raise ValueError(f"executor = {given!r}: must be an executor of concurrent.futures or a Dask client")
-    return given
+    if hasattr(executor, "get_executor"):
+        return executor.get_executor(pure=False)  # keys by content would cost more than the blocks
+    if not hasattr(executor, "submit"):
+        raise ValueError(f"executor = {executor!r}: must be an executor of concurrent.futures or a Dask client")
+    return executor
 
 
 class Store:

@@ -24,7 +24,7 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import REPLICATES, Design
-from slipcircle.workbench.studies.engines import Store, as_executor, compute, engine, stored
+from slipcircle.workbench.studies.engines import Store, as_executor, compute, open_executor, stored
 from slipcircle.workbench.studies.groundmotions import ground_motions
 from slipcircle.workbench.studies.settings import OF_ARRAYS, setting_mistakes, whole
 from slipcircle.workbench.studies.study import Study
@@ -33,14 +33,14 @@ _BASE = 2**14
 _MOST_GRID = 2**26
 
 
-def _known(given: Any) -> Any:
+def _known(value: Any) -> Any:
     """Return the JSON form of a value that JSON cannot represent, for the description of a study."""
-    if isinstance(given, Mapping):
-        return dict(given)
-    if isinstance(given, np.ndarray | np.generic):
-        return given.tolist()
+    if isinstance(value, Mapping):
+        return dict(value)
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
     try:
-        return {"object": getattr(given, "__qualname__", type(given).__qualname__), "content": content_digest(given)}
+        return {"object": getattr(value, "__qualname__", type(value).__qualname__), "content": content_digest(value)}
     except ValueError as error:
         raise ValueError(f"folder: {error}") from error
 
@@ -120,54 +120,54 @@ def ensemble(
     return conduct(design, executor, confidence, folder, progress)
 
 
-def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, given: Values) -> Design:
+def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, arguments: Values) -> Design:
     """Return the design of an ensemble; ValueError names all invalid settings.
 
-    ``given`` are all arguments of `ensemble` by name.
+    ``arguments`` are all arguments of `ensemble` by name.
     """
-    raise_all("ensemble", setting_mistakes(scene, given, records))
+    raise_all("ensemble", setting_mistakes(scene, arguments, records))
     drawn = uncertain_numbers(scene)
-    n = int(given["n"])
-    method = given["method"]
-    correlation = given["correlation"] or {}
+    n = int(arguments["n"])
+    method = arguments["method"]
+    correlation = arguments["correlation"] or {}
     means = along_means(scene)
     matrix = _correlation(drawn, correlation)
     inputs = {k: u.number for k, u in drawn.items()}
-    base = _base_points(given["sensitivity"], len(drawn), n, correlation) if records is None else 0
+    base = _base_points(arguments["sensitivity"], len(drawn), n, correlation) if records is None else 0
     tolerance = plan(means, accuracy).accuracy
     seed = _seed(rng, folder)
-    size = int(given["size"] or _size(n, method))
-    each = given["search_each"]
+    size = int(arguments["size"] or _size(n, method))
+    each = arguments["search_each"]
     design = Design(means, tolerance, inputs, drawn, (), method, n, base, matrix, seed, size, each)
     if records is None:
         return design
     special()  # needed at the end; if missing, fail before hours of solving
-    unshaken, motions = ground_motions(means, inputs, records, given)
+    unshaken, motions = ground_motions(means, inputs, records, arguments)
     return replace(design, scene=unshaken, records=motions)
 
 
-def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> int:
+def _base_points(requested: int | None, inputs: int, n: int, correlation: Any) -> int:
     """Return the number of base points of the sensitivity indices, by default up to one for each sample.
 
-    ``asked`` is the user's number or None, ``inputs`` the number of inputs and ``n`` that of samples.
+    ``requested`` is the user's number or None, ``inputs`` the number of inputs and ``n`` that of samples.
     """
-    if asked is not None:
-        return asked
+    if requested is not None:
+        return requested
     return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
-def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> Floats:
+def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[tuple[str, str], float]) -> Floats:
     """Return the correlation matrix of all inputs, (inputs, inputs), from correlations by pairs of keys or names.
 
     ``drawn`` are the uncertain inputs by name.
     """
-    known = [*(u.key for u in drawn.values()), *drawn]
+    keys = [*(u.key for u in drawn.values()), *drawn]
     matrix = np.eye(len(drawn))
     mistakes = []
-    for pair, value in given.items():
-        places = {known.index(k) % len(drawn) for k in pair if k in known}
-        if unknown := [k for k in pair if k not in known]:
-            mistakes.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(known)}")
+    for pair, value in by_pair.items():
+        places = {keys.index(k) % len(drawn) for k in pair if k in keys}
+        if unknown := [k for k in pair if k not in keys]:
+            mistakes.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(keys)}")
         elif len(places) != 2 or not -1.0 < value < 1.0:
             words = " and ".join(pair)
             mistakes.append(f"correlation of {words} = {value!r}: must be between -1 and 1, of two numbers")
@@ -211,7 +211,7 @@ def grid(
     checked(scene, "grid")
     if not isinstance(levels, Mapping):
         raise ValueError(f"grid: levels = {levels!r}: must be a mapping from keys to lists of numbers")
-    found = [] if levels else ["no values are given"]
+    faults = [] if levels else ["no values are given"]
     inputs: dict[str, Key] = {}
     for path, values in levels.items():
         try:
@@ -220,11 +220,11 @@ def grid(
                 raise ValueError(f"{path}: {inputs[number.name].key} says the same")
             inputs[number.name] = number
         except ValueError as error:
-            found.append(str(error))
+            faults.append(str(error))
     n = math.prod(array_of(values).size for values in levels.values())
     if n > _MOST_GRID:
-        found.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
-    raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + found)
+        faults.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
+    raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + faults)
     axes = tuple(np.asarray(values, float) for values in levels.values())
     accuracy = plan(scene, accuracy).accuracy
     independent = np.eye(len(inputs))
@@ -254,7 +254,7 @@ def conduct(
     None.
     """
     store = Store(design, lambda: _described(design), folder)
-    with engine() if executor is None else nullcontext(as_executor(executor)) as workers:
+    with open_executor() if executor is None else nullcontext(as_executor(executor)) as workers:
         if progress is None:
             compute(design, workers, store)
         else:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from slipcircle.base.kinds import Columns, Names, ValueDict
 from slipcircle.base.optional import optional
 from slipcircle.core import Status
-from slipcircle.workbench.common.quantities import OUTCOMES, plain
+from slipcircle.workbench.common.quantities import OUTCOMES, json_values
 from slipcircle.workbench.studies.design import RESULTS
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, distribution
 
@@ -152,7 +152,7 @@ def _under_records(study: Any) -> ValueDict:
         "median_record": study.suite.entries[study.median_record(study.own_scale)].name,
     }
     results = {name: values for name, values in arrays(study).items() if name not in ("record", "polarity", "sample")}
-    return dict(plain(described | results))
+    return dict(json_values(described | results))
 
 
 # --- results ---------------------------------------------------------------------------------------------------------
@@ -196,21 +196,21 @@ def study_columns(study: Any) -> Columns:
     levels = study_axes(study)
     shape = [len(values) for values in levels.values()]
     places = dict(zip(levels, np.indices(shape).reshape(len(shape), -1), strict=True))
-    found = {name: values[places[name]] for name, values in levels.items()}
-    found |= {name: values[tuple(places[dim] for dim in dims)] for name, (dims, values) in _along(study).items()}
-    found |= {name: study.samples.get(name, values).ravel() for name, values in study.values.items()}
-    status = found.pop("status")
+    columns = {name: values[places[name]] for name, values in levels.items()}
+    columns |= {name: values[tuple(places[dim] for dim in dims)] for name, (dims, values) in _along(study).items()}
+    columns |= {name: study.samples.get(name, values).ravel() for name, values in study.values.items()}
+    status = columns.pop("status")
     words = {"status": [s.name for s in Status], "reason": [s.reason for s in Status]}
-    return found | {name: np.array(of_status)[status] for name, of_status in words.items()}
+    return columns | {name: np.array(of_status)[status] for name, of_status in words.items()}
 
 
 def frame(study: Any) -> Any:
     """Return the `study_columns` as a pandas.DataFrame, with units in ``attrs``."""
-    found = optional("pandas", "to_pandas").DataFrame(study_columns(study))
+    table = optional("pandas", "to_pandas").DataFrame(study_columns(study))
     if study.design.method != "grid":
-        found = found.set_index([*study_axes(study)])
-    found.attrs["units"] = {**RESULTS, **{number.key: number.written for number in study.design.inputs.values()}}
-    return found
+        table = table.set_index([*study_axes(study)])
+    table.attrs["units"] = {**RESULTS, **{number.key: number.written for number in study.design.inputs.values()}}
+    return table
 
 
 def dataset(study: Any) -> Any:

@@ -148,8 +148,6 @@ def _not_identified(share: Floats, log_pga: Floats, record: Integers) -> str:
 
     The arrays have the share of exceedance, ln PGA (over gravity) and index of the record of each point of the curve.
     If a curve depends on one record alone, its dispersion would be small and the interval too narrow.
-
-    If a curve depends on one record alone, its dispersion would be small and the interval too narrow.
     """
     if reason := _without_maximum(share, log_pga):
         return reason

@@ -81,8 +81,8 @@ def ground_motions(
     """
     suite = Suite.of(records, strict=settings["strict"], gravity=float(np.ravel(scene.arc.gravity)[0]))
     shaking = scene.checked_effects.get("shaking", {})
-    still = {effect: given for effect, given in scene.checked_effects.items() if effect != "shaking"}
-    two_way = {key: given for key, given in shaking.items() if key == "two_way"}
+    still = {effect: parameters for effect, parameters in scene.checked_effects.items() if effect != "shaking"}
+    two_way = {key: parameters for key, parameters in shaking.items() if key == "two_way"}
     replaces = tuple(name for name in ("horizontal", "vertical") if name in shaking)
     polarities = (1.0, -1.0) if settings["polarities"] else (1.0,)
     pga = settings["scale_to_pga"]

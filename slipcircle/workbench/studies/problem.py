@@ -106,8 +106,8 @@ class SearchProblem:
 
         The origin is the x of the toe at the start for ``toe_x``, otherwise 0.
         """
-        found = np.stack([observable(motion, name) for name in self.observed])
-        return found - self.origins.reshape(-1, *[1] * (found.ndim - 1))
+        outcomes = np.stack([observable(motion, name) for name in self.observed])
+        return outcomes - self.origins.reshape(-1, *[1] * (outcomes.ndim - 1))
 
     def values_at(self, shares: Floats) -> Floats:
         """Return the values of the fields in their units at shares of their ranges, both (fields, count)."""
@@ -143,28 +143,28 @@ class SearchProblem:
 # --- observations and fields -----------------------------------------------------------------------------------------
 
 
-def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
+def observations(entered: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
     """Return observed values with standard errors (None if not given) by outcome, and those that are intervals."""
-    found = {}
-    unknown = [name for name in given if name not in OBSERVABLE]
+    observed = {}
+    unknown = [name for name in entered if name not in OBSERVABLE]
     mistakes = [f"observed.{name}: is not an outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
-    asked = {name: value for name, value in given.items() if name in OBSERVABLE}
-    for name, value in asked.items():
+    of_outcomes = {name: value for name, value in entered.items() if name in OBSERVABLE}
+    for name, value in of_outcomes.items():
         seen, sigma = _observation(value)
         has_error = sigma is None or 0.0 < sigma < math.inf
         if _is_possible(name, seen) and has_error:
-            found[name] = seen, sigma
+            observed[name] = seen, sigma
         else:
             allowed = "a positive number" if name in _POSITIVE else "a number other than 0"
             also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
             mistakes.append(f"{name} = {abridged(value)}: must be {allowed}, {also}")
-    if not found and not mistakes:
+    if not observed and not mistakes:
         mistakes.append(f"no observation: give one of {', '.join(OBSERVABLE)}")
-    has_errors = {sigma is not None for _, sigma in found.values()}
+    has_errors = {sigma is not None for _, sigma in observed.values()}
     if len(has_errors) > 1:
         mistakes.append("standard errors: give them for all observations, or for none")
     raise_all("backanalyse", mistakes)
-    return found, {name: value for name, value in asked.items() if isinstance(value, Interval)}
+    return observed, {name: value for name, value in of_outcomes.items() if isinstance(value, Interval)}
 
 
 def _is_possible(name: str, seen: float) -> bool:
@@ -176,17 +176,17 @@ def _is_possible(name: str, seen: float) -> bool:
     return seen != 0.0 or name == "toe_x"
 
 
-def _observation(given: Any) -> tuple[float, float | None]:
+def _observation(value: Any) -> tuple[float, float | None]:
     """Return an observed value and its standard error; NaN for anything but a number, a pair or an interval."""
-    if isinstance(given, Interval) and given.limit is not None:
-        return real_number(given.limit), None
-    if isinstance(given, Interval):
-        ends = Interval(*map(real_number, given))
+    if isinstance(value, Interval) and value.limit is not None:
+        return real_number(value.limit), None
+    if isinstance(value, Interval):
+        ends = Interval(*map(real_number, value))
         return ends.middle, ends.standard_error
-    if isinstance(given, tuple | list):
-        seen, sigma = map(real_number, given) if len(given) == 2 else (math.nan, math.nan)
+    if isinstance(value, tuple | list):
+        seen, sigma = map(real_number, value) if len(value) == 2 else (math.nan, math.nan)
         return seen, sigma
-    return real_number(given), None
+    return real_number(value), None
 
 
 def may_stand(observed: Observations, limit: Interval | None) -> bool:
@@ -348,8 +348,6 @@ def _friction_range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     """Return friction coefficients from many swings of the mass up to the limit of motion from rest.
 
     If the field ``is_alone``, greater ones follow for an initial velocity or a friction that is not constant.
-
-    If the field ``is_alone``, greater ones follow for an initial velocity or a law of slip.
     """
     at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
     limit = float(motions(at_once, {field.name: np.zeros(1)}).limit_friction[0])

@@ -54,7 +54,7 @@ def propagated(design: Design) -> dict[str, Linear]:
     motion = solve(at_means, design.accuracy)
     slopes = neighbour_derivatives(at_means, _outcomes, free_parameters(at_means, means)).values
     is_known = np.all(np.isfinite(slopes), axis=0).tolist()
-    unknown = [keys[name] for name, known in zip(means, is_known, strict=True) if not known]
+    unknown = [keys[name] for name, is_finite in zip(means, is_known, strict=True) if not is_finite]
     if unknown:
         raise ValueError(f"{', '.join(unknown)}: the motion at the means is not differentiable with respect to it")
     changes = slopes * np.array(stds)

@@ -12,7 +12,7 @@ from slipcircle.base.kinds import ArrayDict, Flags, Floats, Texts
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.files.variation import slope_of
+from slipcircle.workbench.files.variation import varied_slope
 from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.factors import circle_factors
@@ -35,13 +35,13 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> Ar
     factors = {method: np.full(len(valid), np.nan) for method in METHODS}
     for k in np.flatnonzero(valid):
         numbers = {name: float(values[k]) for name, values in si.items()}
-        slope = slope_of(with_parameters(scene, numbers), stability.slope)
+        slope = varied_slope(with_parameters(scene, numbers), stability.slope)
         search = Search(slope, stability.method, **stability.limits)
         with suppress(InputError):  # no circle within the limits can slide
             best = least(search, lambda _: None)
-            found = circle_factors(search.arrays, *search.circles(best[:1]))
+            by_method = circle_factors(search.arrays, *search.circles(best[:1]))
             for method in METHODS:
-                factors[method][k] = found[method][0]
+                factors[method][k] = by_method[method][0]
     return {f"{SEARCHED}{method}": values for method, values in factors.items()}
 
 

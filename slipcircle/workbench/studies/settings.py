@@ -75,29 +75,31 @@ SETTINGS: Mapping[str, Setting] = {
 }
 
 
-def setting_mistakes(scene: Scene, given: Values, records: Any) -> Texts:
-    """Return messages for invalid values of `SETTINGS`, and for settings that exclude each other.
+def setting_mistakes(scene: Scene, settings: Values, records: Any) -> Texts:
+    """Return faults for invalid values of `SETTINGS`, and for settings that exclude each other.
 
-    ``given`` are the arguments of `ensemble` by name; ``records`` is None without records.
+    ``settings`` are the arguments of `ensemble` by name; ``records`` is None without records.
     """
-    found = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
+    faults = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
     if not scene.uncertain and records is None:
-        found.append("the scene has no uncertain parameter; give Scene(uncertain=...), --uncertain, or one in the file")
+        faults.append(
+            "the scene has no uncertain parameter; give Scene(uncertain=...), --uncertain, or one in the file"
+        )
     for name, setting in SETTINGS.items():
-        value = given[name]
+        value = settings[name]
         if value is not None and not setting.is_valid(value):
-            found.append(f"{name} = {abridged(value)}: {setting.words}")
+            faults.append(f"{name} = {abridged(value)}: {setting.words}")
         elif setting.of_records and records is None and value is not None and value is not False:
-            found.append(f"{name} = {abridged(value)}: is for records; give records as well")
-    if given["search_each"]:
-        found += search_mistakes(scene)
-    if given["correlation"] and given["sensitivity"]:
-        found.append("sensitivity indices need independent inputs; omit correlation or sensitivity")
-    if records is not None and (given["search_each"] or given["sensitivity"]):
-        found.append("search_each and sensitivity cannot be combined with records; leave them out")
-    if given["scales"] is not None and given["scale_to_pga"] is not None:
-        found.append("scales and scale_to_pga exclude each other; leave one out")
-    return found or _truncated(uncertain_numbers(scene))
+            faults.append(f"{name} = {abridged(value)}: is for records; give records as well")
+    if settings["search_each"]:
+        faults += search_mistakes(scene)
+    if settings["correlation"] and settings["sensitivity"]:
+        faults.append("sensitivity indices need independent inputs; omit correlation or sensitivity")
+    if records is not None and (settings["search_each"] or settings["sensitivity"]):
+        faults.append("search_each and sensitivity cannot be combined with records; leave them out")
+    if settings["scales"] is not None and settings["scale_to_pga"] is not None:
+        faults.append("scales and scale_to_pga exclude each other; leave one out")
+    return faults or _truncated(uncertain_numbers(scene))
 
 
 def _truncated(drawn: Mapping[str, Uncertain]) -> Texts:
@@ -105,14 +107,14 @@ def _truncated(drawn: Mapping[str, Uncertain]) -> Texts:
 
     ``drawn`` are the uncertain parameters by name.
     """
-    found = []
+    faults = []
     for uncertain in drawn.values():
         number = uncertain.number
         distribution = uncertain.distribution
         outside = float(distribution.cdf(number.low) + 1.0 - distribution.cdf(number.high))
         if outside > _OUTSIDE:
-            found.append(
+            faults.append(
                 f"{number.key}: {100 * outside:.2g} % of its distribution lies outside of {number.low:g} to "
                 f"{number.high:g}, where scenes are invalid; use truncated_normal with low and high"
             )
-    return found
+    return faults

@@ -191,11 +191,11 @@ class Shaken:
 
     def _record_warnings(self) -> Texts:
         """Return warnings about the record files and about motion without shaking."""
-        found = [f"the records replace the scene's own {name} shaking" for name in self.records.replaces]
-        found += self.suite.warnings
+        messages = [f"the records replace the scene's own {name} shaking" for name in self.records.replaces]
+        messages += self.suite.warnings
         if bool(np.any(motions(self.scene, {}, self.design.accuracy).moves)):
-            found.append("the mass also moves without shaking: displacements are not due to the records alone")
-        return found
+            messages.append("the mass also moves without shaking: displacements are not due to the records alone")
+        return messages
 
     def by_record(self, scale: int = 0) -> dict[str, list[Any]]:
         """Return a table of the records at a scale as columns by name, with medians over the samples.

@@ -25,11 +25,11 @@ def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> dict[str, f
     depend on the factor alone: with shaking, an initial velocity or water that changes with time.
     """
     water = scene.called.get("pore_pressure", {})
-    given = {name: value for name, value in water.items() if name not in ("level", "standing")}
-    in_time = {"record", "time"} & {*given} or any(map(callable, given.values()))
+    pressures = {name: value for name, value in water.items() if name not in ("level", "standing")}
+    in_time = {"record", "time"} & {*pressures} or any(map(callable, pressures.values()))
     if in_time or "shaking" in scene.called or np.any(scene.initial_velocity):
         return {}
-    found = {}
+    values = {}
     for name, size in sizes:
         value = parameter_value(scene, name)
         if value is None:
@@ -37,8 +37,8 @@ def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> dict[str, f
         ends = [_nearest(scene, name, value, side * size) for side in (-1.0, 1.0)]
         distances = [end - value for end in ends if end is not None]
         if distances:
-            found[name] = value + min(distances, key=abs)
-    return found
+            values[name] = value + min(distances, key=abs)
+    return values
 
 
 def _nearest(scene: Scene, name: str, value: float, size: float) -> float | None:

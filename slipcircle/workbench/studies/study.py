@@ -23,7 +23,7 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import FACTOR, NO_RESULT, Design
-from slipcircle.workbench.studies.engines import engine
+from slipcircle.workbench.studies.engines import open_executor
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
 from slipcircle.workbench.studies.searched import effect_of_searching
@@ -83,14 +83,14 @@ class Study(Shaken, Pictured):
     @cached_property
     def samples(self) -> Columns:
         """Inputs and, without records, results by name; outcomes are magnitudes, NaN if infinite."""
-        found = {**self.inputs}
+        columns = {**self.inputs}
         for name, values in self.values.items() if self.design.records is None else ():
             if values.dtype == np.float64:
                 magnitude = np.abs(values) if name in OUTCOMES else values
-                found[name] = np.where(np.isinf(values), np.nan, magnitude)
+                columns[name] = np.where(np.isinf(values), np.nan, magnitude)
             else:
-                found[name] = values
-        return found
+                columns[name] = values
+        return columns
 
     @cached_property
     def sensitivity(self) -> Mapping[str, Indices]:
@@ -119,7 +119,7 @@ class Study(Shaken, Pictured):
     @cached_property
     def convergence(self) -> list[Convergence]:
         """Estimates from increasing numbers of samples: after 1, 2, 4, ... blocks of every replicate."""
-        found = []
+        estimates = []
         design = self._sampling
         blocks = design.sample_blocks
         turn = design.replicates
@@ -127,9 +127,9 @@ class Study(Shaken, Pictured):
             (lanes,) = design.place(min(turn, blocks) - 1)
             first = Study(replace(design, n=lanes.stop, base=0), self.confidence, self.values)
             median, upper = (first.quantile("run_out", p) for p in (0.5, 0.95))
-            found.append(Convergence(first.n, first.moving, median, upper))
+            estimates.append(Convergence(first.n, first.moving, median, upper))
             turn *= 2
-        return found
+        return estimates
 
     # -- tables -------------------------------------------------------------------------------------------------------
 
@@ -209,8 +209,8 @@ class Study(Shaken, Pictured):
     def _in_order(self, name: str, values: Floats) -> Ordered:
         """Return the known values of valid samples in increasing order, stored under ``name``."""
         if name not in self._ordered:
-            known = (self.values["status"] < Status.INVALID) & ~np.isnan(values)
-            replicates = [known & (self._replicate == k) for k in range(self.design.replicates)]
+            is_known = (self.values["status"] < Status.INVALID) & ~np.isnan(values)
+            replicates = [is_known & (self._replicate == k) for k in range(self.design.replicates)]
             self._ordered[name] = Ordered([values[k] for k in replicates])
         return self._ordered[name]
 
@@ -250,7 +250,7 @@ class Study(Shaken, Pictured):
         """Factors of safety at the start of each sample by method, stored or computed in threads."""
         if self.design.with_factors:
             return {n.removeprefix(FACTOR): values for n, values in self.values.items() if n.startswith(FACTOR)}
-        with engine() as workers:
+        with open_executor() as workers:
             blocks = [*workers.map(self.design.at_start, range(self.design.sample_blocks))]
         return {method: np.concatenate([block[method] for block in blocks]) for method in blocks[0]}
 
@@ -260,7 +260,7 @@ class Study(Shaken, Pictured):
 
         If the factor is unknown for some samples, the value is NaN and the interval covers all possibilities.
         """
-        found = {}
+        probabilities = {}
         valid = self.values["status"] < Status.INVALID
         for method, factor in self._factors.items():
             failing = valid & (factor < 1.0)
@@ -269,8 +269,8 @@ class Study(Shaken, Pictured):
             if unknown.any():
                 at_most = self._single_probability(failing | unknown)
                 estimate = Estimate(math.nan, estimate.low, at_most.high)
-            found[method] = estimate
-        return found
+            probabilities[method] = estimate
+        return probabilities
 
     def factor_quantile(self, method: str, p: float) -> Estimate:
         """Return the p-quantile of the factor of safety at the start, with its interval, by a method of `failure`.
@@ -350,9 +350,9 @@ class Study(Shaken, Pictured):
         """Warnings about the results."""
         is_shaken = self.design.records is not None
         is_grid = self.design.method == "grid"
-        found = self._record_warnings() if is_shaken else self._circle_warnings()
+        messages = self._record_warnings() if is_shaken else self._circle_warnings()
         if self.damaged:
-            found.append(f"{self.damaged} blocks of the folder were damaged and computed again")
+            messages.append(f"{self.damaged} blocks of the folder were damaged and computed again")
         total = int(self.counts.sum())
         scenes = "motions" if is_shaken else "scenes" if is_grid else "samples"
         counted = "" if is_grid else "; they count as moving and as exceeding every threshold"
@@ -360,26 +360,26 @@ class Study(Shaken, Pictured):
         for status in (s for s in Status if self.counts[s]):
             share = f"{int(self.counts[status])} of {total} {scenes}"
             if status in NO_RESULT:
-                found.append(f"{share} move without a result: {status.reason}{counted}")
+                messages.append(f"{share} move without a result: {status.reason}{counted}")
             elif status >= Status.INVALID:
-                found.append(f"{share} are not valid scenes and not counted: {status.reason}")
+                messages.append(f"{share} are not valid scenes and not counted: {status.reason}")
             elif status is Status.MOVING:
-                found.append(f"{share} still move at their end: {until} are measured up to then")
+                messages.append(f"{share} still move at their end: {until} are measured up to then")
         if self.outside_range:
-            found.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
-        return found + ([] if is_shaken else self._statistics_warnings())
+            messages.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
+        return messages + ([] if is_shaken else self._statistics_warnings())
 
     def _statistics_warnings(self) -> Texts:
         """Return warnings about the statistics of samples."""
-        found = []
+        messages = []
         if self.without_result and self.design.method != "grid":
-            found.append("means, standard deviations and indices are not given, because samples lack a result")
+            messages.append("means, standard deviations and indices are not given, because samples lack a result")
         if invalid := self.design.base - int(sum(moves[0] for moves, *_ in self._batches)):
-            found.append(f"{invalid} of {self.design.base} base points are invalid and not in the indices")
+            messages.append(f"{invalid} of {self.design.base} base points are invalid and not in the indices")
         for name, linear in self.linear.items():
             if difference := disagreement(name, linear, self._sampled(name), self.design.accuracy):
-                found.append(difference)
-        return found
+                messages.append(difference)
+        return messages
 
     def _circle_warnings(self) -> Texts:
         stability = stability_of(self.scene)
@@ -387,8 +387,8 @@ class Study(Shaken, Pictured):
             return []
         is_grid = self.design.method == "grid"
         circle = f"critical circle of the {'scene as given' if is_grid else 'means'} ({least_of(stability.method)})"
-        found = [f"all {'scenes' if is_grid else 'samples'} use the {circle}, which is searched once"]
-        return found + ([effect_of_searching(self, stability.method)] if self.design.search_each else [])
+        messages = [f"all {'scenes' if is_grid else 'samples'} use the {circle}, which is searched once"]
+        return messages + ([effect_of_searching(self, stability.method)] if self.design.search_each else [])
 
 
 def _magnitudes(values: Mapping[str, NDArray[Any]], output: str) -> Floats:

@@ -322,8 +322,6 @@ def _compared(regression: Regression, displacement_cm: Floats, shaking: Shaking,
     """Return the comparison of computed displacements in cm with a regression.
 
     ``predicted`` is ln D by the regression, D in cm; both arrays have one value for each record.
-
-    ``predicted`` is ln D by the regression, D in cm; both arrays have one value for each record.
     """
     inside = regression.in_range(shaking) & np.isfinite(displacement_cm)
     moves = inside & (displacement_cm > regression.least_cm)

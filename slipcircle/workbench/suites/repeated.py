@@ -19,7 +19,7 @@ def repeated(measures: Sequence[tuple[int, float, float]], values: Callable[[int
     values : callable
         Function that returns the samples of the record at a place; called only for records whose measures agree.
     """
-    found = {}
+    earlier = {}
     different: dict[tuple[int, str], list[int]] = {}
     for k, (samples, step, peak) in enumerate(measures):
         alike = different.setdefault((samples, f"{step:.6g}"), [])
@@ -29,5 +29,5 @@ def repeated(measures: Sequence[tuple[int, float, float]], values: Callable[[int
         if first is None:
             alike.append(k)
         else:
-            found[k] = first
-    return found
+            earlier[k] = first
+    return earlier

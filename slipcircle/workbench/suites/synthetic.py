@@ -65,8 +65,8 @@ def synthetic_records(
     >>> study.displacement.shape
     (3, 2, 1, 1)
     """
-    given = {"count": count, "arias": arias, "duration": duration, "gravity": gravity, "seed": seed}
-    raise_all("synthetic records", mistakes(given, _ALLOWED))
+    arguments = {"count": count, "arias": arias, "duration": duration, "gravity": gravity, "seed": seed}
+    raise_all("synthetic records", mistakes(arguments, _ALLOWED))
     streams = np.random.SeedSequence(seed).spawn(count)
     noises = [_noise(np.random.default_rng(stream), duration) for stream in streams]
     scales = [math.sqrt(arias / intensities(noise, gravity).arias) for noise in noises]

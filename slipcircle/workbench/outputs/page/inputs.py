@@ -284,11 +284,11 @@ def greatest_error(inputs: PageInputs, fits: Sequence[Interpolant]) -> float:
     if not fits:
         return 0.0
     shares = np.random.default_rng(7).uniform(-1.0, 1.0, (len(inputs.sliders), TRIALS))
-    wanted = inputs.at(shares)
+    exact = inputs.at(shares)
     if inputs.divided:
-        lost = inputs.lost(wanted)
+        lost = inputs.lost(exact)
         if lost.min() < _LEAST_LOST * lost.max():
             return math.inf
-    sizes = inputs.sizes(wanted)
-    errors = [np.abs(fit.at(shares) - wanted[fit.rows]).max(axis=1) / sizes[fit.rows] for fit in fits]
+    sizes = inputs.sizes(exact)
+    errors = [np.abs(fit.at(shares) - exact[fit.rows]).max(axis=1) / sizes[fit.rows] for fit in fits]
     return float(np.max(np.concatenate(errors)))

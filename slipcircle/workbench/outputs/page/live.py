@@ -146,9 +146,9 @@ def _data(motion: Motion, drawn: DrawnSection, sliders: Sequence[Slider] | None,
     }
     if not why_not:
         chosen = default_sliders(scene) if sliders is None else sliders
-        found = page_model(scene, chosen)
-        data |= {"sliders": [one.described(scene) for one in chosen], "input_error": found.pop("input_error")}
-        data["model"] = _packed(found)
+        model = page_model(scene, chosen)
+        data |= {"sliders": [one.described(scene) for one in chosen], "input_error": model.pop("input_error")}
+        data["model"] = _packed(model)
     return data
 
 
@@ -163,18 +163,18 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
         If the scene has no value for the key, if the values are not valid, or if the inputs cannot be interpolated.
     """
     number = varied_number(scene, key, [low, high])
-    asked = Slider(number, low, high)
-    for value in asked.ends.tolist():
+    varied = Slider(number, low, high)
+    for value in varied.ends.tolist():
         with_parameters(scene, {number.name: value})  # raises an error for an invalid value
-    if not interpolates(scene, [asked], INTERPOLATED):
+    if not interpolates(scene, [varied], INTERPOLATED):
         raise ValueError(
             f"--vary {key}: the initial state is not smooth enough between these values to be interpolated "
             f"to {INTERPOLATED:.0e}; narrow the range"
         )
     others = [other for other in default_sliders(scene) if other.number.name != number.name]
-    if interpolates(scene, [asked, *others], INTERPOLATED, MOST_COEFFICIENTS):
-        return [asked, *others]
-    return [asked]
+    if interpolates(scene, [varied, *others], INTERPOLATED, MOST_COEFFICIENTS):
+        return [varied, *others]
+    return [varied]
 
 
 def headline(motion: Motion) -> str:

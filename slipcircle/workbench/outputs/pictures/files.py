@@ -30,9 +30,9 @@ def check_picture(command: str, path: str = "", scenes: int = 1) -> None:
     """
     optional("matplotlib", "pictures")
     kind = Path(path).suffix[1:].lower()
-    known = (*KINDS, *["gif"] * (command == "run"))
-    if path and kind not in known:
-        raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(known)}")
+    kinds = (*KINDS, *["gif"] * (command == "run"))
+    if path and kind not in kinds:
+        raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(kinds)}")
     if kind == "gif" and scenes > 1:
         raise ValueError(f"{command}: --plot {path}: a .gif animates a single scene; use .png for all {scenes}")
 

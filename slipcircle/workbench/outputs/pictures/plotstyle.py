@@ -105,10 +105,10 @@ def new_figure(size: Pair) -> Any:
     return optional("matplotlib.pyplot", "pictures").figure(figsize=size, layout="constrained")
 
 
-def check_choice(what: str, given: str, choice: Iterable[str]) -> None:
+def check_choice(what: str, name: str, choice: Iterable[str]) -> None:
     """Raise ValueError if a name is not among the choices; ``what`` names the argument in the message."""
-    if given not in choice:
-        raise ValueError(f"{what} = {given!r}: must be one of {', '.join(choice)}")
+    if name not in choice:
+        raise ValueError(f"{what} = {name!r}: must be one of {', '.join(choice)}")
 
 
 def formatted_number(value: float) -> str:

@@ -169,8 +169,8 @@ def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Float
     ``layers`` are pairs of soil and top: a height, or points (V, 2).
     """
     left, right = ground[[0, -1], 0]
-    given = (np.asarray(top, dtype=np.float64) for _, top in layers[1:])
-    lines = [ground, *(top if top.ndim == 2 else np.array([[left, top]]) for top in given)]  # or a height
+    lower_tops = (np.asarray(top, dtype=np.float64) for _, top in layers[1:])
+    lines = [ground, *(top if top.ndim == 2 else np.array([[left, top]]) for top in lower_tops)]  # or a height
     vertices = np.concatenate([line[:, 0] for line in lines])
     x = np.union1d(np.linspace(left, right, _ACROSS), np.clip(vertices, left, right))
     tops = np.minimum.accumulate([np.interp(x, *line.T) for line in lines])

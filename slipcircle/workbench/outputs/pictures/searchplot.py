@@ -79,8 +79,8 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
     """
     from matplotlib.ticker import ScalarFormatter
 
-    known = np.isfinite(critical.values)
-    centres, values = critical.centres[known], critical.values[known]
+    is_valid = np.isfinite(critical.values)
+    centres, values = critical.centres[is_valid], critical.values[is_valid]
     if values.size <= 10:
         return view
     least = float(values.min())

@@ -196,9 +196,9 @@ def factors_in_words(critical: Critical | None) -> str:
         factors = critical.factors_of_safety
     else:
         factors = {}
-    known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors.items() if value is not None]
-    if known:
-        return f"factor of safety {', '.join(known)}"
+    texts = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors.items() if value is not None]
+    if texts:
+        return f"factor of safety {', '.join(texts)}"
     return ""
 
 

@@ -163,8 +163,6 @@ def _index_bars(ax: Any, estimates: Any, offset: float, style: str, words: str) 
 
     ``estimates`` are values, low and high ends, (3, inputs). Bars are moved by ``offset``, have a style of `AREAS`, and
     the words as label.
-
-    Bars are moved by ``offset`` and have a style of `AREAS`.
     """
     value, low, high = estimates
     at = np.arange(len(value)) + offset
@@ -255,11 +253,8 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     scene = analysis.motion.plan.scene
     field = number_in(scene, key)
     solved = [s.values[key] for s in analysis.solutions]
-    error = (analysis.solutions[0].standard_errors or {}).get(key, 0.0)
-    if np.isfinite(error):
-        error = error
-    else:
-        error = 0.0
+    errors = analysis.solutions[0].standard_errors or {}
+    error = float(np.nan_to_num(errors.get(key, 0.0), posinf=0.0))
     at = _around(field, solved, error)
     lanes = motions(scene, {field.name: field.to_si(at)})
     for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
@@ -304,7 +299,9 @@ def _around(field: Key, solved: Sequence[float], error: float) -> Any:
     ``solved`` are the solutions, and ``error`` is the standard error of the first.
     """
     margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
-    return np.linspace(max(min(solved) - margin, field.low), min(max(solved) + margin, field.high), _POINTS // 2)[1:-1]
+    first = max(min(solved) - margin, field.low)
+    last = min(max(solved) + margin, field.high)
+    return np.linspace(first, last, _POINTS // 2)[1:-1]
 
 
 def check_grid(counts: Sequence[int]) -> None:

@@ -53,9 +53,9 @@ def displacements(study: "Study", ax: Any = None) -> Any:
     if order.size <= _NAMED:
         ax.set_ylabel("")
         ax.set_yticks(ranks, [study.suite.entries[k].name for k in order], fontsize=8, parse_math=False)
-    known = in_order[np.isfinite(in_order)]
-    if known.size and known.max() > _SKEW * np.median(known):
-        ax.set_xscale("symlog", linthresh=known.max() / _SKEW**2)
+    finite = in_order[np.isfinite(in_order)]
+    if finite.size and finite.max() > _SKEW * np.median(finite):
+        ax.set_xscale("symlog", linthresh=finite.max() / _SKEW**2)
     ax.set_xlim(left=0.0)
     label_direction(ax.xaxis, f"displacement at {study.scale_text(scale)}", "m")
     if values.shape[1] > 1:
@@ -138,9 +138,7 @@ def _history(study: "Study", what: str, ax: Any = None) -> Any:
     scale = study.own_scale
     record = study.median_record(scale)
     words = f"median: {study.suite.entries[record].name}"
-    if len(words) <= _LONGEST:
-        words = words
-    else:
+    if len(words) > _LONGEST:
         words = f"{words[: _LONGEST - 1]}…"
     return curves(study.motions_of(record, scale), _POLARITIES, what, ax, [words])
 
