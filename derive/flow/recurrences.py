@@ -182,18 +182,6 @@ def number(name: str, cells: Mapping[str, Any]) -> Any:
     return Float(name[1:]) if name.startswith("=") else Symbol(name, real=True)
 
 
-def numbers(rows: Iterable[Sequence[str]], known: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the values of all cells by name: the known ones, and the results of operations.
-
-    A row is the kind of an operation, its result and its operands, by name.
-    """
-    cells = dict(known)
-    for kind, name, *operands in rows:
-        values = [number(x, cells) for x in operands]
-        cells[name] = values[0] if kind == "set" else CELLS[kind].meaning(*values)
-    return cells
-
-
 def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> dict[str, Expr]:
     """Return order 0 of every register that operations on series compute, from order 0 of the given registers.
 

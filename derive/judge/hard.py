@@ -9,9 +9,9 @@ import shutil
 import subprocess
 import sys
 import textwrap
-from collections.abc import Iterator, Mapping, Sequence
-from functools import cache, partial
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import NamedTuple
 
 import mpmath
 import numpy as np
@@ -24,8 +24,6 @@ from derive.approximate.programs import variants, variants_of_ends
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import alpha, theta_1, theta_2, theta_m
-from derive.flow.fragments import balance
-from derive.flow.recurrences import numbers
 from derive.generate import functions
 from derive.progress import track
 
@@ -64,10 +62,8 @@ def forms() -> dict[str, Form]:
     """Return the naive form of every function by name, as printed in the paper or integrated term by term."""
     c = cos(alpha)  # with which squares of the sine are written
     terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
-    naive = _of_alpha(terms) | _of_ends(terms)
-    drive = _NORMAL_LOAD * _LIMIT - _NORMAL_LOAD * _MU
-    naive["drive"] = Form("driving - mu normal", program("drive", ("normal_load", "mu", "limit"), drive), drive)
-    return naive
+    of_alpha = _of_alpha(terms)
+    return of_alpha | _of_ends(terms, of_alpha)
 
 
 def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
@@ -90,18 +86,17 @@ def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
     return naive
 
 
-def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
+def _of_ends(terms: Mapping[str, Expr], of_alpha: Mapping[str, Form]) -> dict[str, Form]:
     """Return forms of functions of the ends of an arc by name; half angle and middle are rounded.
 
-    ``terms`` are the closed forms in alpha by name, written term by term.
+    ``terms`` are the closed forms in alpha by name, written term by term, and ``of_alpha`` the forms made of them.
     """
-    printed = _of_alpha(terms)
     turned: dict[str, tuple[str, Expr]] = {}
     for moment in MOMENTS:
         if moment.amplitude:
             kernel = moment.kernel[0]
             direction = derive(moment).direction.subs(PSI, 3 * pi / 2 - theta_m)
-            turned[moment.name] = printed[kernel].words, direction * terms[kernel]
+            turned[moment.name] = of_alpha[kernel].words, direction * terms[kernel]
     moment, radial = (turned[x][1] for x in ("weight_moment", "radial_weight"))
     turned["limit_friction"] = "(3.13) over Appendix I", moment / radial
     size = sqrt(terms["weight_moment_amplitude"] ** 2 + (_MU * terms["radial_weight_amplitude"]) ** 2)
@@ -115,19 +110,7 @@ def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
     return naive
 
 
-_NORMAL_LOAD, _MU, _LIMIT = sp.symbols("normal_load mu limit", real=True)
-
-
-def drive(rows: Sequence[Sequence[str]], normal_load: Any, mu: Any, limit: Any) -> Any:
-    """Return the net moment over Theta* at the start, by the balance's operations on cells, for a given limit friction.
-
-    ``rows`` are these operations, and ``normal_load`` is J_r/Theta*.
-    """
-    cells = {x: np.float64(x[1:] if x[0] == "=" else 0) for _, _, *operands in rows for x in operands}
-    cells |= {"pressing_0": normal_load, "normal_load_0": normal_load, "mu_0": mu, "LIMIT": limit}
-    return numbers(rows, cells | dict.fromkeys(("driving_0", "driving_moment_0"), normal_load * limit))["drive"]
-
-
+_MU = sp.Symbol("mu", real=True)
 HALF_PI = math.pi / 2
 CUBE = "parts of size alpha leave a difference of size alpha**3"
 UNDER = "so thin that alpha**3 underflows, but not the quotient"
@@ -163,9 +146,6 @@ _OF_ENDS = (
     HardCase("sine_of_half_run_out", (4.0, 5.0, 0.2051426220987608), "friction an ulp below its limit"),
     HardCase("sine_of_half_run_out", (4.0, 5.0, 0.20514262209876086 * (1 - 1e-12)), "friction just below its limit"),
     HardCase("sine_of_half_run_out", (4.0, 5.0, 0.20514262209876086 * (1 - 1e-6)), "friction a little below its limit"),
-    HardCase("drive", (1.2, 0.41919999999999996, 0.4192), "friction an ulp below its limit"),
-    HardCase("drive", (1.2, 0.4192 * (1 - 1e-12), 0.4192), "friction just below its limit"),
-    HardCase("drive", (1.2, 0.41920000000000007, 0.4192), "friction an ulp above its limit"),
 )
 
 
@@ -209,7 +189,6 @@ def measured() -> list[Result]:
     every = (*variants(), *variants_of_ends())
     programs = [v.program for v in every if v.tier == "best" and v.form != "fused"]
     ours = {p.name: p.run for p in programs}
-    ours["drive"] = partial(drive, balance().scalar)
     results = []
     for case in track(cases(), "hard cases measured", len(cases())):
         form = forms()[case.function]
