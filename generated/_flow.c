@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "625a41812dd9a54b14a56f664fe40b2a0de9c1bec0511c15d10ce727294f3cf1"
+#define DIGEST "e6ff181549f79510441d44cdd92af265253d7cdcd7315267773bd2f112775063"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2198,17 +2198,50 @@ INLINE V end_of(Batch *b, int t, int piece, V per)
     return job->data[t].breaks[following] * per;
 }
 
-/* Return the lanes that are pressed through a piece that ends before the end time and not at the last break. */
-INLINE M passes(Batch *b, int t, int piece, V per, V press)
+/* Return the lanes that are pressed through a piece that ends before the end time and not at the last break.
+ * ``until`` is the end of the piece. */
+INLINE M passes(Batch *b, int t, int piece, V per, V until, V press)
 {
     V *const c = b->c;
-    V until = end_of(b, t, piece, per);
     V following = end_of(b, t, piece + 1, per);
     M before_last = (until < following) & (following < INFINITY);
     V latest = c[END_TIME] * (1.0 - (4.0 * EPS));
     M in_time = until < latest;
     M pressed = press > 0.0;
     return before_last & in_time & pressed;
+}
+
+/* Return a record at the right end of a piece. */
+INLINE V right_value(Batch *b, int t, int piece)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int last = (int)job->data[t].pieces - 1;
+    int following = (piece + 1) < last ? (piece + 1) : last;
+    double height = job->data[t].coefficients[2 * following];
+    return height * c[job->table[t].cell + SCALED_BY];
+}
+
+/* Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it. */
+INLINE M rests_through(Batch *b, int t, int piece, V per)
+{
+    V *const c = b->c;
+    V value = right_value(b, t, piece);
+    V until = end_of(b, t, piece, per);
+    V pressed = broadcast(1.0);
+    M inside = passes(b, t, piece, per, until, pressed);
+    M quiet = (c[QUIET_FROM] <= value) & (value <= c[QUIET_TO]);
+    return inside & quiet;
+}
+
+/* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
+static int last_at_rest(Batch *b, M on, int t, int piece, V per)
+{
+    int last = piece;
+    while (!bits(on & ~rests_through(b, t, last + 1, per))) {
+        last = last + 1;
+    }
+    return last;
 }
 
 /* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
@@ -2334,7 +2367,6 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     const Job *const job = b->job;
     V *const c = b->c;
     V per = 1.0 / c[job->table[t].cell + SCALE];
-    int last = (int)job->data[t].pieces - 1;
     int piece = first;
     V now = c[TIME];
     V current = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
@@ -2343,22 +2375,29 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     V omega = broadcast(0.0);
     V x = broadcast(0.0);
     M on = here;
+    V until = end_of(b, t, piece, per);
     while (bits(on)) {
-        V until = end_of(b, t, piece, per);
         V length = until - now;
         V after = base + (slope * value);
-        const Pair speed_way = pass_piece(b, on, now, length, x, omega, net, after);
-        V speed = speed_way.one, way = speed_way.other;
-        omega = speed;
-        x = x + way;
+        M acts = on & ((omega > 0.0) | (net > 0.0) | (after > 0.0));
+        if (bits(acts)) {
+            const Pair speed_way = pass_piece(b, on, now, length, x, omega, net, after);
+            V speed = speed_way.one, way = speed_way.other;
+            omega = speed;
+            x = x + way;
+        }
+        if (!bits(acts)) {
+            piece = last_at_rest(b, on, t, piece, per);
+            until = end_of(b, t, piece, per);
+            after = base + (slope * right_value(b, t, piece));
+        }
         now = until;
         net = after;
         piece = piece + 1;
-        int following = (piece + 1) < last ? (piece + 1) : last;
-        double height = job->data[t].coefficients[2 * following];
-        value = height * c[job->table[t].cell + SCALED_BY];
+        value = right_value(b, t, piece);
         V press = weight + (grip * value);
-        M inside = passes(b, t, piece, per, press);
+        until = end_of(b, t, piece, per);
+        M inside = passes(b, t, piece, per, until, press);
         M leaves = on & ~inside;
         EACH(lane, bits(leaves)) {
             end_slide(b, lane, t, piece, x[lane], omega[lane]);
@@ -2394,7 +2433,8 @@ static M slide_together(Batch *b, M here, int t)
         V per = 1.0 / c[job->table[t].cell + SCALE];
         V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
         V press = weight + (grip * ahead);
-        M inside = there & passes(b, t, piece, per, press);
+        V until = end_of(b, t, piece, per);
+        M inside = there & passes(b, t, piece, per, until, press);
         slide(b, inside, t, piece, slope, base, grip, weight);
     }
     return forward & ~there;
@@ -2620,13 +2660,17 @@ INLINE void choose_step(Batch *b, M here, V room, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V radius = broadcast(INFINITY);
-    for (const State *q = job->state; q < job->state + job->states; q++) {
-        if (q->rate != job->role->omega) {
-            radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+    c[STEP] = pick(here, room, c[STEP]);
+    M complete = here & (c[SERIES_ORDER] == c[ORDER]);
+    if (bits(complete)) {
+        V radius = broadcast(INFINITY);
+        for (const State *q = job->state; q < job->state + job->states; q++) {
+            if (q->rate != job->role->omega) {
+                radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+            }
         }
+        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, room), c[STEP]), c[STEP]);
     }
-    c[STEP] = pick(here, pick(c[SERIES_ORDER] < c[ORDER], room, minimum(c[FACTOR] * radius, room)), c[STEP]);
 }
 
 /* Advance the states and the functions of time by the step. */
@@ -3003,8 +3047,12 @@ static void look_ahead(Batch *b, M here, V room)
     V *net = b->r + job->role->net;
     M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
     M jumps = (net[0] > 0.0) & ~touches;
-    V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
-    V reach = pick(c[SERIES_ORDER] < c[ORDER], room, minimum(c[FACTOR] * radius, room));
+    V reach = room;
+    M complete = here & (c[SERIES_ORDER] == c[ORDER]);
+    if (bits(complete)) {
+        V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
+        reach = pick(complete, minimum(c[FACTOR] * radius, room), room);
+    }
     c[STRETCH] = pick(here, minimum(reach, c[STRETCH]), c[STRETCH]);
     V e[STRIDE];
     margin_of(e, net, top - 1, broadcast(-1.0), broadcast(0.0), touches);

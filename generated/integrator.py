@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 13b3269b5423ea737b6ce91c78e46e0790fd22f16dd184583dba2baea2f6b100
+# sha256 of the text below: 62246ddb3ec201810c1877bae391e58f53438feb5e390493b5d2f6f1b9a7c2a7
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1229,16 +1229,43 @@ def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
     return t.places[following] * per
 
 
-def passes(s: Lanes, t: Table, piece: int, per: Floats, press: Floats) -> Mask:
+def passes(s: Lanes, t: Table, piece: int, per: Floats, until: Floats, press: Floats) -> Mask:
     """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
     c = s.cells
-    until = end_of(s, t, piece, per)
     following = end_of(s, t, piece + 1, per)
     before_last = (until < following) & (following < INFINITY)
     latest = c[ix.END_TIME] * (1.0 - 4.0 * EPS)
     in_time = until < latest
     pressed = press > 0.0
     return before_last & in_time & pressed
+
+
+def right_value(s: Lanes, t: Table, piece: int) -> Floats:
+    """Return a record at the right end of a piece."""
+    c = s.cells
+    last = t.pieces - 1
+    following = min(piece + 1, last)
+    height = t.heights[2 * following]
+    return height * c[t.cells + ix.SCALED_BY]
+
+
+def rests_through(s: Lanes, t: Table, piece: int, per: Floats) -> Mask:
+    """Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it."""
+    c = s.cells
+    value = right_value(s, t, piece)
+    until = end_of(s, t, piece, per)
+    pressed: Floats = 1.0
+    inside = passes(s, t, piece, per, until, pressed)
+    quiet = (c[ix.QUIET_FROM] <= value) & (value <= c[ix.QUIET_TO])
+    return inside & quiet
+
+
+def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, per: Floats) -> int:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last = piece
+    while not np.any(on & np.logical_not(rests_through(s, t, last + 1, per))):
+        last = last + 1
+    return last
 
 
 def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
@@ -1357,7 +1384,6 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
     c = s.cells
     per = 1.0 / c[t.cells + ix.SCALE]
-    last = t.pieces - 1
     piece = first
     now = c[ix.TIME].copy()
     current = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
@@ -1366,21 +1392,26 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     omega: Floats = 0.0
     x: Floats = 0.0
     on = here
+    until = end_of(s, t, piece, per)
     while np.any(on):
-        until = end_of(s, t, piece, per)
         length = until - now
         after = base + slope * value
-        speed, way = pass_piece(s, on, now, length, x, omega, net, after)
-        omega = speed
-        x = x + way
+        acts = on & ((omega > 0.0) | (net > 0.0) | (after > 0.0))
+        if np.any(acts):
+            speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+            omega = speed
+            x = x + way
+        if not np.any(acts):
+            piece = last_at_rest(s, on, t, piece, per)
+            until = end_of(s, t, piece, per)
+            after = base + slope * right_value(s, t, piece)
         now = until
         net = after
         piece = piece + 1
-        following = min(piece + 1, last)
-        height = t.heights[2 * following]
-        value = height * c[t.cells + ix.SCALED_BY]
+        value = right_value(s, t, piece)
         press = weight + grip * value
-        inside = passes(s, t, piece, per, press)
+        until = end_of(s, t, piece, per)
+        inside = passes(s, t, piece, per, until, press)
         leaves = on & np.logical_not(inside)
         i = np.flatnonzero(leaves)
         if i.size:
@@ -1411,7 +1442,8 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
         per = 1.0 / c[t.cells + ix.SCALE]
         ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
         press = weight + grip * ahead
-        inside = there & passes(s, t, piece, per, press)
+        until = end_of(s, t, piece, per)
+        inside = there & passes(s, t, piece, per, until, press)
         slide(s, inside, t, piece, slope, base, grip, weight)
     return forward & np.logical_not(there)
 
@@ -1636,12 +1668,14 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
 def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
     """Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early."""
     c = s.cells
-    radius: Floats = INFINITY
-    for q in s.states:
-        if q.rate != s.roles.omega:
-            radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
-    c[ix.STEP] = np.where(here, np.where(c[ix.SERIES_ORDER] < c[ix.ORDER], room, np.minimum(c[ix.FACTOR] * radius,
-        room)), c[ix.STEP])
+    c[ix.STEP] = np.where(here, room, c[ix.STEP])
+    complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
+    if np.any(complete):
+        radius: Floats = INFINITY
+        for q in s.states:
+            if q.rate != s.roles.omega:
+                radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), c[ix.STEP]), c[ix.STEP])
 
 
 def advance_states(s: Lanes, here: Mask, top: int) -> None:
@@ -1964,8 +1998,11 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     net = s.registers[s.roles.net]
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
     jumps = (net[0] > 0.0) & np.logical_not(touches)
-    radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
-    reach = np.where(c[ix.SERIES_ORDER] < c[ix.ORDER], room, np.minimum(c[ix.FACTOR] * radius, room))
+    reach = room
+    complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
+    if np.any(complete):
+        radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
+        reach = np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), room)
     c[ix.STRETCH] = np.where(here, np.minimum(reach, c[ix.STRETCH]), c[ix.STRETCH])
     e = np.zeros_like(s.registers[0])
     margin_of(e, net, top - 1, -1.0, 0.0, touches)

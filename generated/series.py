@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d6ab780be1e452b84c1e91910cd747cf8fc6e00835c2dcc527c84fa00e5c5159
+# sha256 of the text below: 2de2208f235829d5ffff2a4db95ccedd93463ac1ebc025aeced99a1685f3e52c
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "625a41812dd9a54b14a56f664fe40b2a0de9c1bec0511c15d10ce727294f3cf1"  # of the compiled integrator's source
+DIGEST = "e6ff181549f79510441d44cdd92af265253d7cdcd7315267773bd2f112775063"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

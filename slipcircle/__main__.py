@@ -16,8 +16,8 @@ from threading import active_count
 from typing import TYPE_CHECKING
 
 import slipcircle
-from slipcircle.base.loading import INTERRUPTED, finish
-from slipcircle.base.progress import say, say_later
+from slipcircle.base.loading import INTERRUPTED, allow_interrupts
+from slipcircle.base.progress import announce, say_later
 from slipcircle.workbench.commands import COMMANDS, GROUPS
 from slipcircle.workbench.files.shipped import shipped
 
@@ -60,13 +60,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     except OSError as error:
         _report_output_error(error)
     except MemoryError as error:
-        say(f"not enough memory: {error}")
+        announce(f"not enough memory: {error}")
     except (ValueError, ImportError) as error:
-        say(str(error))
+        announce(str(error))
     except KeyboardInterrupt:
         folder = getattr(options, "resume", None)
         kept = f"; finished blocks are in {folder}, and the same command continues from them" if folder else ""
-        say(f"interrupted{kept}", "\n")
+        announce(f"interrupted{kept}", "\n")
         return INTERRUPTED
     else:
         return 0
@@ -79,7 +79,7 @@ def command() -> None:
     Long computations are announced. An interrupted process does not wait for threads that still compute.
     """
     computing = say_later(SILENT)
-    finish()
+    allow_interrupts()
     status = main()
     computing.cancel()
     if status == INTERRUPTED and active_count() > 1:
@@ -136,7 +136,7 @@ def _write(answer: "Answer", options: argparse.Namespace) -> None:
     for path, written in contents.items():
         files.write_file(path, written)
         if options.command != "new" and os.path.isfile(path):
-            say(f"wrote {path}")
+            announce(f"wrote {path}")
 
 
 def _print(answer: "Answer", as_json: bool) -> None:
@@ -150,7 +150,7 @@ def _print(answer: "Answer", as_json: bool) -> None:
     for part in answer.parts:
         print(part) if isinstance(part, str) else tables.show(*part)
     for warning in answer.warnings:
-        say(warning)
+        announce(warning)
 
 
 def _report_output_error(error: OSError) -> None:
@@ -159,7 +159,7 @@ def _report_output_error(error: OSError) -> None:
         # Otherwise the interpreter flushes it again at exit, and fails.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     if not isinstance(error, BrokenPipeError):
-        say(f"{error.filename or 'the output'}: {error.strerror or error}")
+        announce(f"{error.filename or 'the output'}: {error.strerror or error}")
 
 
 if __name__ == "__main__":

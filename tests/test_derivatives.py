@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -185,7 +186,7 @@ def test_hard_scenes_against_differences(which: str) -> None:
 def test_a_table_has_the_numbers_that_are_not_given_and_none_at_the_limit() -> None:
     found = solve(load("vaiont-as-printed")).sensitivity()
     assert list(found.parameters) == ["friction", "radius", "unit_weight", "gravity", "end_time"]
-    assert "run_out [m]" in str(found)
+    assert "run-out (m)" in str(found)
     still = solve(replace(load("vaiont"), friction=0.6)).sensitivity()
     assert not still.values.any()
     assert np.isnan(still.elasticities).all()
@@ -224,3 +225,11 @@ def test_the_command_for_machines(said: Any, records: Any) -> None:
     column, row = list(record["parameters"]).index("theta_1"), list(record["outputs"]).index("run_out")
     assert record["values"][row][column] == found.derivative("run_out", "theta_1")
     assert "friction.length_m" in said("sensitivity vaiont-softening")
+
+
+def test_derivatives_print_the_table_of_the_command_and_draw_its_picture(said: Any, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    derivatives = solve(load("real-slope")).sensitivity()
+    assert str(derivatives).splitlines() == said("sensitivity real-slope").rstrip("\n").splitlines()
+    derivatives.plot(tmp_path / "tornado.png")
+    assert (tmp_path / "tornado.png").stat().st_size > 10_000

@@ -18,8 +18,8 @@ from tests.support.lanes import (
     BACKENDS,
     BINARY,
     COUNTED,
+    OutputSamples,
     Program,
-    Samples,
     backend,
     compiled,
     integrate,
@@ -128,7 +128,7 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
     times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / unit, (1, LANES))
     states, notes = [], []
     for name in BACKENDS:
-        samples, log = Samples(times, np.full((4, 61, LANES), np.nan)), list[Any]()
+        samples, log = OutputSamples(times, np.full((4, 61, LANES), np.nan)), list[Any]()
         integrate(bound, name=name, samples=samples, log=log)
         states.append(samples.states)
         notes.append([(k, round(t, 9)) for k, t, *_ in log if k in (ix.NOTE_BEGINS, ix.NOTE_STANDS)])

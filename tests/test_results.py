@@ -14,7 +14,7 @@ import generated
 import slipcircle
 from slipcircle import Arc, Motion, Scene, Status, Study, ensemble, kernels, load, solve
 from slipcircle.base.kinds import Array
-from slipcircle.base.text import digits_left, shown
+from slipcircle.base.text import digits_left, number_text
 from slipcircle.core import ANSWERED
 from slipcircle.workbench.common.quantities import HISTORY, JOURNEY, OUTCOMES, RESULTS, SINGLE, to_error
 from slipcircle.workbench.studies.ensemble import grid
@@ -83,8 +83,8 @@ def test_a_table_has_no_more_digits_than_the_error_leaves_and_no_fewer_than_want
     errors = {0.0: 4, 4.9e-5: 4, 4e-4: 3, 6e-4: 2, 0.004: 2, 0.04: 1, 1.0: 1}
     assert {error: digits_left(error) for error in errors} == errors
     texts = {0.43284: "0.4328", 12345.6: "12350", 1e-7: "1e-07", -0.0: "0", 1.5e9: "1.5e+09", math.inf: "infinite"}
-    assert {value: shown(value) for value in texts} == texts
-    assert shown(677.3078, 2) == "680"
+    assert {value: number_text(value) for value in texts} == texts
+    assert number_text(677.3078, 2) == "680"
     to_errors = {(-0.001, 0.3): "0.00", (12.3456, 0.012): "12.346", (1234.5, 96.0): "1234",
                  (5.6123e-10, 3.1e-11): "5.61e-10", (-1e-13, 1e-10): "0", (5.0, 0.0): "5"}  # fmt: skip
     assert {pair: to_error(*pair) for pair in to_errors} == to_errors

@@ -49,7 +49,7 @@ def _sine_and_cosine(x: Decimal) -> tuple[Decimal, Decimal]:
 
 
 @lru_cache(maxsize=4096)
-def limit_friction(theta_1: float, theta_2: float) -> Decimal:
+def exact_limit_friction(theta_1: float, theta_2: float) -> Decimal:
     """Return the limit friction (3.21) of an arc between two angles in rad, with 50 digits."""
     first = Decimal(theta_1)
     last = Decimal(theta_2)
@@ -69,7 +69,7 @@ def limit_parts(theta_1: float, theta_2: float) -> tuple[float, float]:
 
     A friction equal to the float holds the mass, and the float below it does not.
     """
-    exact = limit_friction(theta_1, theta_2)
+    exact = exact_limit_friction(theta_1, theta_2)
     rounded = float(exact)
     if Decimal(rounded) < exact:
         rounded = math.nextafter(rounded, math.inf)

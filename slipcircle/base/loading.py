@@ -14,7 +14,7 @@ def _end(*_: object) -> None:
     os._exit(INTERRUPTED)
 
 
-def finish() -> None:
+def allow_interrupts() -> None:
     """Let Ctrl-C raise `KeyboardInterrupt` again, after the modules of the command are loaded."""
     if signal.getsignal(signal.SIGINT) is _end:
         signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -106,7 +106,7 @@ def counted(total: int, things: str) -> Progress:
     return progress
 
 
-def track(items: Collection[T], things: str) -> Iterator[T]:
+def tracked(items: Collection[T], things: str) -> Iterator[T]:
     """Yield the items and report progress. ``things`` names them in the plural. A single item reports its own parts."""
     if len(items) < 2:
         yield from items
@@ -117,7 +117,7 @@ def track(items: Collection[T], things: str) -> Iterator[T]:
             progress()
 
 
-def say(message: str, before: str = "") -> None:
+def announce(message: str, before: str = "") -> None:
     """Print a message on stderr, if it is open; each line begins with the name of the program.
 
     ``before`` is printed ahead of the name.
@@ -140,4 +140,4 @@ def say_later(seconds: float) -> Timer:
 def _say_computing() -> None:
     """Announce that a computation runs, unless a progress report is shown."""
     if not Progress.is_shown:
-        say("computing; Ctrl-C stops it")
+        announce("computing; Ctrl-C stops it")

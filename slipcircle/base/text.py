@@ -9,7 +9,7 @@ DIGITS = 4  # significant digits of printed numbers
 PRINTED: ContextVar[Mapping[str, tuple[str, float]]] = ContextVar("PRINTED", default={})  # noqa: B039
 
 
-def shown(value: float, digits: int = DIGITS) -> str:
+def number_text(value: float, digits: int = DIGITS) -> str:
     """Return a number as text, rounded to a number of significant digits; "-" for NaN."""
     if math.isnan(value):
         return "-"
@@ -19,7 +19,7 @@ def shown(value: float, digits: int = DIGITS) -> str:
     return f"{rounded:.{max(digits, 6)}g}"
 
 
-def printed(unit: str) -> tuple[float, str]:
+def output_unit(unit: str) -> tuple[float, str]:
     """Return the factor from an SI unit to the unit of output, and the name of the unit of output."""
     name, size = PRINTED.get().get(unit, (unit, 1.0))
     return 1.0 / size, name
@@ -27,14 +27,14 @@ def printed(unit: str) -> tuple[float, str]:
 
 def drawn_unit(unit: str) -> tuple[float, str]:
     """Return the factor from an SI unit to the unit of output in drawings, and that unit: kPa in place of Pa."""
-    factor, name = printed(unit)
+    factor, name = output_unit(unit)
     return (1e-3, "kPa") if name == "Pa" else (factor, name)
 
 
-def measured(value: float, unit: str, digits: int = DIGITS) -> str:
+def amount_text(value: float, unit: str, digits: int = DIGITS) -> str:
     """Return a quantity in an SI unit as text with its unit of output, rounded to a number of significant digits."""
-    factor, name = printed(unit)
-    return f"{shown(factor * value, digits)} {name}".rstrip()
+    factor, name = output_unit(unit)
+    return f"{number_text(factor * value, digits)} {name}".rstrip()
 
 
 def digits_left(error: float) -> int:

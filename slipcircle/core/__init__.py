@@ -17,8 +17,8 @@ from slipcircle.core.scene.arc import DIP, GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.effects import cohesion_mistakes
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
-from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
-from slipcircle.core.scene.tree import STORED, Leaf, Parts, declared, joined, leaves, number, numbers, present
+from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked_scene
+from slipcircle.core.scene.tree import STORED, Leaf, Parts, bounds, declared, leaves, number, numbers, path_of_part
 
 __all__ = [
     "ANSWERED",
@@ -40,11 +40,12 @@ __all__ = [
     "Scene",
     "State",
     "Status",
-    "checked",
+    "bounds",
+    "checked_scene",
     "cohesion_mistakes",
     "declared",
     "depends_on",
-    "joined",
+    "path_of_part",
     "law_mistakes",
     "law_names",
     "law_parts",

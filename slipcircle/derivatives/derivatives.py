@@ -1,4 +1,4 @@
-"""Result of `Motion.sensitivity`: derivatives of outputs with respect to the inputs of a scene, and their table."""
+"""Result of `Motion.sensitivity`: derivatives of outputs with respect to the inputs of a scene."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Names, NumberMap, Texts
+from slipcircle.base.conversions import Pictured
+from slipcircle.base.kinds import Floats, Names, NumberMap
 from slipcircle.core.scene.scene import Scene
 
 
 @dataclass(frozen=True)
-class Sensitivity:
+class Sensitivity(Pictured):
     """Derivatives of a motion with respect to the inputs of its scene.
 
     Attributes
@@ -88,27 +89,5 @@ class Sensitivity:
         return row, column
 
     def __str__(self) -> str:
-        """Return the table of derivatives and elasticities as text."""
-        heads = [f"d {name} [{unit}] (elasticity)" for name, unit in self.outputs.items()]
-        rows = [["by", "value", *heads]]
-        for name, unit in self.parameters.items():
-            title = f"{name} [{unit}]" if unit else name
-            value = f"{self.at[name]:.6g}"
-            rows.append([title, value, *self._row(name)])
-        widths = [max(map(len, cells)) for cells in zip(*rows, strict=True)]
-        lines = []
-        for row in rows:
-            line = "  ".join(map(str.ljust, row, widths))
-            lines.append(line.rstrip())
-        return "\n".join(lines)
-
-    def _row(self, parameter: str) -> Texts:
-        """Return the derivatives of the outputs with respect to a parameter, with elasticities, as text."""
-        elasticities = self.elasticities[:, list(self.parameters).index(parameter)]
-        cells = []
-        for output, elasticity in zip(self.outputs, elasticities, strict=True):
-            value = self.derivative(output, parameter)
-            kind = self.kind(output, parameter)
-            note = "" if kind == "smooth" else f" {kind}"
-            cells.append(f"{value:.6g} ({elasticity:+.3g}){note}")
-        return cells
+        """Return the table of `slipcircle sensitivity` as text."""
+        return str(self._convert("text"))

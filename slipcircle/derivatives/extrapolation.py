@@ -82,5 +82,5 @@ def noise_of(values: Floats) -> Floats:
     for power in (1, 2, 3):
         column = _combined(column, power, -1.0)
     differences = np.abs(np.diff(column))
-    known = np.nan_to_num(differences)
-    return np.asarray(np.max(known, axis=-1, keepdims=True))
+    finite = np.nan_to_num(differences)
+    return np.asarray(np.max(finite, axis=-1, keepdims=True))

@@ -63,7 +63,7 @@ def neighbour_derivatives(
     ``outcomes`` returns the outcomes of a motion, or of an ensemble as rows. ``error`` is the relative error common to
     the motion and its neighbours.
     """
-    found: dict[str, list[Derivatives]] = {}  # derivatives of every outcome, by number
+    nearest: dict[str, list[Derivatives]] = {}  # derivatives of every outcome, by number
     remaining = list(free.values())
     for ladder in range(LADDERS):
         scales = np.array([[[number.scale]] for number in remaining])
@@ -75,9 +75,9 @@ def neighbour_derivatives(
         every, goals = _judged(here, beside, steps, scales, off)
         are_open = []
         for number, by_number, goal in zip(remaining, every, goals, strict=True):
-            known = found.get(number.name, by_number)
-            pairs = zip(known, by_number, strict=True)
-            found[number.name] = [_nearer(*pair) for pair in pairs]
+            earlier = nearest.get(number.name, by_number)
+            pairs = zip(earlier, by_number, strict=True)
+            nearest[number.name] = [_nearer(*pair) for pair in pairs]
             ladders = OF_SHAPE if _is_shape(scene, number) else LADDERS
             is_last = ladder + 1 == ladders
             if not is_last and _is_open(by_number, goal):
@@ -87,17 +87,17 @@ def neighbour_derivatives(
             break
     columns = []
     for name in Derivatives._fields:
-        rows = [[getattr(one, name) for one in by_outcome] for by_outcome in found.values()]
+        rows = [[getattr(one, name) for one in by_outcome] for by_outcome in nearest.values()]
         columns.append(np.array(rows).swapaxes(0, 1))
     return Derivatives(*columns)
 
 
-def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
+def _is_open(errors: Sequence[Derivatives], goal: Sequence[float]) -> bool:
     """Return whether the derivative of some outcome with respect to a number needs another ladder.
 
-    `found` has the derivative of each outcome, and `goal` the error at which each needs no further ladder.
+    `errors` has the derivative of each outcome, and `goal` the error at which each needs no further ladder.
     """
-    for one, most in zip(found, goal, strict=True):
+    for one, most in zip(errors, goal, strict=True):
         is_near = one.errors <= most
         if not is_near or one.kinds == JUMP:
             return True

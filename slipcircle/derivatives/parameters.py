@@ -15,7 +15,7 @@ import numpy as np
 from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, plain, real_number
 from slipcircle.base.kinds import Flags, Floats, Values
-from slipcircle.core.scene.scene import Scene, checked
+from slipcircle.core.scene.scene import Scene, checked_scene
 from slipcircle.core.scene.tree import Leaf, leaves, mapped, put, replace_unchecked
 
 USUAL_WEIGHT = 2e4  # usual unit weight of soils, N/m^3
@@ -53,7 +53,7 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
     and an increase of cohesion without a datum are omitted. A length that all soils share has one name. A record is
     scaled by its peak.
     """
-    if checked(scene, "parameters").shape:
+    if checked_scene(scene, "parameters").shape:
         raise ValueError("parameters: takes a single scene; give one case of the ensemble")
     numbers = scene.numbers
     left_out = {"width", *scene.arc.numbers_without_effect()}
@@ -174,10 +174,10 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[S
     A value out of bounds or an impossible section makes its lane invalid and raises no error. In such lanes the scene
     has the values of the first valid lane.
     """
-    known = possible_parameters(scene)
+    possible = possible_parameters(scene)
     by_name = []
     for name, value in values.items():
-        of_name = known[name].number
+        of_name = possible[name].number
         by_name.append(of_name.allows(value))
     allowed = np.broadcast_arrays(*by_name)
     invalid = ~np.logical_and.reduce(allowed)
@@ -186,7 +186,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[S
         first_valid = 0 if none_valid else np.argmin(invalid)
         valid_values = {}
         for name, value in values.items():
-            stand_in = known[name].value if none_valid else value[first_valid]
+            stand_in = possible[name].value if none_valid else value[first_valid]
             valid_values[name] = np.where(invalid, stand_in, value)
         changed = put(scene, scene.arc.together(valid_values))
         arc = changed.arc

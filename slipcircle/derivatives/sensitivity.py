@@ -34,23 +34,23 @@ def sensitivity(motion: Motion) -> Sensitivity:
     free = parameters(scene)
     warnings = []
     if any(outputs.values()):
-        found = neighbour_derivatives(scene, _outcomes, free, motion.error_estimate)
-        kept = list(_mattering(found, free))
-        found = Derivatives(*(array[:, kept] for array in found))
+        derivatives = neighbour_derivatives(scene, _outcomes, free, motion.error_estimate)
+        kept = list(_mattering(derivatives, free))
+        derivatives = Derivatives(*(array[:, kept] for array in derivatives))
         names = [*free]
         free = {names[k]: free[names[k]] for k in kept}
-        warnings += _warnings(found, free)
+        warnings += _warnings(derivatives, free)
     else:
         shape = len(OUTPUTS), len(free)
         none = np.zeros(shape)
         both = np.zeros((*shape, 2))
         kinds = np.full(shape, SMOOTH)
-        found = Derivatives(kinds, none, none, both, both, both)
+        derivatives = Derivatives(kinds, none, none, both, both, both)
         warnings.append("does not move, so that small changes have no effect")
     units = {name: number.unit for name, number in free.items()}
     values = {name: number.value for name, number in free.items()}
     at = outputs | values
-    return Sensitivity(OUTPUTS, units, at, *found, scene=scene, warnings=tuple(warnings))
+    return Sensitivity(OUTPUTS, units, at, *derivatives, scene=scene, warnings=tuple(warnings))
 
 
 def _outcomes(motion: Any) -> list[Any]:
@@ -58,14 +58,14 @@ def _outcomes(motion: Any) -> list[Any]:
     return [motion.outcomes[name] for name in OUTPUTS]
 
 
-def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
+def _mattering(derivatives: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
     """Yield the indices of numbers, without points of the ground and water level that have no influence.
 
-    `free` are the numbers by name in the order of the columns of `found`.
+    `free` are the numbers by name in the order of the columns of `derivatives`.
     """
-    by_slope: Any = found.slopes.any(axis=(0, 2))
-    by_jump: Any = found.jumps.any(axis=(0, 2))
-    is_other: Any = found.kinds != SMOOTH
+    by_slope: Any = derivatives.slopes.any(axis=(0, 2))
+    by_jump: Any = derivatives.jumps.any(axis=(0, 2))
+    is_other: Any = derivatives.kinds != SMOOTH
     by_kind = is_other.any(axis=0)
     for k, name in enumerate(free):
         is_place = name.startswith(("ground.", "level."))
@@ -73,19 +73,19 @@ def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
             yield k
 
 
-def _warnings(found: Derivatives, free: Mapping[str, Free]) -> Texts:
+def _warnings(derivatives: Derivatives, free: Mapping[str, Free]) -> Texts:
     """Return warnings about the largest jump of each output by a number, and about unknown derivatives.
 
-    `free` are the numbers by name in the order of the columns of `found`.
+    `free` are the numbers by name in the order of the columns of `derivatives`.
     """
     warnings = []
     for k, name in enumerate(free):
         jumps = []
         unresolved = []
         for row, (output, unit) in enumerate(OUTPUTS.items()):
-            kind = found.kinds[row, k]
+            kind = derivatives.kinds[row, k]
             if kind == JUMP:
-                by_side = found.jumps[row, k]
+                by_side = derivatives.jumps[row, k]
                 side = int(np.argmax(np.abs(by_side)))
                 size = by_side[side]
                 jumps.append(f"{output} {size:+.3g} {unit} {SIDES[side]}")

@@ -56,7 +56,7 @@ class _Edges(NamedTuple):
         return _Edges(self.last, self.first, edge, self.last_clear, self.first_clear)
 
 
-def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
+def cut_by_circles(points: Floats, centre: Floats, radius: Floats) -> Cut:
     """Return the parts of grounds inside circles.
 
     Grounds are (n or 1, V, 2), centres (n, 2) and radii (n,), in m. The parts are over R with the origin at the centre.

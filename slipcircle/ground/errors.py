@@ -89,12 +89,12 @@ def outside_between(section: Any) -> Fault:
     left, right = x_of_ends(section)
     low, high = section.between or (-np.inf, np.inf)
     rounding = AS_PRINTED * (right - left)
-    given = f"{{between}} = [{low:.6g}, {high:.6g}]"
+    interval = f"{{between}} = [{low:.6g}, {high:.6g}]"
     begins_before = left < low - rounding
     ends_after = right > high + rounding
     return (
         begins_before | ends_after,
-        lambda k: f"{given}: does not contain the mass from x = {left[k]:.6g} to {right[k]:.6g}",
+        lambda k: f"{interval}: does not contain the mass from x = {left[k]:.6g} to {right[k]:.6g}",
     )
 
 

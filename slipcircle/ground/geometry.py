@@ -54,10 +54,10 @@ class SectionGeometry(TurningMass):
         ``points`` are (..., V, 2) in m.
         """
         points = np.add(points, 0.0)
-        own = points.shape[-2:]
+        axes = points.shape[-2:]
         if points.ndim > 2:
-            points = np.broadcast_to(points, (*self.shape, *own))
-        return points.reshape(-1, *own)
+            points = np.broadcast_to(points, (*self.shape, *axes))
+        return points.reshape(-1, *axes)
 
     def _top_line(self, top: Any) -> Floats:
         """Return the top of a layer as lines, (lanes or 1, V, 2).
@@ -79,7 +79,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _cut(self) -> Cut:
-        return circles.cut(*self._circle)
+        return circles.cut_by_circles(*self._circle)
 
     @cached_property
     def _candidates(self) -> tuple[Any, ...]:

@@ -53,12 +53,12 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
-def points_errors(name: str, given: Any, many: bool) -> Texts:
+def points_errors(name: str, value: Any, many: bool) -> Texts:
     """Return messages about points that should form a line from left to right, or about the first invalid line.
 
     ``name`` is the field with this value, and ``many`` allows further axes before (V, 2).
     """
-    points = array_of(given)
+    points = array_of(value)
     most_axes = 2
     if many:
         most_axes = 15
@@ -86,23 +86,47 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
     return longer
 
 
-def slope_errors(given: Values, declared: Mapping[str, Parameter]) -> Texts:
-    """Return messages about the fields of one slope, from values and declarations by field."""
-    return mistakes(given, declared) + lines_errors(given, many=False)
+def slope_errors(fields: Values, bounds: Mapping[str, Bounds]) -> Texts:
+    """Return messages about the fields of one slope, which are numbers except for its lines.
+
+    ``fields`` and ``bounds`` contain values and open bounds by field.
+    """
+    limits = _of_present(fields, bounds)
+    numbers = mistakes(fields, limits, one=limits)
+    return numbers + _lines_errors(fields, many=False)
 
 
-def section_errors(section: Any) -> Texts:
-    """Return messages about the fields of a section, which may have axes of lanes before those of one section."""
-    given = vars(section)
-    errors = mistakes(given, present(section))
+def _of_present(fields: Values, bounds: Mapping[str, Bounds]) -> dict[str, Bounds]:
+    """Return the bounds of the fields that have a value and a description of the allowed values, by field.
+
+    ``fields`` and ``bounds`` contain values and open bounds by field. A few fields may be None.
+    """
+    present = {}
+    for name, limits in bounds.items():
+        if name not in fields:
+            continue
+        may_be_none = name in ("base", "between", "datum")
+        is_absent = may_be_none and fields[name] is None
+        *_, allowed = limits
+        if allowed and not is_absent:
+            present[name] = limits
+    return present
+
+
+def section_errors(fields: Values, quantities: Mapping[str, Parameter], bounds: Mapping[str, Bounds]) -> Texts:
+    """Return messages about the fields of sections, which may have axes of lanes before those of one section.
+
+    Values, declarations and open bounds are by field.
+    """
+    errors = mistakes(fields, _of_present(fields, bounds), one=("base", "water_unit_weight"))
     if not errors:  # all of them are numbers
-        errors = _pair_errors(given, section.quantities)
-    errors += lines_errors(given, many=True)
+        errors = _pair_errors(fields, bounds)
+    errors += _lines_errors(fields, many=True)
     if errors:
         return errors
     of_lanes = {}
-    for name, p in section.quantities.items():
-        value = given[name]
+    for name, p in quantities.items():
+        value = fields[name]
         if p.kind == "number" and value is not None:
             shape = leading_shape(value, p.axes)
             of_lanes[name] = np.empty(shape)
@@ -111,40 +135,41 @@ def section_errors(section: Any) -> Texts:
     return shape_mistakes(of_lanes) or errors
 
 
-def _pair_errors(given: Values, declared: Mapping[str, Parameter]) -> Texts:
+def _pair_errors(fields: Values, bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the centre, a pair of numbers, and the range of x, an increasing pair.
 
     Values and declarations are by field.
     """
     wrong = []
-    *_, coordinates = np.atleast_1d(given["centre"]).shape
+    *_, coordinates = np.atleast_1d(fields["centre"]).shape
     if coordinates != 2:
         wrong.append("centre")
-    pair = given["between"]
+    pair = fields["between"]
     if pair is not None:
         are_two = np.shape(pair) == (2,)
         if not are_two or pair[0] >= pair[1]:
             wrong.append("between")
     messages = []
     for name in wrong:
-        messages.append(f"{{{name}}} = {given[name]!r}: must be {declared[name].allowed}")
+        *_, allowed = bounds[name]
+        messages.append(f"{{{name}}} = {fields[name]!r}: must be {allowed}")
     return messages
 
 
-def lines_errors(given: Values, many: bool) -> Texts:
+def _lines_errors(fields: Values, many: bool) -> Texts:
     """Return messages about the ground, the water level and ponds, from values by field.
 
     ``many`` allows axes of lanes before the points of a line.
     """
-    errors = points_errors("ground", given["ground"], many)
-    if given["level"] is not None:
-        errors += points_errors("level", given["level"], many)
-    confined = given["confined"]
+    errors = points_errors("ground", fields["ground"], many)
+    if fields["level"] is not None:
+        errors += points_errors("level", fields["level"], many)
+    confined = fields["confined"]
     if not isinstance(confined, bool):
         errors.append(f"{{confined}} = {confined!r}: must be True or False")
-    elif confined and given["level"] is None:
+    elif confined and fields["level"] is None:
         errors.append("{confined}: has no {level}; give the level, or leave {confined} out")
-    for k, pond in enumerate(given["ponds"], 1):
+    for k, pond in enumerate(fields["ponds"], 1):
         errors += _pond_errors(k, pond)
     return errors
 

@@ -15,9 +15,9 @@ import numpy as np
 
 from generated import slopes
 from slipcircle.base.kinds import Floats
-from slipcircle.ground.circles import Cut, cut
+from slipcircle.ground.circles import Cut, cut_by_circles
 from slipcircle.ground.ground import continued
-from slipcircle.ground.pieces import Pieces, pieces_inside, slope_of, span_of
+from slipcircle.ground.pieces import GroundPieces, edge_slopes, pieces_inside, span_of
 from slipcircle.ground.plane import Vectors, each_lane
 
 _TOGETHER = 1 << 14  # arcs times pieces per block, whose arrays fit into the cache
@@ -26,7 +26,7 @@ _TOGETHER = 1 << 14  # arcs times pieces per block, whose arrays fit into the ca
 class HeightIntegrals(NamedTuple):
     """Pieces of circles with an edge of a line above each, over two turns from -3 pi/2 on."""
 
-    pieces: Pieces
+    pieces: GroundPieces
     slope: Floats  # of the edge above each piece, (n, pieces)
 
     @property
@@ -59,7 +59,7 @@ class HeightIntegrals(NamedTuple):
         return total
 
 
-def _over_parts(pieces: Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
+def _over_parts(pieces: GroundPieces, slope: Floats, first: Floats, last: Floats) -> Any:
     """Return integrals over the parts of pieces between two angles, each from its own start to avoid cancellation.
 
     ``slope`` is dy/dx of the edge above each piece. Angles are in rad, (..., n, 1), and the result is (..., n, pieces).
@@ -103,8 +103,8 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     from_centre = points - centre[:, None]
     line = from_centre / radius[:, None, None]
     edges = Vectors.of(points).edges
-    slope = slope_of(edges)
-    parts = cut(points, centre, radius)
+    slope = edge_slopes(edges)
+    parts = cut_by_circles(points, centre, radius)
     vertices = Vectors.of(line)
     lower, upper = _halves(parts, vertices, slope)
 
@@ -114,14 +114,14 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     two_turns = [*before, *lower, *upper, *after]
     by_column = zip(*two_turns, strict=True)
     columns = [np.concatenate(column, axis=1) for column in by_column]
-    every = Pieces(*columns)
+    every = GroundPieces(*columns)
     has_width = every.span > 0.0
     used = np.flatnonzero(has_width.any(axis=0))
     pieces = every.only(used)
     return HeightIntegrals(pieces, slope[:, used % slope.shape[1]])
 
 
-def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[Pieces], list[Pieces]]:
+def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[GroundPieces], list[GroundPieces]]:
     """Return pieces over the lower halves of circles, for all three parts of edges, and over the upper halves.
 
     The three parts of an edge are inside, before and after the circle; ``line`` has the vertices from the centre, and
@@ -140,7 +140,7 @@ def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[Pieces], lis
     return [inside, before, after], [before_upper, after_upper]
 
 
-def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[Pieces, Pieces]:
+def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[GroundPieces, GroundPieces]:
     """Return pieces over the lower and the upper half for the parts of edges outside circles between two x.
 
     ``start`` is the first end of an edge, and ``slope`` its dy/dx. All lengths are over R, from the centre.
@@ -163,10 +163,10 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
     high = np.where(is_above, end_angle, low)
     above_lower = y + cosine
     above_upper = end_y - end_cosine
-    lower = Pieces(low, high, span, x, cosine, above_lower)
+    lower = GroundPieces(low, high, span, x, cosine, above_lower)
     upper_low = np.pi - high
     upper_high = np.pi - low
-    upper = Pieces(upper_low, upper_high, span, end_x, -end_cosine, above_upper)
+    upper = GroundPieces(upper_low, upper_high, span, end_x, -end_cosine, above_upper)
     return lower, upper
 
 

@@ -14,7 +14,7 @@ from slipcircle.ground.circles import Cut
 from slipcircle.ground.plane import Vectors
 
 
-class Pieces(NamedTuple):
+class GroundPieces(NamedTuple):
     """Pieces of circles over which one edge of a line lies above the arc, one column per edge, (n, pieces)."""
 
     low: Floats  # angles of a piece's ends
@@ -24,11 +24,11 @@ class Pieces(NamedTuple):
     cosine: Floats
     height: Floats
 
-    def only(self, pieces: Any) -> "Pieces":
+    def only(self, pieces: Any) -> "GroundPieces":
         """Return the pieces with these indices, or a slice of them."""
-        return Pieces._make(column[:, pieces] for column in self)
+        return GroundPieces._make(column[:, pieces] for column in self)
 
-    def turned(self, angle: float) -> "Pieces":
+    def turned(self, angle: float) -> "GroundPieces":
         """Return the pieces turned by an angle in rad, a number of whole turns. Sines and cosines are not changed."""
         low = self.low + angle
         high = self.high + angle
@@ -41,19 +41,19 @@ def integral_inside(parts: Cut) -> Floats:
     Each of the n by E ``parts`` is the part of an edge inside a circle; lengths are over R.
     """
     pieces = pieces_inside(parts)
-    slope = slope_of(parts.part)
+    slope = edge_slopes(parts.part)
     _, _, span, sine, cosine, height = pieces
     return slopes.head(span, sine, cosine, height, slope)
 
 
-def slope_of(edge: Vectors) -> Floats:
+def edge_slopes(edge: Vectors) -> Floats:
     """Return the slopes dy/dx of edges, 0 for vertical scarps."""
     of_scarps = np.zeros_like(edge.x)
     has_run = edge.x > 0.0
     return np.divide(edge.y, edge.x, out=of_scarps, where=has_run)
 
 
-def pieces_inside(parts: Cut) -> Pieces:
+def pieces_inside(parts: Cut) -> GroundPieces:
     """Return pieces over the lower half of the circle for the parts of edges inside circles, (n, E).
 
     With g = 1 - rho^2, known without cancellation near the circle, the arc below a point has cos = sqrt(y^2 + g), and
@@ -72,7 +72,7 @@ def pieces_inside(parts: Cut) -> Pieces:
     low = np.arctan2(x, cosine)
     high = np.arctan2(end.x, end_cosine)
     span = span_of(parts.part.x, cosine, end_cosine)
-    return Pieces(low, high, span, x, cosine, height)
+    return GroundPieces(low, high, span, x, cosine, height)
 
 
 def span_of(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:

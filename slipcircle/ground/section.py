@@ -147,9 +147,9 @@ class Section(SectionGeometry, Mass):
 
         ``friction`` and ``effects`` are the scene's; effects are mappings of parameters by name.
         """
-        found = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
+        faults = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
         if self.level is not None and "ratio" in effects.get("pore_pressure", {}):
-            found.append(
+            faults.append(
                 "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
                 "pressure already; leave one out"
             )
@@ -157,8 +157,10 @@ class Section(SectionGeometry, Mass):
         grows = np.any(cohesion.get("gradient"))
         peak = cohesion.get("peak", 1.0)
         if grows and not np.all(peak):
-            found.append("{effects.cohesion.peak} = 0: must be positive, as the law multiplies the increase with depth")
-        return found
+            faults.append(
+                "{effects.cohesion.peak} = 0: must be positive, as the law multiplies the increase with depth"
+            )
+        return faults
 
     def effects_with_own(self, effects: Effects) -> Effects:
         """Return effects with the pressure of the section's water level, standing water, and depths of cohesion.
@@ -170,13 +172,13 @@ class Section(SectionGeometry, Mass):
         grows = np.any(cohesion.get("gradient"))
         if grows:
             effects = lazy_import("depths").growing(self, cohesion, effects)
-        own = dict(effects.get("pore_pressure", {}))
+        pore_pressure = dict(effects.get("pore_pressure", {}))
         if self.level is not None or self.in_standing_water:
-            own["level"] = self.mean_lift
+            pore_pressure["level"] = self.mean_lift
         if self.in_standing_water:
-            own["standing"] = self.standing_moment
-        if own:
-            return {**effects, "pore_pressure": own}
+            pore_pressure["standing"] = self.standing_moment
+        if pore_pressure:
+            return {**effects, "pore_pressure": pore_pressure}
         return effects
 
     # Rotations within the range of the method, rad: the toe must not rise far above the original ground.
@@ -289,8 +291,8 @@ class Section(SectionGeometry, Mass):
         """
         turn = np.asarray(rotation, float)
         shape = np.broadcast_shapes(turn.shape, self.shape)
-        own = len(self.shape)
-        rotations = math.prod(shape[: len(shape) - own])
+        axes = len(self.shape)
+        rotations = math.prod(shape[: len(shape) - axes])
         by_shape = np.broadcast_to(turn, shape)
         by_lane = by_shape.reshape(rotations, len(self._facing))
         return shape, by_lane
@@ -338,10 +340,10 @@ class Section(SectionGeometry, Mass):
         """
         turns = rotates(effects)
         tables = {}
-        for effect, given in effects.items():
+        for effect, parameters in effects.items():
             symbols = symbols_of(effect)
             for name in ("level", "standing", "depth"):
-                function = given.get(name)
+                function = parameters.get(name)
                 if function is None:
                     continue
                 table = lazy_import("water").table_of_rotation(self, function, turns, upslope, tolerance)
@@ -351,10 +353,10 @@ class Section(SectionGeometry, Mass):
 
     def _for_lanes(self, tables: Tables, shape: Shape) -> Tables:
         """Return tables for the lanes of a scene of this shape from tables for the lanes of the section."""
-        own = self.lanes_shape
-        if own in ((), shape):
+        own_shape = self.lanes_shape
+        if own_shape in ((), shape):
             return tables
-        numbers = np.arange(math.prod(own)).reshape(own)
+        numbers = np.arange(math.prod(own_shape)).reshape(own_shape)
         lanes = np.broadcast_to(numbers, shape).ravel()
         return {name: table.lanes(lanes) for name, table in tables.items()}
 

@@ -209,9 +209,9 @@ class Forces:
         mu = cells[program.roles["cell_mu"]].copy()  # a view would keep all cells alive
         limit = cells[program.roles["cell_limit"]]
         with quiet():
-            found = equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)
+            statics = equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)
         factor = self._strength(which)
-        return found | {name: found[name] / factor for name in ("friction", "limit_friction")}
+        return statics | {name: statics[name] / factor for name in ("friction", "limit_friction")}
 
 
 def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) -> ArrayDict:

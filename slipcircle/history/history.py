@@ -239,8 +239,8 @@ class History:
         methods = []
         for quantity, value in of_closure.items():
             by_start = self.plan.scene.by_start(quantity, self.motion, kept)
-            found, method = by_start or (self.motion._shaped(value), "")
-            values.append(found)
+            factor, method = by_start or (self.motion._shaped(value), "")
+            values.append(factor)
             methods.append(method)
         return FurtherFactors(*values, *methods)
 

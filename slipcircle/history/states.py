@@ -7,7 +7,7 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import ArrayPair, Floats
-from slipcircle.core.integrator.compiled import Samples, engine
+from slipcircle.core.integrator.compiled import OutputSamples, engine
 from slipcircle.core.integrator.lanes import BLOCK, integrate_problem
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
@@ -67,5 +67,5 @@ def read(problem: Problem, times: Floats) -> Floats:
     The shape is (rows, times, lanes).
     """
     rows = np.zeros((2 + len(problem.program.states), *times.shape))
-    integrate_problem(problem, samples=Samples(np.ascontiguousarray(times), rows))
+    integrate_problem(problem, samples=OutputSamples(np.ascontiguousarray(times), rows))
     return rows

@@ -77,7 +77,7 @@ def least_friction(friction: Any) -> float:
 
     The law has a number, an array or a list as coefficient, or peak and residual strength.
     """
-    _, given = law_parts(friction)[0]
-    names = {"coefficient", "peak", "residual"} & given.keys()
-    least = [np.min(given[name]) for name in names]
+    _, parameters = law_parts(friction)[0]
+    names = {"coefficient", "peak", "residual"} & parameters.keys()
+    least = [np.min(parameters[name]) for name in names]
     return float(min(least))

@@ -67,9 +67,9 @@ class SoilCohesion:
             return {}
         if not self._share_one_law:
             return self._by_soil()
-        name, given = laws[0]
+        name, parameters = laws[0]
         cohesion, growth = self.lasting
-        over_peak = name, {**given, "peak": 1.0, "residual": 0.0}
+        over_peak = name, {**parameters, "peak": 1.0, "residual": 0.0}
         return {OF_COHESION: (over_peak, self.peak - cohesion, self.growth - growth)}
 
     def _by_soil(self) -> dict[str, Term]:

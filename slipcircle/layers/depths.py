@@ -112,10 +112,10 @@ def growing(section: Any, cohesion: Any, effects: Effects) -> Effects:
     """
     depth = MeanDepth(section, depths_below(section, cohesion.get("datum")))
     grown = {**effects}
-    for name, given in effects.items():
-        if name == "cohesion" and "gradient" in given:
-            grown[name] = {**given, "depth": depth}
+    for name, parameters in effects.items():
+        if name == "cohesion" and "gradient" in parameters:
+            grown[name] = {**parameters, "depth": depth}
         elif name.startswith("softening"):
-            gradient = given["moment"] * (cohesion["gradient"] / cohesion_at_rest(cohesion))
-            grown[name] = {**given, "gradient": gradient, "depth": depth}
+            gradient = parameters["moment"] * (cohesion["gradient"] / cohesion_at_rest(cohesion))
+            grown[name] = {**parameters, "gradient": gradient, "depth": depth}
     return grown

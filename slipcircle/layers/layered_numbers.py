@@ -61,20 +61,20 @@ class LayeredNumbers(CrackedSection):
 
     def parts(self) -> Parts:
         """Return the numbers of the geometry, soils by name, tops of layers and surcharges, with their declarations."""
-        found = super().parts()
-        rate = found.pop("rate")
-        crack, depth = found.pop("crack")
-        found["soils"] = self.soils_by_name, None
+        by_name = super().parts()
+        rate = by_name.pop("rate")
+        crack, depth = by_name.pop("crack")
+        by_name["soils"] = self.soils_by_name, None
         for k, top in enumerate(self.tops, 2):
-            found[f"layers.{k}.top"] = top, TOP
+            by_name[f"layers.{k}.top"] = top, TOP
             if np.ndim(top) > 1:
-                found[f"layers.{k}.top"] = np.asarray(top)[..., 0, 1], _TOP_OF_LINE
-                found[f"line.{k}"] = top, _LINE
-        found["rate"] = rate
+                by_name[f"layers.{k}.top"] = np.asarray(top)[..., 0, 1], _TOP_OF_LINE
+                by_name[f"line.{k}"] = top, _LINE
+        by_name["rate"] = rate
         for k, (_, _, left, right) in enumerate(self.surcharge, 1):
-            found[f"surcharge.{k}.pressure"] = np.maximum(left, right), PRESSURE
-            found |= {f"left.{k}": (left, STORED), f"right.{k}": (right, STORED)}
-        return found | {"crack": (crack if np.any(crack) else None, depth)}
+            by_name[f"surcharge.{k}.pressure"] = np.maximum(left, right), PRESSURE
+            by_name |= {f"left.{k}": (left, STORED), f"right.{k}": (right, STORED)}
+        return by_name | {"crack": (crack if np.any(crack) else None, depth)}
 
     def with_parts(self, changed: Values) -> Any:
         """Return the section with other parts, `changed` by the names of `parts`. Nothing is checked."""
@@ -100,8 +100,8 @@ class LayeredNumbers(CrackedSection):
     def together(self, values: Values) -> Values:
         """Return values of numbers by name, in which a slip length that soils share is set for all of them."""
         for lengths in self._shared_lengths:
-            given = [values[name] for name in lengths if name in values]
-            values = dict.fromkeys(lengths if given else (), *given[:1]) | dict(values)
+            lengths_set = [values[name] for name in lengths if name in values]
+            values = dict.fromkeys(lengths if lengths_set else (), *lengths_set[:1]) | dict(values)
         return values
 
     def numbers_without_effect(self) -> list[str]:
@@ -139,8 +139,8 @@ def _scaled(load: Load, greatest: Any) -> Load:
     if greatest is None:
         return load
     first, last, left, right = load
-    known = np.maximum(left, right)
-    is_none = known == 0.0
-    unit = np.where(is_none, 1.0, known)
+    pressure = np.maximum(left, right)
+    is_none = pressure == 0.0
+    unit = np.where(is_none, 1.0, pressure)
     new_left, new_right = (greatest * np.where(is_none, 1.0, end / unit) for end in (left, right))
     return first, last, new_left, new_right

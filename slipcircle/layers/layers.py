@@ -80,9 +80,9 @@ class LayeredSection(LayeredNumbers):
 
     def __post_init__(self) -> None:
         """Check layers, surcharges and crack, convert their units and freeze them."""
-        own = ("layers", "surcharge", "rate", "crack")
-        take_units(self, own)
-        freeze(self, own)
+        checked = ("layers", "surcharge", "rate", "crack")
+        take_units(self, checked)
+        freeze(self, checked)
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:
             for soil, _ in self.layers:  # their numbers may have been replaced
@@ -306,11 +306,11 @@ class LayeredSection(LayeredNumbers):
     def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages about friction and effects, also about inputs given both by the scene and by its soils."""
         of_soils = "is given by the soils of a layered section; leave it out"
-        found = super().mistakes(friction, effects)
-        found += [f"effects.{name}: {of_soils}" for name in self.own_effects if name in effects]
+        messages = super().mistakes(friction, effects)
+        messages += [f"effects.{name}: {of_soils}" for name in self.own_effects if name in effects]
         if friction is not None and not isinstance(friction, MeanFriction):
-            found.append(f"friction = {friction!r}: {of_soils}")
-        return found
+            messages.append(f"friction = {friction!r}: {of_soils}")
+        return messages
 
     def effects_with_own(self, effects: Effects) -> Effects:
         """Return effects by name with the strengths of the soils. Inertia terms require the centripetal effect."""

@@ -37,11 +37,13 @@ _CIRCLES = 200  # circles of a part
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
 _INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end of a piece
-# From values at the nodes to the coefficients of the integral, followed by their own first two and last two.
-_DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
+_WHOLE = _INTEGRAL.sum(axis=0, keepdims=True)  # up to the right end, where every Chebyshev polynomial is 1
+# From values at the nodes to the coefficients of the integral and the whole integral, followed by their own first two
+# and last two coefficients.
+_DEVELOPING = np.concatenate([_INTEGRAL, _WHOLE, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
-class Part(NamedTuple):
+class ProfilePart(NamedTuple):
     """Integrals along the arcs of some circles from their left ends, in pieces.
 
     Attributes
@@ -79,14 +81,14 @@ class Part(NamedTuple):
         up_to += _of_piece(self.before[:count], piece)
         return up_to
 
-    def combined(self, weights: Floats) -> "Part":
+    def combined(self, weights: Floats) -> "ProfilePart":
         """Return the load in a single column, the sum of all columns with weights, (columns, circles).
 
         Only the first `PRESSING` integrals are retained.
         """
         before = np.einsum("scpn,cn->spn", self.before[:PRESSING], weights)
         series = np.einsum("sctpn,cn->stpn", self.series[:PRESSING], weights)
-        return Part(self.edges, before[:, None], series[:, None])
+        return ProfilePart(self.edges, before[:, None], series[:, None])
 
 
 def _of_piece(values: Floats, piece: Integers) -> Floats:
@@ -113,7 +115,7 @@ class Profile(NamedTuple):
     """
 
     whole: Floats
-    parts: Sequence[Part]
+    parts: Sequence[ProfilePart]
 
     def up_to(self, beta: Floats, count: int) -> Floats:
         """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
@@ -173,11 +175,10 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
         pieces = [piece for *arrays, smooth in rounds for piece in compress(zip(*arrays, strict=True), smooth)]
         pieces.sort(key=lambda piece: float((piece[0] + piece[1]).sum()))  # from left to right
         firsts, lasts, by_piece = zip(*pieces, strict=True)
-        # At the right end of a piece every Chebyshev polynomial is 1.
-        each = np.stack([of_piece.sum(axis=2) for of_piece in by_piece], axis=2)
-        series = np.stack([of_piece[:retained] for of_piece in by_piece], axis=3)
+        each = np.stack([of_piece[:, :, -1] for of_piece in by_piece], axis=2)
+        series = np.stack([of_piece[:retained, :, :-1] for of_piece in by_piece], axis=3)
         before = np.cumsum(np.insert(each, 0, 0.0, axis=2), axis=2)
-        part = Part(np.stack([*firsts, lasts[-1]]), before, series)
+        part = ProfilePart(np.stack([*firsts, lasts[-1]]), before, series)
         whole.append(before[:, :, -1])
         if has_many:
             part = part.combined(steps[:, some])
@@ -188,18 +189,17 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
 def _developed(
     strips: Strips, weights: Floats, circle: Integers, strip: Integers, first: Floats, last: Floats
 ) -> ArrayTriple:
-    """Return series of pieces, (pieces, integrals, columns, terms, circles), and sizes of their coefficients.
+    """Return series of pieces, (pieces, integrals, columns, terms + 1, circles), and sizes of their coefficients.
 
-    The head is the greater of the first two coefficients, the tail the greater of the last two, each (pieces, circles).
-    The arguments are those of `_integrands`.
+    The last term is the integral over the piece. The head is the greater of the first two coefficients, the tail the
+    greater of the last two, each (pieces, circles). The arguments are those of `_integrands`.
     """
     values = _integrands(strips, weights, strip[:, None], circle, first, last)
     *axes, pieces, circles = values.shape
     developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)
     by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
-    terms = _COUNT + 1
-    series = by_piece[:, :, :terms]
-    of_terms = np.abs(by_piece[:, :, terms:]).max(axis=(0, 1))
+    series, sizes = np.split(by_piece, [_COUNT + 2], axis=2)
+    of_terms = np.abs(sizes).max(axis=(0, 1))
     return np.moveaxis(series, 3, 0), of_terms[:2].max(axis=0), of_terms[2:].max(axis=0)
 
 

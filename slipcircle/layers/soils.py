@@ -123,9 +123,9 @@ class Soil:
 
     def parts(self) -> Parts:
         """Return the numbers and the laws of the soil by name, with friction as the last one."""
-        found = parts_of_fields(self)
-        friction = found.pop("friction")
-        return {**found, "friction": friction}
+        by_name = parts_of_fields(self)
+        friction = by_name.pop("friction")
+        return {**by_name, "friction": friction}
 
     @property
     def weight_below_water(self) -> ArrayLike:
@@ -172,21 +172,19 @@ Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer
 def soil_mistakes(soil: Soil) -> Texts:
     """Return a message for each invalid number of a soil."""
     softens = callable(soil.cohesion) or isinstance(soil.cohesion, Mapping)
-    numbers = present(soil)
-    if softens:
-        del numbers["cohesion"]
-    found = mistakes(vars(soil), numbers)
-    found += cohesion_mistakes(soil.cohesion, "cohesion") if softens else []
-    if softens and not found and np.any(soil.cohesion_gradient) and not np.all(soil.peak_cohesion):
-        found.append("cohesion.peak = 0: must be positive, as the law multiplies the increase with depth")
-    found += law_mistakes(soil.friction)
+    absent = {"cohesion": softens, "saturated_unit_weight": soil.saturated_unit_weight is None}
+    messages = mistakes(vars(soil), {name: limits for name, limits in bounds(Soil).items() if not absent.get(name)})
+    messages += cohesion_mistakes(soil.cohesion, "cohesion") if softens else []
+    if softens and not messages and np.any(soil.cohesion_gradient) and not np.all(soil.peak_cohesion):
+        messages.append("cohesion.peak = 0: must be positive, as the law multiplies the increase with depth")
+    messages += law_mistakes(soil.friction)
     if callable(soil.friction):
-        found.append("friction: must be a number or a law by name")
+        messages.append("friction: must be a number or a law by name")
     if isinstance(soil.friction, Mapping) and "rate" in soil.friction:
-        found.append(
+        messages.append(
             "friction.rate: is given to the section, LayeredSection(..., rate=...), for all soils along an arc"
         )
-    return found
+    return messages
 
 
 def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> Texts:
@@ -197,29 +195,29 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
     pairs = list(layers) if isinstance(layers, Sequence) else []
     if not pairs or not all(map(_is_layer, pairs)):
         return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
-    found = []
+    messages = []
     for k, (_, top) in enumerate(pairs):
-        found += _top_mistakes(k, top)
+        messages += _top_mistakes(k, top)
     if strength not in ("", "base", "mass"):
-        found.append(f"strength = {abridged(strength)}: must be 'base' or 'mass'")
+        messages.append(f"strength = {abridged(strength)}: must be 'base' or 'mass'")
     if foreland is not None and not isinstance(foreland, Soil):
-        found.append(f"foreland = {abridged(foreland)}: must be a Soil")
+        messages.append(f"foreland = {abridged(foreland)}: must be a Soil")
     elif foreland is not None and strength == "mass":
-        found.append(
+        messages.append(
             "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
         )
     used = [soil for soil, _ in pairs]
     if isinstance(foreland, Soil):
         used.append(foreland)
-    found += _together_mistakes(used, strength)
-    if not found:
-        found += datum_mistakes(foreland, pairs)
+    messages += _together_mistakes(used, strength)
+    if not messages:
+        messages += datum_mistakes(foreland, pairs)
     if not isinstance(surcharge, Sequence):
-        found.append(f"surcharge = {abridged(surcharge)}: must be a list of x1, x2 in m and pressures there in Pa")
-        return found
+        messages.append(f"surcharge = {abridged(surcharge)}: must be a list of x1, x2 in m and pressures there in Pa")
+        return messages
     for k, load in enumerate(surcharge):
-        found += _load_mistakes(k, load)
-    return found
+        messages += _load_mistakes(k, load)
+    return messages
 
 
 def _is_layer(pair: Any) -> bool:
@@ -310,22 +308,22 @@ def _together_mistakes(soils: list[Soil], strength: str) -> Texts:
     """
     by_name = {soil.name: soil for soil in soils}
     twice = sorted({soil.name for soil in soils if soil is not by_name[soil.name]})
-    found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
+    messages = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
     if not strength:
-        return found
+        return messages
     if strength == "base" and not share_one_law(soils, "cohesion"):
-        found.append(
+        messages.append(
             "layers: the cohesion of soils along an arc follows one law of slip with one length, as base that the mass "
             "reaches has slipped less than the sole; with {strength} = 'mass' each soil may have a law of its own"
         )
     if share_one_law(soils):
-        return found
+        return messages
     if strength == "base":
         others = ", ".join(name for name, soil in by_name.items() if isinstance(soil.friction, Mapping))
-        found.append(
+        messages.append(
             f"layers: the soils along an arc share one law of slip with one length, and not {others}, as base that the "
             "mass reaches has slipped less than the sole; with {strength} = 'mass' each may have a law of its own"
         )
     elif all(least_friction(soil.friction) == 0.0 for soil in soils):
-        found.append("layers: with a friction law of its own for each soil, one of them must keep some friction")
-    return found
+        messages.append("layers: with a friction law of its own for each soil, one of them must keep some friction")
+    return messages

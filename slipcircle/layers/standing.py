@@ -233,8 +233,8 @@ def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
     start = np.clip(first, -reach, reach)
     end = np.clip(last, -reach, reach)
     is_known = np.isfinite(level)
-    known = np.where(is_known, level, 0.0)
-    above_level = known * (end - start)
+    finite = np.where(is_known, level, 0.0)
+    above_level = finite * (end - start)
     below_centre = np.sin(end) - np.sin(start)
     integral = above_level + below_centre
     return integral

@@ -324,7 +324,7 @@ class ArcStrength(StretchIntegrals):
     @property
     def cohesion_laws(self) -> tuple[Law, ...]:
         """Laws of cohesion by their names in the program, with their parameters."""
-        return tuple((name + number, given) for number, ((name, given), _, _) in self._soil_cohesion.softening.items())
+        return tuple((name + number, law) for number, ((name, law), _, _) in self._soil_cohesion.softening.items())
 
     def cohesion_terms(self, needs: Needs) -> dict[str, ValueDict]:
         """Return the moments that the laws of cohesion multiply, over Theta*, by the names of their effects."""

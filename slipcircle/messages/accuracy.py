@@ -12,7 +12,7 @@ from generated import layout as ix
 from generated.program import Program
 from slipcircle.base.arrays import EPS, choose
 from slipcircle.base.kinds import Floats
-from slipcircle.core.integrator.compiled import Samples
+from slipcircle.core.integrator.compiled import OutputSamples
 from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
@@ -153,7 +153,7 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     """
     states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
     of_motion = _summary(final)
-    samples = Samples(of_motion[0] * SHARES, states)
+    samples = OutputSamples(of_motion[0] * SHARES, states)
     cells = integrate_problem(problem, perturbed_runs(problem, slice(None), rounding), samples)
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
     moves = final[ix.PHASES] > 0.0

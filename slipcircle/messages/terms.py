@@ -196,14 +196,14 @@ def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator
 
 def _numbers_of_cohesion(scene: Scene) -> Iterator[EquationTerm]:
     """Yield the numbers in the law of a cohesion that changes with slip, with symbols such as "cohesion_peak"."""
-    for name, given in scene.laws:
+    for name, parameters in scene.laws:
         if not name.endswith(OF_COHESION):
             continue
         law = without_soil(name)
         declared = COHESION_LAWS[law].parameters if law in COHESION_LAWS else ()
         for p in declared:
             if p.kind == "number":
-                yield EquationTerm(f"cohesion_{p.name}", p.help, law, given[p.name], p.unit)
+                yield EquationTerm(f"cohesion_{p.name}", p.help, law, parameters[p.name], p.unit)
 
 
 def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> dict[str, tuple[Any, ...]]:

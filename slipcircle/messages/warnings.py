@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Names
-from slipcircle.base.text import measured
+from slipcircle.base.text import amount_text
 from slipcircle.messages.plausible import questions
 from slipcircle.messages.summary import OUTSIDE, range_words
 
@@ -69,6 +69,6 @@ def _submergence(motion: Any) -> Iterator[str]:
     depth = section.drowned(motion.farthest.rotation, motion.end.rotation)
     if depth > SUBMERGED * np.asarray(section.radius):
         yield (
-            f"turning brings ground down to {measured(depth, 'm', 3)} below the water level; the weight of the water "
-            "above it is not included"
+            f"turning brings ground down to {amount_text(depth, 'm', 3)} below the water level; the weight of the "
+            "water above it is not included"
         )

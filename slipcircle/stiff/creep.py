@@ -24,12 +24,12 @@ from slipcircle.base.arrays import EPS, quiet
 from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
 from slipcircle.base.sections import first_section
 from slipcircle.core.integrator import compiled
-from slipcircle.core.integrator.compiled import Samples
+from slipcircle.core.integrator.compiled import OutputSamples
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.friction import depends_on
 
-Integrate = Callable[[Floats, Samples | None], Floats]  # final cells from initial cells
+Integrate = Callable[[Floats, OutputSamples | None], Floats]  # final cells from initial cells
 
 CRITICAL = 4.0 / (1.0 + (math.pi / math.log(EPS)) ** 2)  # d^2 over K above which a mass creeps
 LEFT = 0.01  # remaining fraction of the run-out at arrival
@@ -91,7 +91,9 @@ def other_than_position(problem: Problem) -> str:
     return ""
 
 
-def integrate_creeping(problem: Problem, begin: Floats, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
+def integrate_creeping(
+    problem: Problem, begin: Floats, samples: OutputSamples | None, integrate_lanes: Integrate
+) -> Floats:
     """Return final cells of lanes, where creeping lanes end at an infinite time in their equilibrium.
 
     `ix.REST_SINCE` of a creeping lane is its arrival, when all but `LEFT` of its run-out is covered.
@@ -332,6 +334,6 @@ def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> ArrayPair:
     all_times[:, now.lanes] = times
     outputs = 2 + len(now.problem.program.states)
     states = np.zeros((outputs, *all_times.shape))
-    integrate_lanes(now.cells, Samples(all_times, states))
+    integrate_lanes(now.cells, OutputSamples(all_times, states))
     rotation, omega, *_ = states[:, :, now.lanes]
     return rotation, omega

@@ -16,7 +16,7 @@ from generated import integrator
 from generated import layout as ix
 from slipcircle.base.arrays import EPS, quiet
 from slipcircle.base.kinds import Floats, Integers
-from slipcircle.core.integrator.compiled import Log, Samples, engine
+from slipcircle.core.integrator.compiled import Log, OutputSamples, engine
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.stiff.radau import (
@@ -49,7 +49,7 @@ DIVERGES = 0.25
 
 
 def integrate_implicitly(
-    problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: Integers
+    problem: Problem, cells: Floats, samples: OutputSamples | None, log: Log | None, which: Integers
 ) -> None:
     """Integrate some lanes one after the other from their present states, as `generated.integrator.integrate` does.
 

@@ -19,7 +19,7 @@ _OF_RECORDS = ("record", "units", "column", "columns", "step", "start", "gaps")
 _IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 
-def with_functions_of_time(name: str, given: Parameters) -> ValueDict:
+def with_functions_of_time(name: str, parameters: Parameters) -> ValueDict:
     """Return the parameters of an effect with functions of time built from pulses and lists.
 
     Raises
@@ -30,20 +30,20 @@ def with_functions_of_time(name: str, given: Parameters) -> ValueDict:
     try:
         if name == "shaking":
             # The shaking parameters with k_h(t) and k_v(t), after checking their plausibility.
-            made = _as_series(given)
+            made = _as_series(parameters)
             _check_strength(made)
             return made
         if name == "pore_pressure":
-            return _water(given)
+            return _water(parameters)
     except InputError as error:
         messages = [message.within(f"effects.{name}") for message in error.messages]
         raise InputError("", messages) from error
     except ValueError as error:
         raise InputError("", [f"{{effects.{name}}}: {error}"]) from error
-    return dict(given)
+    return dict(parameters)
 
 
-def factor(effect: str, given: Parameters, name: str) -> Any:
+def shaking_factor(effect: str, parameters: Parameters, name: str) -> Any:
     """Return the factor of a parameter of a resolved effect.
 
     Shaking has an amplitude, a scale or a peak. `effect` and `name` are the names of the effect and of its parameter,
@@ -51,12 +51,12 @@ def factor(effect: str, given: Parameters, name: str) -> Any:
     """
     if effect != "shaking":
         return 1.0
-    if isinstance(given.get(name), Pulse):
-        return given.get("vertical_amplitude" if name == "vertical" else "amplitude", 1.0)
-    if "peak" not in given:
-        return given.get("scale", 1.0)
-    recorded_peak = given["horizontal"].greatest or 1.0
-    return given["peak"] / recorded_peak
+    if isinstance(parameters.get(name), Pulse):
+        return parameters.get("vertical_amplitude" if name == "vertical" else "amplitude", 1.0)
+    if "peak" not in parameters:
+        return parameters.get("scale", 1.0)
+    recorded_peak = parameters["horizontal"].greatest or 1.0
+    return parameters["peak"] / recorded_peak
 
 
 def record_numbers(shaking: Parameters) -> ValueDict:
@@ -67,7 +67,7 @@ def record_numbers(shaking: Parameters) -> ValueDict:
     record = shaking["horizontal"]
     if not isinstance(record, Series):
         return {}
-    scale = factor("shaking", shaking, "horizontal")
+    scale = shaking_factor("shaking", shaking, "horizontal")
     return {"scale": scale, "peak": scale * record.greatest}
 
 
@@ -77,25 +77,25 @@ def in_time(called: Effects) -> dict[str, Series | Pulse]:
     `called` are the effects by name, with resolved parameters.
     """
     functions = {}
-    for effect, given in called.items():
-        for name, value in given.items():
+    for effect, parameters in called.items():
+        for name, value in parameters.items():
             if isinstance(value, Series | Pulse):
-                functions[f"{effect}.{name}"] = value.scaled(float(factor(effect, given, name)))
+                functions[f"{effect}.{name}"] = value.scaled(float(shaking_factor(effect, parameters, name)))
     return functions
 
 
-def _water(given: Parameters) -> ValueDict:
+def _water(parameters: Parameters) -> ValueDict:
     """Return the pore-pressure parameters, with lists over time converted to functions of time in s."""
-    rest = dict(given)
+    rest = dict(parameters)
     rest.pop("time", None)
-    if "record" in given:
+    if "record" in parameters:
         raise InputError("", [_IN_FILES.format("pressure")])
     for name in _OF_RECORDS:
-        if name in given:
+        if name in parameters:
             raise InputError("", [f"{{{name}}}: applies to a record; remove it, or give {{record}}"])
-    if "time" not in given:  # without it a list is an ensemble
+    if "time" not in parameters:  # without it a list is an ensemble
         return rest
-    time = array_of(given["time"])
+    time = array_of(parameters["time"])
     lists = [name for name, value in rest.items() if not callable(value) and np.ndim(value) == 1]
     if time.ndim != 1 or not lists:
         raise InputError("", ["{time} and {ratio} or {pressure}: must be lists of numbers"])
@@ -104,46 +104,46 @@ def _water(given: Parameters) -> ValueDict:
     return rest
 
 
-def _as_series(given: Parameters) -> ValueDict:
-    if "record" in given:
+def _as_series(parameters: Parameters) -> ValueDict:
+    if "record" in parameters:
         raise InputError("", [_IN_FILES.format("horizontal")])
-    ways = [way for way in _FITTING if way in given]
+    ways = [way for way in _FITTING if way in parameters]
     if len(ways) != 1:
         both = " and ".join(f"{{{way}}}" for way in ways)
         raise InputError("", [f"{both} exclude each other; remove one"])
     (way,) = ways
     fitting = _FITTING[way] | {way, "two_way"}
-    strange = [name for name in given if name not in fitting]
+    strange = [name for name in parameters if name not in fitting]
     if strange:
         raise InputError("", [f"{{{strange[0]}}} does not belong to a {way}; leave it out"])
-    if "scale" in given and "peak" in given:
+    if "scale" in parameters and "peak" in parameters:
         raise InputError("", ["{scale} and {peak} exclude each other; remove one"])
     if way == "horizontal":
-        return dict(given)
+        return dict(parameters)
     for needed in ("amplitude", "duration"):
-        if needed not in given:
+        if needed not in parameters:
             raise InputError("", [f"{{{needed}}} is missing: a pulse needs it"])
-    start = float(given.get("start", 0.0))
-    pulse = Pulse(given["pulse"], 1.0, start, float(given["duration"]), float(given.get("cycles", 1.0)))
+    start = float(parameters.get("start", 0.0))
+    pulse = Pulse(parameters["pulse"], 1.0, start, float(parameters["duration"]), float(parameters.get("cycles", 1.0)))
     made = {"horizontal": pulse}
-    if "vertical_amplitude" in given:
+    if "vertical_amplitude" in parameters:
         made["vertical"] = pulse
     for name in (*_FACTORS, "two_way"):
-        if name in given:
-            made[name] = given[name]
+        if name in parameters:
+            made[name] = parameters[name]
     return made
 
 
-def _check_strength(given: Parameters) -> None:
+def _check_strength(parameters: Parameters) -> None:
     """Raise an error if a record exceeds every recorded ground motion, since its unit or scale must be wrong.
 
     The argument contains the parameters of shaking, over gravity.
     """
     for name in ("horizontal", "vertical"):
-        record = given.get(name)
+        record = parameters.get(name)
         if not isinstance(record, Series):
             continue
-        peak = float(np.max(np.abs(factor("shaking", given, name)))) * record.greatest
+        peak = float(np.max(np.abs(shaking_factor("shaking", parameters, name)))) * record.greatest
         if peak > STRONGEST:
             unlikely = f"{{{name}}} reaches {peak:.6g} g, more than any recorded ground motion ({STRONGEST:g} g)"
             unit = 'its values are over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'

@@ -56,7 +56,7 @@ def extend_to_end(problem: Problem, cells: Floats, integrate: Callable[..., obje
         integrate(problem.program, problem.tables(which), one)
 
 
-def sampled(function: Function, end: float, known: Data | None = None) -> Data:
+def sampled(function: Function, end: float, table: Data | None = None) -> Data:
     """Return a Python function of slip up to ``end`` as a piecewise polynomial.
 
     The error is 1e-13 of its greatest value. A known table is extended.
@@ -69,9 +69,9 @@ def sampled(function: Function, end: float, known: Data | None = None) -> Data:
     breaks = []
     pieces = []
     left = 0.0
-    if known:
-        *breaks, left = known.breaks.tolist()
-        pieces = list(known.coefficients[:-1])
+    if table:
+        *breaks, left = table.breaks.tolist()
+        pieces = list(table.coefficients[:-1])
     width = end - left
     while left < end:
         width = min(width, end - left)

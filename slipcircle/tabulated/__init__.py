@@ -97,13 +97,13 @@ class GivenArc(Arc[Numbers]):
         return self.dimensionless.radial_weight_per_inertia
 
 
-def _given_mistakes(given: Any) -> Texts:
-    """Return messages about the tabulated coefficients, ``given`` by the names of `GIVEN`."""
-    if not isinstance(given, Mapping):
-        return [f"given = {given!r}: must be a mapping of coefficients, or None"]
-    found = [f"given: {name!r} is missing" for name in GIVEN if name not in given]
-    known = ", ".join(GIVEN)
-    found += [f"given: {name!r} is unknown; known are {known}" for name in given if name not in GIVEN]
-    bounds = {name: GIVEN[name] for name in GIVEN if name in given}
-    found += [f"given: {mistake}" for mistake in mistakes(given, bounds)]
-    return found
+def _given_mistakes(coefficients: Any) -> Texts:
+    """Return messages about the tabulated coefficients, ``coefficients`` by the names of `GIVEN`."""
+    if not isinstance(coefficients, Mapping):
+        return [f"given = {coefficients!r}: must be a mapping of coefficients, or None"]
+    messages = [f"given: {name!r} is missing" for name in GIVEN if name not in coefficients]
+    names = ", ".join(GIVEN)
+    messages += [f"given: {name!r} is unknown; known are {names}" for name in coefficients if name not in GIVEN]
+    bounds = {name: GIVEN[name] for name in GIVEN if name in coefficients}
+    messages += [f"given: {mistake}" for mistake in mistakes(coefficients, bounds, one=bounds)]
+    return messages

@@ -13,12 +13,12 @@ from generated.program import Program, Recipe
 from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator import compiled
-from slipcircle.core.integrator.compiled import Samples
+from slipcircle.core.integrator.compiled import OutputSamples
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program import build_program
 from slipcircle.layers.layered import RotationTables
 
-__all__ = ["Problem", "Program", "Recipe", "RotationTables", "Samples", "build_program", "compiled"]
+__all__ = ["Problem", "Program", "Recipe", "RotationTables", "OutputSamples", "build_program", "compiled"]
 
 BINARY: Any = compiled.module()  # None where there is none
 BACKENDS = ("C", "NumPy") if BINARY else ("NumPy",)

@@ -133,15 +133,43 @@ def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
     return t.places[following] * per
 
 
-def passes(s: Lanes, t: T, piece: N, per: V, press: V) -> M:
-    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
-    until = end_of(s, t, piece, per)
+def passes(s: Lanes, t: T, piece: N, per: V, until: V, press: V) -> M:
+    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break.
+
+    ``until`` is the end of the piece.
+    """
     following = end_of(s, t, piece + 1, per)
     before_last = until < following and following < INFINITY
     latest = s.end_time * (1.0 - 4.0 * EPS)
     in_time = until < latest
     pressed = press > 0.0
     return before_last and in_time and pressed
+
+
+def right_value(s: Lanes, t: T, piece: N) -> V:
+    """Return a record at the right end of a piece."""
+    last: N = t.pieces - 1
+    following: N = minimum(piece + 1, last)
+    height = t.heights[2 * following]
+    return height * t.scaled_by
+
+
+def rests_through(s: Lanes, t: T, piece: N, per: V) -> M:
+    """Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it."""
+    value = right_value(s, t, piece)
+    until = end_of(s, t, piece, per)
+    pressed: V = 1.0
+    inside = passes(s, t, piece, per, until, pressed)
+    quiet = s.quiet_from <= value and value <= s.quiet_to
+    return inside and quiet
+
+
+def last_at_rest(s: Lanes, on: M, t: T, piece: N, per: V) -> N:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last: N = piece
+    while not any_lane(on and not rests_through(s, t, last + 1, per)):
+        last = last + 1
+    return last
 
 
 def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
@@ -255,7 +283,6 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
     A lane leaves before a piece in which it may lift.
     """
     per = 1.0 / t.scale
-    last: N = t.pieces - 1
     piece: N = first
     now: V = s.time
     current = t.value + t.inc
@@ -264,21 +291,26 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
     omega: V = 0.0
     x: V = 0.0
     on: M = here
+    until = end_of(s, t, piece, per)
     while any_lane(on):
-        until = end_of(s, t, piece, per)
         length = until - now
         after = base + slope * value
-        speed, way = pass_piece(s, on, now, length, x, omega, net, after)
-        omega = speed
-        x = x + way
+        acts = on and (omega > 0.0 or net > 0.0 or after > 0.0)
+        if any_lane(acts):
+            speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+            omega = speed
+            x = x + way
+        if not any_lane(acts):
+            piece = last_at_rest(s, on, t, piece, per)
+            until = end_of(s, t, piece, per)
+            after = base + slope * right_value(s, t, piece)
         now = until
         net = after
         piece = piece + 1
-        following: N = minimum(piece + 1, last)
-        height = t.heights[2 * following]
-        value = height * t.scaled_by
+        value = right_value(s, t, piece)
         press = weight + grip * value
-        inside = passes(s, t, piece, per, press)
+        until = end_of(s, t, piece, per)
+        inside = passes(s, t, piece, per, until, press)
         leaves = on and not inside
         if leaves:
             end_slide(s, t, piece, x, omega)
@@ -310,6 +342,7 @@ def slide_together(s: Lanes, here: M, t: T) -> M:
         per = 1.0 / t.scale
         ahead = t.value + t.lower
         press = weight + grip * ahead
-        inside = there and passes(s, t, piece, per, press)
+        until = end_of(s, t, piece, per)
+        inside = there and passes(s, t, piece, per, until, press)
         slide(s, inside, t, piece, slope, base, grip, weight)
     return forward and not there

@@ -57,8 +57,11 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     net = s.series.net
     touches = abs(net[0]) <= TOUCHES * s.drive_scale
     jumps = net[0] > 0.0 and not touches
-    radius = radius_of_convergence(s, net, top - 1, s.series_order - 1.0)
-    reach = where(s.series_order < s.order, room, minimum(s.factor * radius, room))
+    reach = room
+    complete = here and s.series_order == s.order
+    if any_lane(complete):
+        radius = radius_of_convergence(s, net, top - 1, s.series_order - 1.0)
+        reach = where(complete, minimum(s.factor * radius, room), room)
     s.stretch = minimum(reach, s.stretch)
     e = new_series()
     margin_of(e, net, top - 1, -1.0, 0.0, touches)

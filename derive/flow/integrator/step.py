@@ -218,11 +218,14 @@ def choose_step(s: Lanes, here: M, room: V, top: N) -> None:
 
     The radius of the rotation equals the radius of the angular velocity.
     """
-    radius: V = INFINITY
-    for q in s.states:
-        if q.has_own_radius:
-            radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
-    s.step = where(s.series_order < s.order, room, minimum(s.factor * radius, room))
+    s.step = room
+    complete = here and s.series_order == s.order
+    if any_lane(complete):
+        radius: V = INFINITY
+        for q in s.states:
+            if q.has_own_radius:
+                radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
+        s.step = where(complete, minimum(s.factor * radius, room), s.step)
 
 
 def advance_states(s: Lanes, here: M, top: N) -> None:

@@ -25,7 +25,7 @@ Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, dir
 _NOTHING = np.empty(0)
 
 
-class Samples(NamedTuple):
+class OutputSamples(NamedTuple):
     """States at sample times, (states, times, lanes), filled during the integration."""
 
     times: Floats  # dimensionless, increasing, (times, lanes)
@@ -150,7 +150,7 @@ def integrate(
     program: Program,
     tables: Sequence[Data],
     cells: Floats,
-    samples: Samples | None = None,
+    samples: OutputSamples | None = None,
     log: Log | None = None,
     level: str | None = None,
 ) -> None:

@@ -6,13 +6,13 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
-from slipcircle.core.integrator.compiled import Log, Samples, engine
+from slipcircle.core.integrator.compiled import Log, OutputSamples, engine
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 
 
 def integrate_problem(
-    problem: Problem, begin: Floats | None = None, samples: Samples | None = None, log: Log | None = None
+    problem: Problem, begin: Floats | None = None, samples: OutputSamples | None = None, log: Log | None = None
 ) -> Floats:
     """Integrate all lanes to their end and return their final cells.
 
@@ -35,7 +35,7 @@ def integrate_problem(
     return _integrate(problem, begin, samples, log)
 
 
-def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, log: Log | None) -> Floats:
+def _integrate(problem: Problem, begin: Floats | None, samples: OutputSamples | None, log: Log | None) -> Floats:
     """Return the final cells, (cells, lanes), of lanes that do not creep. The arguments: see `integrate_problem`."""
     while True:
         if log is not None:
@@ -85,7 +85,7 @@ def _stop_swinging(problem: Problem, cells: Floats) -> bool:
     return True
 
 
-def _go_on(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:
+def _go_on(problem: Problem, cells: Floats, samples: OutputSamples | None, log: Log | None) -> None:
     """Continue lanes that exceed the number of explicit steps and still move, by implicit steps.
 
     Their final ``cells`` (cells, lanes), samples and log are updated in place.

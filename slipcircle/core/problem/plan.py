@@ -10,7 +10,7 @@ from slipcircle.base.kinds import Names
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
-from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
+from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked_scene
 
 DEFAULT_ACCURACY = 1e-9
 
@@ -92,7 +92,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     ValueError
         If the accuracy is not between 0 and 1, or the argument is not a scene.
     """
-    checked(scene, "plan")
+    checked_scene(scene, "plan")
     raise_all("plan", accuracy_mistakes(accuracy))
     if accuracy is None:
         accuracy = DEFAULT_ACCURACY if scene.accuracy is None else scene.accuracy

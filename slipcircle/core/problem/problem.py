@@ -253,11 +253,11 @@ class Numbers:
             return
         scales = {**self.mass.scales, "strength_factor": self.start["strength_factor"]}
         declared = ALL_EFFECTS[without_soil(effect)].parameters
-        given = [p for p in declared if p.name in parameters]
-        for p in given:
+        present = [p for p in declared if p.name in parameters]
+        for p in present:
             if p.kind == "number":  # a symbol may depend on several
                 scales[p.name] = plain(parameters[p.name])
-        for p in given:
+        for p in present:
             if not p.symbol:
                 continue
             value = parameters[p.name]
@@ -267,7 +267,7 @@ class Numbers:
             elif p.kind != "series":  # a function of the rotation, tabulated by the mass
                 self.start[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
             else:
-                factor = lazy_import("forcing").factor(effect, parameters, p.name)
+                factor = lazy_import("forcing").shaking_factor(effect, parameters, p.name)
                 scaled = p.dimensionless(factor, scales)
                 self.add_table(symbol, lazy_import("tables").of_time(value), self.mass.time_scale, scaled)
 

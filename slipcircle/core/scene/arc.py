@@ -164,11 +164,11 @@ class Arc(Mass, Generic[Numbers]):
         """Return messages about the fields: numbers out of bounds, shapes that do not broadcast, impossible arcs."""
         values = {name: getattr(self, name) for name in self.quantities}
         kind: Any = type(self)
-        found = mistakes(values, declared(kind)) or shape_mistakes(values)
-        if not found and not self._is_plain_arc:
+        messages = mistakes(values, bounds(kind)) or shape_mistakes(values)
+        if not messages and not self._is_plain_arc:
             angles = np.broadcast(self.theta_1, self.theta_2)
-            found = complaint(self.geometry_errors(), angles.shape)
-        return found
+            messages = complaint(self.geometry_errors(), angles.shape)
+        return messages
 
     @property
     def _is_plain_arc(self) -> bool:

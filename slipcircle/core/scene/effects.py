@@ -64,10 +64,10 @@ def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
     """
     if isinstance(effects, str) or not hasattr(effects, "__iter__"):
         return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
-    given = effects if isinstance(effects, MAPPING) else {name: {} for name in effects}
+    by_name = effects if isinstance(effects, MAPPING) else {name: {} for name in effects}
     named = {}
     faults = []
-    for name, parameters in given.items():
+    for name, parameters in by_name.items():
         if isinstance(parameters, MAPPING):
             named[str(name)] = frozen(parameters) if parameters else EMPTY
         else:
@@ -76,14 +76,14 @@ def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
     return named, faults
 
 
-def declared_parameters(name: str, given: Parameters) -> tuple[Parameter, ...]:
+def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, ...]:
     """Return the declarations of the parameters that an effect may have.
 
-    For cohesion they depend on its law, which ``given``, its parameters by name, contains.
+    For cohesion they depend on its law, which ``parameters``, its parameters by name, contains.
     """
-    if name != "cohesion" or "law" not in given:
+    if name != "cohesion" or "law" not in parameters:
         return EFFECTS[name].parameters
-    law = COHESION_LAWS.get(given["law"])
+    law = COHESION_LAWS.get(parameters["law"])
     return (*law.parameters, *OF_GROWTH) if law else ()
 
 
@@ -101,22 +101,22 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
         law = dict(parameters)
         of_growth = {p.name: law.pop(p.name) for p in OF_GROWTH if p.name in law}
         faults = parameter_mistakes(path, of_growth, OF_GROWTH)
-        given = law if "law" in law else law[name]
-        return cohesion_mistakes(given, path) + faults
+        cohesion = law if "law" in law else law[name]
+        return cohesion_mistakes(cohesion, path) + faults
     if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
         names = ", ".join(effect.any_of)
         faults.append(f"{path}: one of {names} is missing")
     return faults + parameter_mistakes(path, parameters, effect.parameters)
 
 
-def cohesion_mistakes(given: Any, path: str) -> list[str]:
+def cohesion_mistakes(cohesion: Any, path: str) -> list[str]:
     """Return a message for each mistake in a cohesion that changes with slip, a law by name or a function.
 
     ``path`` names the cohesion in the messages.
     """
-    if callable(given):
+    if callable(cohesion):
         return []
-    parameters = dict(given)
+    parameters = dict(cohesion)
     name = parameters.pop("law", None)
     if name not in COHESION_LAWS:
         return [f"{path}.law = {name!r}: must be one of {', '.join(COHESION_LAWS)}"]
@@ -128,30 +128,30 @@ def cohesion_mistakes(given: Any, path: str) -> list[str]:
     return of_list
 
 
-def cohesion_law(given: Any) -> Law | None:
+def cohesion_law(cohesion: Any) -> Law | None:
     """Return the name and the parameters of the law of a cohesion that changes with slip; None for a number.
 
-    ``given`` is a number, a function, a law with its parameters, or the parameters of the effect "cohesion".
+    ``cohesion`` is a number, a function, a law with its parameters, or the parameters of the effect "cohesion".
     """
-    if isinstance(given, MAPPING) and "law" not in given:  # of an effect
-        given = given.get("cohesion", 0.0)
-    if callable(given):
-        return "callable", {"function": given}
-    if not isinstance(given, MAPPING) or given["law"] == "constant":
+    if isinstance(cohesion, MAPPING) and "law" not in cohesion:  # of an effect
+        cohesion = cohesion.get("cohesion", 0.0)
+    if callable(cohesion):
+        return "callable", {"function": cohesion}
+    if not isinstance(cohesion, MAPPING) or cohesion["law"] == "constant":
         return None
-    law = COHESION_LAWS[given["law"]]
-    return law.name, {"coefficient" if p.name == "cohesion" else p.name: given[p.name] for p in law.parameters}
+    law = COHESION_LAWS[cohesion["law"]]
+    return law.name, {"coefficient" if p.name == "cohesion" else p.name: cohesion[p.name] for p in law.parameters}
 
 
-def resolved(name: str, given: Frozen) -> Frozen:
+def resolved(name: str, parameters: Frozen) -> Frozen:
     """Return an effect's parameters after checks, with functions of time built from their parts.
 
-    ``name`` is the name of the effect, and ``given`` are its parameters as entered.
+    ``name`` is the name of the effect, and ``parameters`` are its parameters as entered.
     """
-    if name in WITHOUT_PARAMETERS and not given:
-        return given
-    raise_all("", effect_mistakes(name, given))
+    if name in WITHOUT_PARAMETERS and not parameters:
+        return parameters
+    raise_all("", effect_mistakes(name, parameters))
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
-    if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
-        return given
-    return Frozen(lazy_import("forcing").with_functions_of_time(name, given))
+    if not series or (series.issuperset(parameters) and not any(map(callable, parameters.values()))):
+        return parameters
+    return Frozen(lazy_import("forcing").with_functions_of_time(name, parameters))

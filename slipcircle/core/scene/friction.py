@@ -14,28 +14,28 @@ RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
 COEFFICIENT = Parameter("friction", lower=-5e-324, allowed="a friction coefficient, tan(phi): a number of at least 0")
 
 
-def law_mistakes(given: Any) -> list[str]:
+def law_mistakes(friction: Any) -> list[str]:
     """Return a message for each mistake in a scene's friction, a number, a law with parameters, or a function."""
-    if callable(given):
+    if callable(friction):
         return []
-    if type(given) is float or not isinstance(given, MAPPING):
-        return mistakes({"friction": given}, {"friction": COEFFICIENT})
-    faults = _named_faults(given, "friction", NAMES)
-    if faults or "rate" not in given:
+    if type(friction) is float or not isinstance(friction, MAPPING):
+        return mistakes({"friction": friction}, {"friction": COEFFICIENT})
+    faults = _named_faults(friction, "friction", NAMES)
+    if faults or "rate" not in friction:
         return faults
-    if not may_have_rate(given["law"]):
-        return [f"friction.rate: {given['law']} is not a law of slip; remove one"]
-    return rate_mistakes(given["rate"], "friction.rate")
+    if not may_have_rate(friction["law"]):
+        return [f"friction.rate: {friction['law']} is not a law of slip; remove one"]
+    return rate_mistakes(friction["rate"], "friction.rate")
 
 
-def rate_mistakes(given: Any, path: str = "rate") -> list[str]:
+def rate_mistakes(rate: Any, path: str = "rate") -> list[str]:
     """Return a message for each mistake in a law of speed, which multiplies a law of slip or the friction of soils.
 
-    ``given`` is the law's name and parameters, and ``path`` names it in the messages.
+    ``rate`` is the law's name and parameters, and ``path`` names it in the messages.
     """
-    if not isinstance(given, MAPPING):
-        return [f"{path} = {abridged(given)}: must be a law of speed with its parameters"]
-    return _named_faults(given, path, RATE_LAWS)
+    if not isinstance(rate, MAPPING):
+        return [f"{path} = {abridged(rate)}: must be a law of speed with its parameters"]
+    return _named_faults(rate, path, RATE_LAWS)
 
 
 def may_have_rate(law: str) -> bool:
@@ -43,16 +43,16 @@ def may_have_rate(law: str) -> bool:
     return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
 
 
-def _named_faults(given: Parameters, path: str, known: Names) -> list[str]:
+def _named_faults(entered: Parameters, path: str, laws: Names) -> list[str]:
     """Return a message for each mistake in a law by name.
 
-    ``path`` names it in the messages, and ``known`` are the names of the laws allowed there.
+    ``path`` names it in the messages, and ``laws`` are the names of the laws allowed there.
     """
-    name = given.get("law")
-    if name not in known:
-        names = ", ".join(known)
+    name = entered.get("law")
+    if name not in laws:
+        names = ", ".join(laws)
         return [f"{path}.law = {name!r}: must be one of {names}"]
-    parameters = dict(given)
+    parameters = dict(entered)
     del parameters["law"]
     if path == "friction":
         parameters.pop("rate", None)
@@ -84,9 +84,9 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
     return ((name, parameters), *rate)
 
 
-def law_names(given: Any) -> Names:
+def law_names(friction: Any) -> Names:
     """Return the names of a scene's law of slip and of the law of speed that multiplies it, if any."""
-    return tuple(name for name, _ in law_parts(given))
+    return tuple(name for name, _ in law_parts(friction))
 
 
 def depends_on(laws: Names) -> Names:

@@ -211,8 +211,8 @@ class Scene(Generic[Numbers]):
     def _field_faults(self) -> list[str]:
         """Return messages about the fields of the start, the end, and the requested accuracy."""
         fields = vars(self)
-        numbers = _SIGNS if self.end_time is not None else _SIGNS_OF_START
-        faults = mistakes(fields, numbers)
+        limits = _SIGNS if self.end_time is not None else _SIGNS_OF_START
+        faults = mistakes(fields, limits)
         faults += accuracy_mistakes(self.accuracy)
         for name, which in MAPS.items():
             value = fields[name]
@@ -263,17 +263,17 @@ class Scene(Generic[Numbers]):
 
     def parts(self) -> Parts:
         """Return the parts of the mass, the friction, the start and end, and the effects, each with its declaration."""
-        found: Parts = self.arc.parts() | parts_of_fields(self)
+        by_name: Parts = self.arc.parts() | parts_of_fields(self)
         if self.arc.friction is not None:  # its soils have the numbers of friction
-            del found["friction"]
+            del by_name["friction"]
         if type(self.strength_factor) is float and self.strength_factor == AS_ENTERED:
-            found["strength_factor"] = None, declared(Scene)["strength_factor"]
-        given = self.checked_effects
-        for name in (*given, *EFFECTS):
+            by_name["strength_factor"] = None, declared(Scene)["strength_factor"]
+        effects = self.checked_effects
+        for name in (*effects, *EFFECTS):
             if name not in self.arc.own_effects:
-                one = given.get(name, EMPTY)
-                found[name] = one, declared_parameters(name, one)
-        return found
+                one = effects.get(name, EMPTY)
+                by_name[name] = one, declared_parameters(name, one)
+        return by_name
 
     def with_parts(self, changed: Values) -> Any:
         """Return the scene with other parts, by the names in `parts`. Nothing is checked."""
@@ -338,12 +338,12 @@ def accuracy_mistakes(accuracy: Any) -> list[str]:
     return mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY})
 
 
-def checked(scene: Any, what: str) -> Scene:
+def checked_scene(scene: Any, what: str) -> Scene:
     """Return the argument if it is a scene, and otherwise raise an error.
 
     ``what`` names the operation in the message.
     """
     if not isinstance(scene, Scene):
-        asked = f"load({scene!r})" if isinstance(scene, str) else "load(name)"
-        raise ValueError(f"{what}: scene = {scene!r}: must be a Scene; {asked} gives that of a file, or one that ships")
+        call = f"load({scene!r})" if isinstance(scene, str) else "load(name)"
+        raise ValueError(f"{what}: scene = {scene!r}: must be a Scene; {call} gives that of a file, or one that ships")
     return scene

@@ -170,13 +170,13 @@ def walked(
         if not absent and (value is None or value is EMPTY):
             continue
         is_anonymous = not name and kind is not None
-        at = path if is_anonymous else joined(path, name)
+        at = path if is_anonymous else path_of_part(path, name)
         if isinstance(what, Parameter):
             *within, _ = name.split(".")
             keys = [one for one in (key, *within, what.key) if one]
             inside = ".".join(keys)
         else:
-            inside = joined(key, name)
+            inside = path_of_part(key, name)
         if isinstance(what, Parameter) and not what.axes:
             changed = visit(Leaf(at, inside, what, value))
         else:
@@ -293,6 +293,6 @@ def _places(shape: Shape) -> dict[str, Shape]:
     return places
 
 
-def joined(path: str, name: str) -> str:
+def path_of_part(path: str, name: str) -> str:
     """Return the path of a part of a node, or of a key or a table inside a table, such as "friction.peak"."""
     return f"{path}.{name}" if path else name

@@ -6,7 +6,7 @@ from functools import partial
 from itertools import combinations
 
 from slipcircle.base.kinds import TextDict, ValueDict
-from slipcircle.base.text import digits_left, printed, shown
+from slipcircle.base.text import digits_left, number_text, output_unit
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import add_files, add_scene, add_units
 from slipcircle.workbench.common.quantities import OBSERVABLE, to_error
@@ -95,7 +95,7 @@ def _column(fit: BackAnalysis, solution: Solution) -> TextDict:
     cells, errors = {}, solution.standard_errors or {}
     for name, value in solution.values.items():
         error = errors.get(name, 0.0)
-        cells[name] = shown(value, digits_left(solution.error_estimate))
+        cells[name] = number_text(value, digits_left(solution.error_estimate))
         if error > 0.0:
             cells[name] = f"{to_error(value, error)} +- {to_error(error, error)}"
     if solution.correlation is not None:
@@ -106,7 +106,7 @@ def _column(fit: BackAnalysis, solution: Solution) -> TextDict:
         if not (name in fit.observed or quantity.where(motion)):
             continue
         value = float(quantity.read(motion))
-        cells[quantity.heading] = shown(printed(quantity.unit)[0] * value, digits_left(motion.error_estimate))
+        cells[quantity.heading] = number_text(output_unit(quantity.unit)[0] * value, digits_left(motion.error_estimate))
         cells[quantity.heading] += _observation(fit, name, value)
     if fit.method == FITTED:
         weighted = all(sigma for _, sigma in fit.observed.values())
@@ -122,11 +122,11 @@ def _observation(fit: BackAnalysis, name: str, computed: float) -> str:
     """
     if name not in fit.observed:
         return ""
-    factor, _ = printed(OBSERVABLE[name].unit)
+    factor, _ = output_unit(OBSERVABLE[name].unit)
     if name in fit.intervals:
         interval = fit.intervals[name]
         side = "inside" if interval.low <= computed <= interval.high else "outside"
         return f" ({side if interval.limit is None else 'limit:'} {interval.times(factor)})"
     value, sigma = fit.observed[name]
     error = f" +- {factor * sigma:.2g}" if sigma else ""
-    return f" (observed {shown(factor * value, 6)}{error})"
+    return f" (observed {number_text(factor * value, 6)}{error})"

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import shown
+from slipcircle.base.text import number_text
 from slipcircle.core import Scene, numpy_only, solve
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs.info import facts
@@ -34,4 +34,5 @@ def _speed() -> str:
     here = min(timed())
     with numpy_only():
         in_numpy = min(timed())
-    return f"{shown(here / 2_000 * 1e6, 2)} us a scene of 2,000; NumPy takes {shown(in_numpy / here, 2)} times as long"
+    each, factor = (number_text(x, 2) for x in (here / 2_000 * 1e6, in_numpy / here))
+    return f"{each} us a scene of 2,000; NumPy takes {factor} times as long"

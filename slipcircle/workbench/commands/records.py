@@ -6,7 +6,7 @@ from typing import Any
 
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.units import ACCELERATION
-from slipcircle.workbench.outputs.tables import Answer, ResultTable, headed, in_unit
+from slipcircle.workbench.outputs.tables import Answer, ResultTable, unit_table
 from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
 
@@ -98,17 +98,15 @@ def _check_folder(options: argparse.Namespace) -> None:
 def records_part(suite: Suite) -> ResultTable:
     """Return a table of the records and their intensity measures."""
     with_components = any(entry.component for entry in suite)
-    head = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)", headed("PGV", "m/s")]
-    head += [headed("I_A", "m/s"), "D5-95 (s)", "T_m (s)"]
+    names = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)"]
+    units = dict.fromkeys(names, "") | {"PGV": "m/s", "I_A": "m/s", "D5-95 (s)": "", "T_m (s)": ""}
     rows = []
     for entry in suite:
         component = [entry.component or "-"] if with_components else []
-        pga, pgv, arias, *times = entry.intensities
-        measures = pga, in_unit(pgv, "m/s"), in_unit(arias, "m/s"), *times
-        rows.append([entry.name, *component, entry.samples, entry.step, entry.unit, *measures])
+        rows.append([entry.name, *component, entry.samples, entry.step, entry.unit, *entry.intensities])
     note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
     pairs = f", {_counted(len(suite.pairs), 'pair')} of components" if suite.pairs else ""
-    return ResultTable(head, rows, f"{_counted(len(suite), 'record')}{pairs}", note)
+    return unit_table(units, rows, f"{_counted(len(suite), 'record')}{pairs}", note)
 
 
 def _counted(count: int, noun: str) -> str:

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Iterator, Sequence
 from functools import partial
 
-from slipcircle.base.progress import track
+from slipcircle.base.progress import tracked
 from slipcircle.core import Motion, solve
 from slipcircle.messages import OUTSIDE
 from slipcircle.workbench.commands import values
@@ -40,7 +40,7 @@ def run(options: argparse.Namespace) -> Answer:
     _check_options(options)
     scenes = [load(name) for name in options.scenes]
     sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
-    motions = [with_scene_context(scene, solve) for scene in track(scenes, "scenes solved")]
+    motions = [with_scene_context(scene, solve) for scene in tracked(scenes, "scenes solved")]
     contents: Files = {
         "csv": lambda _: csv(motions, options.times),
         "plot": partial(picture, "motions", motions),

@@ -3,7 +3,7 @@
 import argparse
 from functools import partial
 
-from slipcircle.base.progress import say, track
+from slipcircle.base.progress import announce, tracked
 from slipcircle.workbench.commands.common import add_files, add_units
 from slipcircle.workbench.files.scenefile import critical_of_file, with_circle
 from slipcircle.workbench.outputs import tables
@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> Answer:
             f"search: --method {options.method}: k_y is computed by the paper's method; leave --method out"
         )
     method = YIELD if options.least == YIELD else options.method
-    searched = [critical_of_file(name, method, say) for name in track(options.scenes, "slopes searched")]
+    searched = [critical_of_file(name, method, announce) for name in tracked(options.scenes, "slopes searched")]
     names, notes, circles, warnings = zip(*searched, strict=True)
     columns = [factors | circle for factors, circle in map(tables.stability_columns, circles)]
     note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)

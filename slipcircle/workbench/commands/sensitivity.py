@@ -7,10 +7,9 @@ from slipcircle.core import solve
 from slipcircle.workbench.commands.common import add_files, add_scene, add_units
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.files.scenefile import load
-from slipcircle.workbench.outputs.influence import important, sensitivity_part
+from slipcircle.workbench.outputs.influence import important_standstills, sensitivity_part
 from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.tables import Answer
-from slipcircle.workbench.studies.standstill import standstills
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -26,10 +25,9 @@ def run(options: argparse.Namespace) -> Answer:
     derivatives, name = motion.sensitivity(), motion.plan.scene.name
     keys_by_name = by_name(motion.plan.scene)
     keys = {parameter: keys_by_name[parameter].key for parameter in derivatives.parameters}
-    names = important(derivatives)
-    stops = standstills(motion.plan.scene, names.items())
+    stops = important_standstills(derivatives)
     further = {"keys": keys, "elasticities": derivatives.elasticities, "standstills": stops}
     record = vars(derivatives) | {"scene": name} | further
     warnings = [f"{name}: {warning}" for warning in derivatives.warnings]
     drawn = {"plot": partial(picture, "sensitivity", derivatives)}
-    return Answer(lambda: [record], [sensitivity_part(derivatives, stops, names, name)], warnings, drawn)
+    return Answer(lambda: [record], [sensitivity_part(derivatives, stops)], warnings, drawn)

@@ -8,23 +8,26 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import measured, shown
+from slipcircle.base.text import amount_text, number_text
 from slipcircle.core import Scene
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
-from slipcircle.workbench.outputs.tables import ResultTable, headed, in_unit
+from slipcircle.workbench.outputs.tables import ResultTable, unit_table
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.fragility import interval_note
 from slipcircle.workbench.studies.statistics import distribution, exceedance_probabilities, variance_shares
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.suites.regressions import Comparison
 
-_HEADS = {"record": "record", "pga_g": "PGA (g)", "slips": "slips", "rotation_rad": "phi (deg)"}
-_MEASURED = {  # heads with SI units
+_HEADS = {  # of columns of `Study.by_record`, with SI units
+    "record": ("record", ""),
+    "pga_g": ("PGA (g)", ""),
     "displacement_m": ("recorded", "m"),
     "reversed_m": ("reversed", "m"),
     "mean_m": ("mean", "m"),
     "peak_velocity_m_s": ("v", "m/s"),
+    "slips": ("slips", ""),
+    "rotation_rad": ("phi (deg)", ""),
 }
 
 
@@ -87,34 +90,26 @@ def _by_record_part(study: Study, scale: int) -> ResultTable:
     """Return a table of the displacement, peak velocity, slips and rotation for each record at a scale's index."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
-    heads = _HEADS | {name: headed(*words) for name, words in _MEASURED.items()}
-    for name in columns.keys() & _MEASURED.keys():
-        columns[name] = [in_unit(value, _MEASURED[name][1]) for value in columns[name]]
-    rows = [*zip(*columns.values(), strict=True)]
     samples = study.values["status"].shape[-1]
     of_samples = f"; medians of {samples} samples" if samples > 1 else ""
     others = f", one of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""
     title = f"{study.scene.name}: displacement along the arc at {study.scale_text(scale)}{others}{of_samples}"
     note = "v: peak velocity; slips: how often it begins to slide; phi: rotation at the end"
     note += "; the greater of both polarities" if len(study.polarities) > 1 else ""
-    return ResultTable([heads[name] for name in columns], rows, title, note)
+    units = dict(_HEADS[name] for name in columns)
+    return unit_table(units, zip(*columns.values(), strict=True), title, note)
 
 
 def _statistics_part(study: Study) -> ResultTable:
     """Return a table of the distribution of displacements at each scale."""
-    lengths = (headed(name, "m") for name in ("mean", "16 %", "median", "84 %", "geometric"))
-    head = ["", "moving", *lengths, "std of ln D"]
+    lengths = dict.fromkeys(("mean", "16 %", "median", "84 %", "geometric"), "m")
+    units = {"": "", "moving": "", **lengths, "std of ln D": ""}
     rows = []
     for k in range(study.scales.size):
         moving, mean, median, p16, p84, geometric, std_ln = distribution(study.displacement, k)
-        values = (in_unit(value, "m") for value in (mean, p16, median, p84, geometric))
-        rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *values, std_ln])
-    return ResultTable(
-        head,
-        rows,
-        "distribution of the displacement D",
-        "geometric mean, and standard deviation of ln D, of those that move",
-    )
+        rows.append([study.scale_text(k), f"{100 * moving:.3g} %", mean, p16, median, p84, geometric, std_ln])
+    note = "geometric mean, and standard deviation of ln D, of those that move"
+    return unit_table(units, rows, "distribution of the displacement D", note)
 
 
 def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) -> ResultTable:
@@ -122,21 +117,21 @@ def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) 
 
     ``compared`` are the comparisons at this scale, given by its index.
     """
-    head = ["regression", "in range", headed("predicted", "m"), "ln ratio", "std", "published std"]
-    factor = shown(study.block_factor)
+    units = {"regression": "", "in range": "", "predicted": "m", "ln ratio": "", "std": "", "published std": ""}
+    factor = number_text(study.block_factor)
     divided = f"displacements are divided by {factor}, the ratio of the displacement on the arc to that of a block"
     notes = [divided, "ln ratio: mean over the records"]
     rows = []
     for c in compared:
-        rows.append([c.name, f"{c.records} of {c.of}", in_unit(c.predicted, "m"), c.mean, c.std, c.std_ln])
+        rows.append([c.name, f"{c.records} of {c.of}", c.predicted, c.mean, c.std, c.std_ln])
         if not c.records:
             notes.append(f"{c.name} applies to {c.valid}")
         if not math.isnan(c.negligible):
             shares = f"{100 * c.negligible:.1f} % of the records, computed {100 * c.negligible_computed:.1f} %"
             notes.append(f"{c.name} counts displacements above 1 cm only; at most 1 cm for {shares}")
-    k_y = shown(study.yield_coefficient)
+    k_y = number_text(study.yield_coefficient)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
-    return ResultTable(head, rows, title, "; ".join(notes))
+    return unit_table(units, rows, title, "; ".join(notes))
 
 
 def _exceedance_part(study: Study) -> ResultTable:
@@ -144,7 +139,7 @@ def _exceedance_part(study: Study) -> ResultTable:
     thresholds = study.records.thresholds
     levels = exceedance_probabilities(study.displacement, thresholds)
     pga = [] if study.records.to_pga else np.median(study.pga, axis=0)[:, None].tolist()
-    head = ["", *["PGA (g)"] * bool(pga), *(f"D > {measured(d, 'm')}" for d in thresholds.tolist())]
+    head = ["", *["PGA (g)"] * bool(pga), *(f"D > {amount_text(d, 'm')}" for d in thresholds.tolist())]
     rows = [[study.scale_text(k), *(pga[k] if pga else []), *levels[k]] for k in range(len(levels))]
     median = "" if study.records.to_pga else "PGA: median of the records; "
     note = f"{median}95 % intervals, of as many draws as there are records"
@@ -154,8 +149,9 @@ def _exceedance_part(study: Study) -> ResultTable:
 def _fragility_part(study: Study) -> ResultTable:
     """Return a table of lognormal fragility curves, with the reason where a curve is missing."""
     head = ["", "median PGA (g)", "dispersion", "no curve"]
-    rows = [[f"D > {measured(c.threshold, 'm')}", c.median, c.dispersion, c.reason or "-"] for c in study.fragility()]
-    if not any(curve.reason for curve in study.fragility()):
+    curves = study.fragility()
+    rows = [[f"D > {amount_text(c.threshold, 'm')}", c.median, c.dispersion, c.reason or "-"] for c in curves]
+    if not any(curve.reason for curve in curves):
         head, rows = head[:-1], [row[:-1] for row in rows]
     title = "lognormal fragility: probability Phi(ln(PGA/median)/dispersion) that D exceeds a threshold"
     return ResultTable(head, rows, title, f"greatest likelihood; {interval_note(len(study.suite))}")

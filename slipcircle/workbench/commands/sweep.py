@@ -12,14 +12,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import ValueDict, Values
-from slipcircle.base.text import printed, shown
+from slipcircle.base.text import number_text, output_unit
 from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.common.quantities import OUTCOMES, in_words
 from slipcircle.workbench.common.starting import method_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import load
@@ -28,7 +28,7 @@ from slipcircle.workbench.outputs.pictures import studyplots
 from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.outputs.studytables import study_tables
-from slipcircle.workbench.outputs.tables import Answer, Files, ResultTable
+from slipcircle.workbench.outputs.tables import Answer, Files, ResultTable, unit_table
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import FACTOR, METHODS
 from slipcircle.workbench.studies.engines import ENGINES, open_executor
@@ -238,40 +238,40 @@ def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> Re
 
     ``keys`` are those of the inputs; ``statuses`` has the integer of `Status` of each scene.
     """
-    words = [Status(s).reason or Status(s).words for s in statuses]
+    ends = [Status(s).reason or Status(s).words for s in statuses]
     counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
-    part = _run_outs(study, keys, words, counts) if len(keys) == 2 else _outcomes(study, keys, words)
+    part = _run_outs(study, keys, ends, counts) if len(keys) == 2 else _outcomes(study, keys, ends)
     if len(part.rows) <= _MOST_ROWS and len(part.head) <= _MOST_COLUMNS:
         return part
     return f"{len(statuses)} scenes; {counts}; give --csv FILE, --npz FILE or --json for the results"
 
 
-def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str) -> ResultTable:
+def _run_outs(study: Study, keys: Sequence[str], ends: Sequence[str], note: str) -> ResultTable:
     """Return a table of the run-outs on a grid of two inputs; cells without a run-out show the status.
 
-    ``keys`` are those of the inputs, ``words`` the statuses of all scenes as text.
+    ``keys`` are those of the inputs, ``ends`` the statuses of all scenes as text.
     """
     down, along = (level.tolist() for level in study.design.levels)
     run_outs = study.samples["run_out"].tolist()
-    factor, _ = printed(OUTCOMES["run_out"].unit)
-    cells = [w if math.isnan(r) else factor * r for r, w in zip(run_outs, words, strict=True)]
+    factor, _ = output_unit(OUTCOMES["run_out"].unit)
+    cells = [w if math.isnan(r) else factor * r for r, w in zip(run_outs, ends, strict=True)]
     rows = [[at, *cells[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
     title = f"{study.scene.name}: {OUTCOMES['run_out'].heading} by {keys[0]} (rows) and {keys[1]} (columns)"
-    return ResultTable([keys[0], *map(shown, along)], rows, title, note)
+    return ResultTable([keys[0], *map(number_text, along)], rows, title, note)
 
 
-def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> ResultTable:
+def _outcomes(study: Study, keys: Sequence[str], ends: Sequence[str]) -> ResultTable:
     """Return a table with one row for each scene of a grid: inputs, outcomes, starting factor of safety, status.
 
-    ``keys`` are those of the inputs, ``words`` the statuses of all scenes as text.
+    ``keys`` are those of the inputs, ``ends`` the statuses of all scenes as text.
     """
-    heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
-    heads |= {f"{FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
-    factors = {name: printed(q.unit)[0] for name, q in OUTCOMES.items()}
+    method = method_of(study.scene)
+    heads = {key: (key, "") for key in keys} | {name: (in_words(name), q.unit) for name, q in OUTCOMES.items()}
+    heads[f"{FACTOR}{method}"] = f"F, {method}", ""
     names = [name for name in heads if name in study.samples]
-    columns = {heads[name] or name: (factors.get(name, 1.0) * study.samples[name]).tolist() for name in names}
-    rows = [[*row, w] for *row, w in zip(*columns.values(), words, strict=True)]
-    return ResultTable([*columns, "status"], rows, study.scene.name)
+    units = dict(heads[name] for name in names) | {"status": ""}
+    columns = [study.samples[name].tolist() for name in names]
+    return unit_table(units, zip(*columns, ends, strict=True), study.scene.name)
 
 
 def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:

@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict
 from slipcircle.base.optional import optional
-from slipcircle.base.text import shown
+from slipcircle.base.text import number_text
 from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, html_table, tag
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, factors_of, results, words
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, factors_of, in_words, results
 from slipcircle.workbench.common.summary import key_results
 
 
@@ -24,14 +24,14 @@ def motion_table(motion: Motion) -> str:
         for name, count in motion.count().items():
             rows[Status[name].words] = str(count)
         for name, quantity in OUTCOMES.items():
-            rows[words(name)] = _span(motion.outcomes[name], quantity.unit)
+            rows[in_words(name)] = _span(motion.outcomes[name], quantity.unit)
     return Raw(tag("b", motion.plan.scene.name or "motion") + html_table([*rows.items()]))
 
 
 def _span(values: Any, unit: str) -> str:
     """Return the least and the greatest of the values that are not NaN, as text in the given unit; "-" without any."""
     finite = values[~np.isnan(values)]
-    return f"{shown(finite.min())} to {shown(finite.max())} {unit}" if finite.size else "-"
+    return f"{number_text(finite.min())} to {number_text(finite.max())} {unit}" if finite.size else "-"
 
 
 def to_dict(motion: Motion, times: ArrayLike | None) -> ValueDict:

@@ -33,22 +33,31 @@ def check_outputs(command: str, outputs: Mapping[str, str | Texts], inputs: Sequ
         path = Path(os.path.realpath(name))
         if _is_device(name):
             continue
-        if path.is_dir() or not path.name or name.endswith(os.sep):
-            mistakes.append(f"{option} {name}: is a folder; give a file's name")
-        elif not path.parent.is_dir():
-            mistakes.append(f"{option} {name}: there is no folder {Path(name).parent}")
-        elif not os.access(path.parent, os.W_OK):
-            mistakes.append(f"{option} {name}: may not be written")
-        elif str(path) in taken:
-            mistakes.append(f"{option} {name}: would overwrite {taken[str(path)]}")
-        elif option in NEW and os.path.lexists(name):
-            mistakes.append(f"{option} {name}: is there already; give another name, or remove it first")
-        elif path.suffix.lower() not in ENDINGS.get(option, (path.suffix.lower(),)):
-            mistakes.append(
-                f"{option} {name}: cannot be written in this format; give a name that ends in {ENDINGS[option][0]}"
-            )
+        if fault := _fault(option, name, path, taken.get(str(path), "")):
+            mistakes.append(f"{option} {name}: {fault}")
         taken[str(path)] = option
     raise_all(command, mistakes)
+
+
+def _fault(option: str, name: str, path: Path, other: str) -> str:
+    """Return the reason why an output file cannot be written, empty if it can.
+
+    ``path`` is its real path, and ``other`` another file of the command with this path, if there is one.
+    """
+    suffix = path.suffix.lower()
+    if path.is_dir() or not path.name or name.endswith(os.sep):
+        return "is a folder; give a file's name"
+    if not path.parent.is_dir():
+        return f"there is no folder {Path(name).parent}"
+    if not os.access(path.parent, os.W_OK):
+        return "may not be written"
+    if other:
+        return f"would overwrite {other}"
+    if option in NEW and os.path.lexists(name):
+        return "is there already; give another name, or remove it first"
+    if suffix not in ENDINGS.get(option, (suffix,)):
+        return f"cannot be written in this format; give a name that ends in {ENDINGS[option][0]}"
+    return ""
 
 
 @contextmanager

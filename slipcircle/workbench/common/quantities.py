@@ -16,7 +16,7 @@ import numpy as np
 from slipcircle.base import JSON_FORMAT
 from slipcircle.base.arrays import real_number
 from slipcircle.base.kinds import Floats, Function, Pair, ValueDict
-from slipcircle.base.text import DIGITS, digits_left, printed, shown
+from slipcircle.base.text import DIGITS, digits_left, number_text, output_unit
 from slipcircle.messages import OUTSIDE, VelocityTimes, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 from slipcircle.workbench.stability.starting import OF_CLOSURE
@@ -24,7 +24,7 @@ from slipcircle.workbench.stability.starting import OF_CLOSURE
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
 
 
-def words(name: str, unit: str = "") -> str:
+def in_words(name: str, unit: str = "") -> str:
     """Return the name of a quantity or a status in words, with its unit if given."""
     return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
@@ -71,10 +71,10 @@ class Quantity:
         if isinstance(value, str):
             return value
         if self.point:
-            factor, unit = printed(self.unit)
-            return f"{', '.join(map(shown, (factor * np.asarray(value)).tolist()))} {unit}"
+            factor, unit = output_unit(self.unit)
+            return f"{', '.join(map(number_text, (factor * np.asarray(value)).tolist()))} {unit}"
         value, unit = self.seen(value)
-        return f"{shown(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
+        return f"{number_text(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
 
     def seen(self, value: float) -> tuple[float, str]:
         """Return a value converted to the printed unit, and that unit."""
@@ -86,7 +86,7 @@ class Quantity:
     @property
     def heading(self) -> str:
         """Name in words with the unit of output, for headings of tables."""
-        return words(self.name, printed(self.unit)[1])
+        return in_words(self.name, output_unit(self.unit)[1])
 
     @property
     def head(self) -> str:
@@ -110,7 +110,7 @@ def _by_method(name: str, motion: Any) -> str:
     factor = getattr(further, name)
     method = getattr(further, f"{name}_method")
     scaled = "" if method or motion.plan.scene.strength_factor == 1.0 else ", with the strength factor of the start"
-    return f"{shown(factor)} by {METHODS[method or OF_CLOSURE][0]}{scaled}" if math.isfinite(factor) else ""
+    return f"{number_text(factor)} by {METHODS[method or OF_CLOSURE][0]}{scaled}" if math.isfinite(factor) else ""
 
 
 def factor_label(method: str) -> str:
@@ -158,7 +158,7 @@ SINGLE: tuple[Quantity, ...] = (
     ),
     Quantity("velocity_class", "", "velocity class by Cruden and Varnes", "velocity_class"),
     *(
-        Quantity(f"time_{name}", "s", f"time {words(name)}", path, where=attrgetter(path))
+        Quantity(f"time_{name}", "s", f"time {in_words(name)}", path, where=attrgetter(path))
         for name in VelocityTimes._fields
         for path in [f"velocity_times.{name}"]
     ),
@@ -220,7 +220,7 @@ def factors_of(motion: Any) -> ValueDict:
 
 def factor_text(factor: float | None) -> str:
     """Return a factor of safety in words, or "refused" if its method rejects the circle."""
-    return "refused" if factor is None or math.isnan(factor) else shown(factor)
+    return "refused" if factor is None or math.isnan(factor) else number_text(factor)
 
 
 # Results of ensembles and derivatives, available for every scene.
@@ -284,8 +284,8 @@ class Interval(NamedTuple):
     def __str__(self) -> str:
         """Return the interval as text, such as "at most 60"."""
         if self.limit is not None:
-            return f"{'at least' if self.limit == self.low else 'at most'} {shown(self.limit, 6)}"
-        return f"{shown(self.low, 6)} to {shown(self.high, 6)}"
+            return f"{'at least' if self.limit == self.low else 'at most'} {number_text(self.limit, 6)}"
+        return f"{number_text(self.low, 6)} to {number_text(self.high, 6)}"
 
 
 Observed = float | Pair | Interval
@@ -334,20 +334,20 @@ def json_text(record: Any) -> str:
 
 
 def to_error(value: float, error: float) -> str:
-    """Return a number in words, to two digits of its error in the same unit; as `shown` if that is not positive."""
+    """Return a number in words, to two digits of its error in the same unit; by `number_text` without an error."""
     if not error > 0.0:
-        return shown(value)
+        return number_text(value)
     last = math.floor(math.log10(error)) - 1  # position of the last digit
     if last > -6:
         return f"{value:z.{max(-last, 0)}f}"
     digits = math.floor(math.log10(abs(value))) - last + 1 if value else 0
-    return shown(value, digits) if digits > 0 else "0"
+    return number_text(value, digits) if digits > 0 else "0"
 
 
 def time_text(nanoseconds: float) -> str:
     """Return a measured time in words to three digits, in ns, us or ms."""
     per, unit = next(((p, u) for p, u in ((1e6, "ms"), (1e3, "us")) if nanoseconds >= p), (1.0, "ns"))
-    return f"{shown(nanoseconds / per, 3)} {unit}"
+    return f"{number_text(nanoseconds / per, 3)} {unit}"
 
 
 def prefixed(values: Any, unit: str) -> tuple[float, str]:
@@ -356,7 +356,7 @@ def prefixed(values: Any, unit: str) -> tuple[float, str]:
     The greatest of the values, in the SI unit, determines the prefix.
     """
     size = float(np.max(np.abs(values), initial=0.0))
-    factor, name = printed(unit)
+    factor, name = output_unit(unit)
     if name == "psf" and factor * size >= 1e3:
         return factor / 1e3, "ksf"
     if name != unit or unit not in ("Pa", "J", "N") or size == 0.0 or not math.isfinite(size):

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import ValueDict
-from slipcircle.base.text import measured
+from slipcircle.base.text import amount_text
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.starting import OF_CLOSURE
@@ -76,5 +76,5 @@ def _words(symbol: str, both: tuple[Start, ...]) -> Iterator[str]:
             yield f"no result from {_WHOSE[method]} {symbol}"
             continue
         run_out = float(motion.run_out)
-        moved = measured(run_out, "m", 3 if abs(run_out) >= 1.0 else 2) if motion.moves else "does not move"
+        moved = amount_text(run_out, "m", 3 if abs(run_out) >= 1.0 else 2) if motion.moves else "does not move"
         yield f"{moved} from {_WHOSE[method]} {symbol} = {value:.3f}"

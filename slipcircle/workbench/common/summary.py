@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import TextDict
-from slipcircle.base.text import printed, shown
+from slipcircle.base.text import number_text, output_unit
 from slipcircle.core import Motion, Status
 from slipcircle.messages import range_words, swings_back
 from slipcircle.workbench.common.quantities import (
@@ -60,7 +60,7 @@ def end_words(motion: Motion) -> TextDict:
     if motion.arrested:
         return words
     if motion.status is Status.CREEPS:
-        arrival = f"infinite, 99 % of the run-out in {shown(motion.settling_time)} s"
+        arrival = f"infinite, 99 % of the run-out in {number_text(motion.settling_time)} s"
         return words | {"comes to rest": "no, it creeps to its equilibrium", "duration": arrival}
     time = OUTCOMES["duration"].text(motion)
     if motion.plan.scene.end_time is None:
@@ -73,8 +73,8 @@ def _observation(motion: Motion, name: str, seen: Any) -> str:
 
     ``name`` is that of the outcome, and ``seen`` a number, a pair or an interval in SI units.
     """
-    factor, unit = printed(OBSERVABLE[name].unit)
+    factor, unit = output_unit(OBSERVABLE[name].unit)
     if isinstance(seen, Interval):
         side = "inside" if seen.low <= observable(motion, name) <= seen.high else "outside"
         return f"{side} the observed {seen.times(factor)} {unit}"
-    return f"observed {' +- '.join(map(shown, np.multiply(factor, np.ravel(seen)).tolist()))} {unit}"
+    return f"observed {' +- '.join(map(number_text, np.multiply(factor, np.ravel(seen)).tolist()))} {unit}"

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import ArrayDict, Floats
-from slipcircle.base.text import measured
+from slipcircle.base.text import amount_text
 from slipcircle.core import Motion
 from slipcircle.ground import Section
 from slipcircle.tables import in_time
@@ -90,7 +90,7 @@ def toe_words(motion: Motion) -> str:
     if not motion.moves or not distance > 1e-3 * abs(motion.run_out):
         return ""
     side = "above" if height > 0.0 else "below"
-    return f"{measured(distance, 'm')} {side} the ground"
+    return f"{amount_text(distance, 'm')} {side} the ground"
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:

@@ -170,14 +170,6 @@ def seconds_of(unit: str, text: str, default: str = "s") -> float:
     return float(amount[1]) * TIME.units.get(unit_of(word, TIME) or "", 0.0)
 
 
-def period_of(unit: str, text: str) -> float:
-    """Return the period in s of a rate such as "50Hz" or "200"; 0 if the text is not a rate.
-
-    It is in Hz unless ``unit``, or else the text, names another unit.
-    """
-    return seconds_of(unit, text, "Hz")
-
-
 def over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floats:
     """Return accelerations in units of gravity, positive if they drive the mass down-slope.
 

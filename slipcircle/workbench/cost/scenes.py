@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Pair
-from slipcircle.base.progress import track
+from slipcircle.base.progress import tracked
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays
 from slipcircle.workbench.common.quantities import OUTCOMES
@@ -105,7 +105,7 @@ def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[CostRow]:
     ``invalid`` is the mask of invalid cases or False, and ``cases`` the number of scenes.
     """
     reference = solve(ensemble, REFERENCE, invalid=invalid)
-    motions = [solve(ensemble, float(way), invalid=invalid) for way in track(ACCURACIES, "accuracies solved")]
+    motions = [solve(ensemble, float(way), invalid=invalid) for way in tracked(ACCURACIES, "accuracies solved")]
     seconds = medians([partial(solve, ensemble, float(way), invalid=invalid) for way in ACCURACIES])
     rows = []
     for way, motion, taken in zip(ACCURACIES, motions, seconds, strict=True):

@@ -13,7 +13,7 @@ from itertools import chain
 from typing import Any
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
-from slipcircle.core import joined
+from slipcircle.core import path_of_part
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
@@ -64,7 +64,7 @@ class Document:
 
     def _put_in_order_of_samples(self) -> None:
         """Sort the distributions into the order of samples, and put their mistakes first."""
-        order = [joined(path, name) for path, table in self._tables.items() for name in table.keys]
+        order = [path_of_part(path, name) for path, table in self._tables.items() for name in table.keys]
 
         def place(key: str) -> int:
             return order.index(published(key)[0])
@@ -84,25 +84,25 @@ class Document:
             content = {"law": content["law"]}
         spelt: TextDict = {}  # keys as typed, by their published spelling
         for name, value in content.items():
-            full = joined(path, name)
-            known, *_ = published(name)
-            if known not in table.keys:
-                known = name
-            if known in spelt:
-                self._report(full, f"{joined(path, spelt[known])} and {full}: are one quantity; remove one")
+            full = path_of_part(path, name)
+            spelling, *_ = published(name)
+            if spelling not in table.keys:
+                spelling = name
+            if spelling in spelt:
+                self._report(full, f"{path_of_part(path, spelt[spelling])} and {full}: are one quantity; remove one")
             elif name in table.tables and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in table.tables:
                 self._report(full, f"{full} = {shown_value(value)}: must be {self._described(full)}")
-            elif known in table.keys:
-                key = table.keys[known]
-                self.typed[joined(path, key.name)] = joined(path, known)
+            elif spelling in table.keys:
+                key = table.keys[spelling]
+                self.typed[path_of_part(path, key.name)] = path_of_part(path, spelling)
                 arguments[key.name] = self._argument(full, key.spelt(name), value, content, table)
             else:
                 meant, advice = _advice(path, name, self._tables)
                 self._meant.add(meant)
                 self._report(full, f"{full} = {shown_value(value)}: is unknown; {advice}")
-            spelt.setdefault(known, name)
+            spelt.setdefault(spelling, name)
         self._report_mixed_units(path, table, spelt)
         self._note_missing(path, spelt)
         self._check_sets(path, spelt)
@@ -114,10 +114,10 @@ class Document:
         `spelt` maps the published spelling of each key to the key as typed.
         """
         units: dict[str, TextDict] = {}
-        for known, name in spelt.items():
-            if known in table.keys:
-                quantity = units.setdefault(table.keys[known].unit, {})
-                quantity.setdefault(published(name)[1], joined(path, name))
+        for spelling, name in spelt.items():
+            if spelling in table.keys:
+                quantity = units.setdefault(table.keys[spelling].unit, {})
+                quantity.setdefault(published(name)[1], path_of_part(path, name))
         for typed in units.values():
             if len(typed) > 1:
                 words = " and ".join(f"{key} in {unit}" for unit, key in typed.items())
@@ -171,9 +171,9 @@ class Document:
         """
         for name, key in self._tables[path].keys.items():
             if not key.optional and name not in content:
-                self._missing[joined(path, name)] = f"{key.help}, {key.allowed}"
+                self._missing[path_of_part(path, name)] = f"{key.help}, {key.allowed}"
         for name, table in self._tables[path].tables.items():
-            full = joined(path, name)
+            full = path_of_part(path, name)
             if table.required and name not in content:
                 self._missing[full] = f"{table.title}, {self._heading(full)}"
 
@@ -184,7 +184,7 @@ class Document:
         """
         sets = self._tables[path].sets
         present = {key for keys in sets for key in keys if key in content}
-        misspelt = any(key.startswith(joined(path, "")) for key in self._meant)
+        misspelt = any(key.startswith(path_of_part(path, "")) for key in self._meant)
         if not sets or present in map(set, sets) or misspelt:
             return
         fault = "keys are missing"
@@ -204,7 +204,7 @@ class Document:
             if len(present) > 1:
                 self._report(path, f"{path}: {' and '.join(present)} exclude each other; remove one")
         for choice in (*table.one_of, table.any_of):
-            paths = [joined(path, key) for key in choice]
+            paths = [path_of_part(path, key) for key in choice]
             if not choice or any(key in content for key in choice):
                 continue
             if self._meant.isdisjoint(paths):
@@ -273,11 +273,11 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
         return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
     key = _similar(unknown, here, tables[path])
     if key:
-        return joined(path, key), f"did you mean {spelt_like(typed, key)}?"
+        return path_of_part(path, key), f"did you mean {spelt_like(typed, key)}?"
     for table in tables:
         for key in get_close_matches(unknown, within[table], 1, 0.9):
             place = f" in [{table}]" if table else " above the first table"
-            return joined(table, key), f"did you mean {spelt_like(typed, key)}{place}?"
+            return path_of_part(table, key), f"did you mean {spelt_like(typed, key)}{place}?"
     if not here:
         return "", "this table has no keys"
     return "", f"known are {', '.join(here)}"
@@ -288,7 +288,7 @@ def _similar(unknown: str, here: Texts, table: Table) -> str:
 
     `here` are the keys and tables allowed at this place.
     """
-    units = {key: found[1] for key in (unknown, *here) if (found := _UNITS.search(key))}
+    units = {key: ending[1] for key in (unknown, *here) if (ending := _UNITS.search(key))}
     of_unit = [key for key in here if key in units and units[key] == units.get(unknown)]
     similar = get_close_matches(unknown, here, 1)
     if not similar:

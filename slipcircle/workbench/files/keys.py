@@ -16,7 +16,7 @@ import numpy as np
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.base.kinds import Names, ValueDict
-from slipcircle.core import RATE_LAWS, Arc, Scene, declared, joined, may_have_rate
+from slipcircle.core import RATE_LAWS, Arc, Scene, declared, may_have_rate, path_of_part
 from slipcircle.tabulated import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
 from slipcircle.workbench.common.units import SYSTEMS, published
@@ -208,7 +208,7 @@ def fitted(table: Table, content: Any = None, path: str = "") -> dict[str, Table
             each = inner._replace(repeats="", required=False)
             inner = Table(inner.title, required=inner.required, repeats=inner.repeats)
             inner = inner._replace(tables=dict.fromkeys(tables_in(given, name), each))
-        found |= fitted(inner, given.get(name), joined(path, name))
+        found |= fitted(inner, given.get(name), path_of_part(path, name))
     return found
 
 

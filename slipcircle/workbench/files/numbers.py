@@ -16,8 +16,8 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
-from slipcircle.base.text import printed
-from slipcircle.core import Scene, joined, leaves
+from slipcircle.base.text import output_unit
+from slipcircle.core import Scene, leaves, path_of_part
 from slipcircle.workbench.common.distributions import (
     Gaussian,
     Triangle,
@@ -45,19 +45,19 @@ def lengths(arc: Any) -> set[str]:
 
 def by_key(scene: Any) -> dict[str, Key]:
     """Return the declarations of the numbers that a scene with its friction and mass may have, by key."""
-    found = dict[str, Key]()
+    keys = dict[str, Key]()
     for path, full, p, _ in leaves(scene):
         for name, key in keys_of(p).items():
-            spelt = joined(full.rpartition(".")[0], name)
+            spelt = path_of_part(full.rpartition(".")[0], name)
             spelt = f"slip.{spelt}" if spelt.startswith("rate.") else spelt
             beside_law = spelt.replace(".cohesion.cohesion_kPa", ".cohesion_kPa")  # of a soil, which may have a law
-            found |= {one: replace(key, key=one, name=path) for one in (beside_law, spelt)}
-    return found
+            keys |= {one: replace(key, key=one, name=path) for one in (beside_law, spelt)}
+    return keys
 
 
 def in_output_unit(number: Key) -> Key:
     """Return a number with its key in the unit chosen for output, such as `cohesion.cohesion_psf`."""
-    factor, unit = printed(number.unit)
+    factor, unit = output_unit(number.unit)
     if factor == 1.0:
         return number
     key = number.key.removesuffix(suffix(number.written)) + suffix(unit)
@@ -66,8 +66,8 @@ def in_output_unit(number: Key) -> Key:
 
 def by_name(scene: Any) -> dict[str, Key]:
     """Return the declarations of a scene's numbers by name, with friction in degrees and rate factors as numbers."""
-    found = reversed(by_key(scene).values())
-    return {n.name: n for n in found if not (n.tangent and n.name.startswith(("friction.rate.", "rate.")))}
+    declarations = reversed(by_key(scene).values())
+    return {n.name: n for n in declarations if not (n.tangent and n.name.startswith(("friction.rate.", "rate.")))}
 
 
 def number_in(scene: Any, path: str) -> Key:
@@ -75,24 +75,24 @@ def number_in(scene: Any, path: str) -> Key:
 
     `path` is a key such as "friction.angle_deg" or a name such as "friction".
     """
-    known = by_key(scene)
+    keys = by_key(scene)
     path = str(path)
-    only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
+    only = [k for k in keys if path in EFFECTS and k.startswith(f"{path}.")]
     path = only[0] if len(only) == 1 else path  # of an effect with one number
-    if path in known:
-        return known[path]
+    if path in keys:
+        return keys[path]
     parts = path.split(".")
     for k, part in enumerate(parts):
         key, unit, ratio = published(part)
         spelling = ".".join([*parts[:k], key, *parts[k + 1 :]])
-        if spelling in known:
-            return known[spelling].in_unit(path, unit, ratio)
-    for n in known.values():
+        if spelling in keys:
+            return keys[spelling].in_unit(path, unit, ratio)
+    for n in keys.values():
         if n.name == path and not n.tangent:  # a friction has two keys, its angle and itself
             return n.plain
-    near = get_close_matches(path, known, 1)
-    asked = "".join(f"; did you mean {n}?" + f" {_RULE}" * n.startswith(_POINTS) for n in near)
-    raise ValueError(f"{path}: is not a parameter of this scene{asked or '; known are ' + listed(known)}")
+    near = get_close_matches(path, keys, 1)
+    suggestion = "".join(f"; did you mean {n}?" + f" {_RULE}" * n.startswith(_POINTS) for n in near)
+    raise ValueError(f"{path}: is not a parameter of this scene{suggestion or '; known are ' + listed(keys)}")
 
 
 def listed(keys: Collection[str]) -> str:
@@ -120,22 +120,23 @@ class Uncertain:
 
     def drawn(self, p: Any) -> Any:
         """Return the quantiles at probabilities `p` between 0 and 1, in the number's unit and the shape of `p`."""
-        found = self.distribution
-        return (found.ppf if hasattr(found, "ppf") else found.icdf)(p)
+        distribution = self.distribution
+        return (distribution.ppf if hasattr(distribution, "ppf") else distribution.icdf)(p)
 
     @property
     def moments(self) -> Pair:
         """Mean and standard deviation in the number's unit."""
-        found = self.distribution
-        if isinstance(found, Gaussian | Triangle):
-            return found.moments
-        return float(found.mean()), float((found.std if hasattr(found, "std") else found.standard_deviation)())
+        distribution = self.distribution
+        if isinstance(distribution, Gaussian | Triangle):
+            return distribution.moments
+        deviation = distribution.std if hasattr(distribution, "std") else distribution.standard_deviation
+        return float(distribution.mean()), float(deviation())
 
     @property
     def record(self) -> ValueDict:
         """Key and distribution as values of JSON."""
-        given = dict(self.given) if isinstance(self.given, Mapping) else distribution_record(self.given)
-        return {"key": self.key} | given
+        parameters = dict(self.given) if isinstance(self.given, Mapping) else distribution_record(self.given)
+        return {"key": self.key} | parameters
 
 
 def uncertain_numbers(scene: Scene) -> dict[str, Uncertain]:
@@ -146,11 +147,11 @@ def uncertain_numbers(scene: Scene) -> dict[str, Uncertain]:
     ValueError
         Lists every key that is not a number of the scene, and every invalid distribution.
     """
-    found: dict[str, Uncertain] = {}
+    uncertain: dict[str, Uncertain] = {}
     said = []
     for path, value in scene.uncertain.items():
         if isinstance(value, Uncertain):
-            found[path] = value
+            uncertain[path] = value
             continue
         try:
             number = number_in(scene, path)
@@ -166,10 +167,12 @@ def uncertain_numbers(scene: Scene) -> dict[str, Uncertain]:
             )
         elif np.shape(median := Uncertain(number, value).drawn(0.5)) or not np.isfinite(median):
             said.append(f"uncertain.{path} has the median {median}: must be the distribution of one number")
-        if number.name in found:
-            said.append(f"uncertain.{path}: {found[number.name].key} says the same; remove one")
-        found[number.name] = Uncertain(number, dict(value) if isinstance(value, Mapping) else value)
+        if number.name in uncertain:
+            said.append(f"uncertain.{path}: {uncertain[number.name].key} says the same; remove one")
+        uncertain[number.name] = Uncertain(number, dict(value) if isinstance(value, Mapping) else value)
     values = scene.numbers
-    said += [f"uncertain.{u.key}: the scene has no value of it to vary" for n, u in found.items() if n not in values]
+    said += [
+        f"uncertain.{u.key}: the scene has no value of it to vary" for n, u in uncertain.items() if n not in values
+    ]
     raise_all(f"Scene {scene.name}".rstrip(), said)
-    return found
+    return uncertain

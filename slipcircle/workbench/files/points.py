@@ -43,11 +43,11 @@ def with_points(content: Values, folder: Path) -> ValueDict:
     tables = dict(content)
     mistakes: Texts = []
     for name, key in _PLACES.items():
-        given = content.get(name)
-        if isinstance(given, dict):
-            tables[name] = _with_points(given, name, key, folder, mistakes)
-        elif isinstance(given, list) and all(isinstance(one, dict) for one in given):
-            tables[name] = [_with_points(one, f"{name}.{k}", key, folder, mistakes) for k, one in enumerate(given, 1)]
+        table = content.get(name)
+        if isinstance(table, dict):
+            tables[name] = _with_points(table, name, key, folder, mistakes)
+        elif isinstance(table, list) and all(isinstance(one, dict) for one in table):
+            tables[name] = [_with_points(one, f"{name}.{k}", key, folder, mistakes) for k, one in enumerate(table, 1)]
     raise_all("", mistakes)
     return tables
 
@@ -57,11 +57,11 @@ def _with_points(table: Values, path: str, key: str, folder: Path, mistakes: Tex
 
     `path` is the path of the table for messages, and `key` the key of its points without unit, such as "level".
     """
-    found = dict(table)
-    file = found.pop(f"{key}_file", None)
+    content = dict(table)
+    file = content.pop(f"{key}_file", None)
     if file is None:
-        return found
-    stated = found.pop(f"{key}_file_unit", "")
+        return content
+    stated = content.pop(f"{key}_file_unit", "")
     try:
         if not isinstance(file, str):
             raise ValueError("must be the name of a CSV or DXF file")
@@ -70,13 +70,13 @@ def _with_points(table: Values, path: str, key: str, folder: Path, mistakes: Tex
             raise ValueError(f"{key}_file_unit = {stated!r} must be one of {LENGTH.choice}")
         points, unit = read_points(folder, file, unit or "", f"{key}_file_unit")
         spelling = f"{key}_{unit}"
-        other = next((k for k in found if k.startswith(f"{key}_")), "")
+        other = next((k for k in content if k.startswith(f"{key}_")), "")
         if other:
             raise ValueError(f"and {other} are one quantity; remove one")
-        found[spelling] = [list(point) for point in points]
+        content[spelling] = [list(point) for point in points]
     except (ValueError, ImportError) as error:
         mistakes.append(f"{path}.{key}_file = {str(file)!r}: {error}")
-    return found
+    return content
 
 
 def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, str]:
@@ -187,7 +187,7 @@ def _column(cell: str, names: str) -> Texts:
 
 def _columns(head: Sequence[str]) -> tuple[tuple[int, int], str]:
     """Return the indices of the columns of x and y in a header, and their common unit."""
-    found = []
+    chosen = []
     units = set()
     for axis, names in _COLUMNS.items():
         fits = [(k, unit) for k, cell in enumerate(head) for unit in _column(cell, names)]
@@ -195,11 +195,11 @@ def _columns(head: Sequence[str]) -> tuple[tuple[int, int], str]:
             columns = ", ".join(head[k] for k, _ in fits) or "none"
             allowed = names.replace("|", ", ")
             raise ValueError(f"needs one column for {axis} ({allowed}), and has {columns} of {', '.join(head)}")
-        found.append(fits[0][0])
+        chosen.append(fits[0][0])
         units.add(fits[0][1])
     if len(units) > 1:
         raise ValueError(f"has mixed units in its header, {', '.join(head)}; give both columns the same")
-    x, y = found
+    x, y = chosen
     return (x, y), units.pop()
 
 
@@ -226,8 +226,8 @@ def _drawing(file: Path, layer: str) -> tuple[Points, str]:
     chosen = [name for name in lines if name.lower() == layer.lower()] if layer else [*lines]
     if len(chosen) != 1:
         fault = f"has no lines on layer {layer}" if layer else "needs the name of a layer"
-        known = ", ".join(lines) or "none"
-        raise ValueError(f"{fault}; give one after #, layers with lines are {known}")
+        names = ", ".join(lines) or "none"
+        raise ValueError(f"{fault}; give one after #, layers with lines are {names}")
     joined = _joined(lines[chosen[0]])
     unit = _DRAWING_UNITS.get(drawing.header.get("$INSUNITS", 0), "")
     return joined if joined[0][0] <= joined[-1][0] else joined[::-1], unit
@@ -253,12 +253,12 @@ def _joined(lines: Iterable[Points]) -> Points:
     first, *rest = lines
     near = _TOGETHER * float(np.ptp(np.concatenate([first, *rest]), axis=0).max())
     while rest:
-        found = next(_connected(first, rest, near), None)
-        if found is None:
+        connection = next(_connected(first, rest, near), None)
+        if connection is None:
             x, y = first[-1]
             words = f"has a gap between its lines, of which one ends at ({x:g}, {y:g})"
             raise ValueError(f"{words}; join them, or put others on another layer")
-        k, first = found
+        k, first = connection
         del rest[k]
     return first
 

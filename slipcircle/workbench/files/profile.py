@@ -28,27 +28,27 @@ class GroundProfile(NamedTuple):
     remarks: Texts
 
 
-def numbered_points(given: Arguments, name: str) -> list[ValueDict]:
+def numbered_points(arguments: Arguments, name: str) -> list[ValueDict]:
     """Return the arguments of the tables of a list such as [[layers]], in order.
 
-    `given` are the arguments by path of the table, such as "layers.2", and `name` is the name of the list.
+    `arguments` are the arguments by path of the table, such as "layers.2", and `name` is the name of the list.
     """
     tables = {}
-    for path, table in given.items():
+    for path, table in arguments.items():
         of_list, _, number = path.partition(".")
         if of_list == name and number:
             tables[int(number)] = table
     return [tables[number] for number in sorted(tables)]
 
 
-def surcharges(given: Arguments) -> tuple[Surcharges, Texts]:
+def surcharges(arguments: Arguments) -> tuple[Surcharges, Texts]:
     """Return surcharges as tuples (left and right x in m, pressures there in Pa), and mistakes in them.
 
-    `given` are the arguments by path of the table, in SI units.
+    `arguments` are the arguments by path of the table, in SI units.
     """
     loads = []
     mistakes = []
-    for k, load in enumerate(numbered_points(given, "surcharge"), 1):
+    for k, load in enumerate(numbered_points(arguments, "surcharge"), 1):
         left = load.get("from")
         right = load.get("to")
         pressure = load.get("pressure")
@@ -62,15 +62,15 @@ def surcharges(given: Arguments) -> tuple[Surcharges, Texts]:
     return loads, mistakes
 
 
-def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool) -> GroundProfile:
+def profile(arguments: Arguments, keys: Rename, rate: Values | None, readable: bool) -> GroundProfile:
     """Return the layers of a file; if its tables are not `readable`, only mistakes across them.
 
-    `given` are the arguments by path of the table, `keys` maps names of arguments to keys of the file, and `rate` is
-    the law of speed.
+    `arguments` are those of each table by path, `keys` maps names of arguments to keys of the file, and `rate` is the
+    law of speed.
     """
-    layers = numbered_points(given, "layers")
-    slip = given.get("slip", {})
-    of_soils = [path.removeprefix("soils.") for path in given if path.startswith("soils.")]
+    layers = numbered_points(arguments, "layers")
+    slip = arguments.get("slip", {})
+    of_soils = [path.removeprefix("soils.") for path in arguments if path.startswith("soils.")]
     names = [name for name in of_soils if not name.endswith((".friction", ".cohesion"))]
     places = {}
     for number, layer in enumerate(layers, 1):
@@ -79,7 +79,7 @@ def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool)
     if slip.get("foreland"):
         places["slip.foreland"] = slip["foreland"]
     mistakes = [*_unknown_soils(places, names), *_top_mistakes(layers)]
-    soils, wrong = _soils(names if readable else [], given, keys)
+    soils, wrong = _soils(names if readable else [], arguments, keys)
     mistakes += wrong
     if mistakes or not readable:
         return GroundProfile([], None, "", None, mistakes, [])
@@ -89,20 +89,20 @@ def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool)
     of_slip = {"foreland": "slip.foreland", "strength": "slip.strength"}
     messages = InputError("", layer_mistakes(pairs, (), strength, foreland)).messages
     mistakes = [message.worded(lambda name: of_slip.get(name, keys(name))) for message in messages]
-    remarks = [] if mistakes else list(_cut_off(given, pairs))
+    remarks = [] if mistakes else list(_cut_off(arguments, pairs))
     return GroundProfile(pairs, foreland, strength, rate, mistakes, remarks)
 
 
-def _soils(names: Texts, given: Arguments, keys: Rename) -> tuple[dict[str, Soil], Texts]:
+def _soils(names: Texts, arguments: Arguments, keys: Rename) -> tuple[dict[str, Soil], Texts]:
     """Return the soils of a file by name, and the mistakes in them.
 
-    `given` are the arguments by path of the table, and `keys` maps names of arguments to keys of the file.
+    `arguments` are the arguments by path of the table, and `keys` maps names of arguments to keys of the file.
     """
     soils = {}
     mistakes = []
     for name in names:
         try:
-            soils[name] = _soil(name, given)
+            soils[name] = _soil(name, arguments)
         except InputError as error:
             messages = [message.within(f"soils.{name}") for message in error.messages]
             mistakes += [message.worded(keys) for message in messages]
@@ -153,15 +153,15 @@ def _top_mistakes(layers: list[ValueDict]) -> Iterator[str]:
             yield f"layers.{k}.top_m: is missing: a height (m), or a list of points"
 
 
-def _soil(name: str, given: Arguments) -> Soil:
+def _soil(name: str, arguments: Arguments) -> Soil:
     """Return a soil of a file by its name, built from its tables.
 
-    `given` are the arguments by path of the table, in SI units.
+    `arguments` are the arguments by path of the table, in SI units.
     """
-    numbers = dict(given[f"soils.{name}"])
-    friction = given.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
+    numbers = dict(arguments[f"soils.{name}"])
+    friction = arguments.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
     is_constant = friction.get("law", "constant") == "constant"
-    law = given.get(f"soils.{name}.cohesion")
+    law = arguments.get(f"soils.{name}.cohesion")
     if law is not None:
         if "cohesion" in numbers:
             raise InputError("", ["{cohesion}: excludes a table of cohesion; remove one"])
@@ -169,12 +169,12 @@ def _soil(name: str, given: Arguments) -> Soil:
     return Soil(name=name, friction=friction["coefficient"] if is_constant else friction, **numbers)
 
 
-def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
+def _cut_off(arguments: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
     """Yield a message for each layer whose top rises above the top of the previous layer.
 
-    `given` are the arguments by path of the table, in SI units.
+    `arguments` are the arguments by path of the table, in SI units.
     """
-    points = given.get("ground", {}).get("ground")
+    points = arguments.get("ground", {}).get("ground")
     ground = np.zeros((2, 2)) if points is None else np.asarray(points)
     left, right = ground[[0, -1], 0]
     lines = []

@@ -102,7 +102,7 @@ _ELSEWHERE = r"(?:^[ \t]*(?:#[^\n]*)?\n)*^[ \t]*\[[^,\n]*\][ \t]*(?:#[^\n]*)?$"
 _CIRCLE = re.compile(rf"^[ \t]*\[[ \t]*circle[ \t]*\].*?(?={_ELSEWHERE}|\Z)", re.MULTILINE | re.DOTALL)
 
 
-def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
+def with_circle(name: str | PathLike[str], searched: Critical, path: str) -> str:
     """Return the text of a scene file with its circle replaced by a circle found by `critical_of_file`.
 
     Tables for rotation and centripetal stress are added to a slope without a motion.
@@ -116,9 +116,9 @@ def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
     source = find(name)
     file = str(source)
     content = _content(source, file)
-    circle = {"centre_m": [*found.centre], "radius_m": found.radius, "between_m": [*found.between]}
+    circle = {"centre_m": [*searched.centre], "radius_m": searched.radius, "between_m": [*searched.between]}
     added = () if any(key in content for key in _MOVING) else _MOVING[:2]
-    tables = {"circle": circle | {"start": found.start}} | {name: {} for name in added}
+    tables = {"circle": circle | {"start": searched.start}} | {name: {} for name in added}
     text = _with_tables(source.read_text("utf-8-sig"), tables)
     try:
         is_replaced = tomllib.loads(text) == content | tables
@@ -207,24 +207,24 @@ def _read(content: Values, moving: bool) -> _Input:
     """Return the content of a file with its mistakes; unless ``moving``, tables for statics alone are allowed."""
     layout = layout_of(content)
     document = Document(layout.content, layout.tables)
-    given = document.arguments
+    values = document.arguments
     keys = _keys(layout.tables, document.typed)
     arc = None
     slope = None
     wrong: Texts = []
     if layout.on_slope:
         # The slope of a file, without the strength of a single soil, and the mistakes across tables.
-        mistakes = motion_mistakes(given, layout.layered) if moving else []
+        mistakes = motion_mistakes(values, layout.layered) if moving else []
         layers = None
         if layout.layered:
-            layers = profile(given, keys, given.get("slip.rate"), not {"soils", "layers", "slip"} & {*document.wrong})
+            layers = profile(values, keys, values.get("slip.rate"), not {"soils", "layers", "slip"} & {*document.wrong})
             mistakes += layers.mistakes
-        loads, of_loads = surcharges(given)
-        slope = SlopeInput(given, {}, layers, loads)
+        loads, of_loads = surcharges(values)
+        slope = SlopeInput(values, {}, layers, loads)
         wrong = mistakes + of_loads
     elif "arc" not in document.wrong:
-        arc, wrong = _arc(given, keys)
-    friction = None if layout.layered else _friction(given)
+        arc, wrong = _arc(values, keys)
+    friction = None if layout.layered else _friction(values)
     of_law = [] if friction is None or "friction" in document.wrong else law_mistakes(friction)
     wrong += [Message.of(mistake).worded(keys) for mistake in of_law]
     return _Input(document, keys, arc, slope, friction, [*layout.mistakes, *document.mistakes, *wrong])
@@ -288,24 +288,24 @@ def _along_slope(
         raise ValueError(error.worded(lambda name: of_slope.get(name, keys(name)), what)) from error
 
 
-def _arc(given: Arguments, keys: Rename) -> tuple[Arc | None, Texts]:
+def _arc(arguments: Arguments, keys: Rename) -> tuple[Arc | None, Texts]:
     """Return the arc of a file and no mistakes, or None and its mistakes.
 
-    `given` are the arguments by path of the table, and `keys` maps names of arguments to keys of the file.
+    `arguments` are the arguments by path of the table, and `keys` maps names of arguments to keys of the file.
     """
     try:
-        return Arc(**given["arc"], given=given.get("arc.given")), []
+        return Arc(**arguments["arc"], given=arguments.get("arc.given")), []
     except InputError as error:
         return None, [message.within("arc").worded(keys) for message in error.messages]
 
 
-def _friction(given: Arguments) -> ValueDict:
+def _friction(arguments: Arguments) -> ValueDict:
     """Return the law of slip of a file, with the law of speed that multiplies it.
 
-    `given` are the arguments by path of the table.
+    `arguments` are the arguments by path of the table.
     """
-    rate = {"rate": given["friction.rate"]} if "friction.rate" in given else {}
-    return {"law": "constant"} | given.get("friction", {"coefficient": 0.0}) | rate
+    rate = {"rate": arguments["friction.rate"]} if "friction.rate" in arguments else {}
+    return {"law": "constant"} | arguments.get("friction", {"coefficient": 0.0}) | rate
 
 
 def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Rename:
@@ -320,12 +320,12 @@ def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Rename:
     return lambda name: keys.get(name.removeprefix("effects."), name.removeprefix("effects."))
 
 
-def _effects(given: Arguments, folder: Path) -> dict[str, ValueDict]:
+def _effects(arguments: Arguments, folder: Path) -> dict[str, ValueDict]:
     """Return the effects among the tables, by name; paths of records are relative to the scene file.
 
-    `given` are the arguments by path of the table, and `folder` is the folder of the scene file.
+    `arguments` are the arguments by path of the table, and `folder` is the folder of the scene file.
     """
-    effects = {name: dict(given[name]) for name in EFFECTS if name in given}
+    effects = {name: dict(arguments[name]) for name in EFFECTS if name in arguments}
     if effects.get("cohesion", {}).get("law") == "constant":
         del effects["cohesion"]["law"]
     for parameters in effects.values():

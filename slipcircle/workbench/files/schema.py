@@ -59,9 +59,9 @@ def schema() -> ValueDict:
     ground = WITH_ONE_SOIL.tables["ground"]
     any_ground = ground._replace(keys={k: replace(key, optional=True) for k, key in ground.keys.items()})
     tables = {**WITH_LAYERS.tables, **WITH_ONE_SOIL.tables, **WITH_ARC.tables, "ground": any_ground}
-    found = _schema_of_table(WITH_ARC._replace(tables=tables), "", defs)
-    found["required"] = []
-    found["oneOf"] = [
+    scene_schema = _schema_of_table(WITH_ARC._replace(tables=tables), "", defs)
+    scene_schema["required"] = []
+    scene_schema["oneOf"] = [
         {
             "required": [name for name, table in form.tables.items() if table.required and name != "friction"],
             "anyOf": [{"required": [name]} for name in ("friction", "cohesion", "soils") if name in form.tables],
@@ -70,7 +70,7 @@ def schema() -> ValueDict:
         }
         for form, of_ground in zip(forms, _OF_GROUND, strict=True)
     ]
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **scene_schema, "$defs": defs}
 
 
 def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:

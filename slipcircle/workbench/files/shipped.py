@@ -31,6 +31,6 @@ def find(name: PathName) -> Any:
         raise ValueError(f"{path}: is a folder; give a scene's file")
     near = get_close_matches(path.stem, [*names, *(file.stem for file in path.parent.glob("*.toml"))], 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
-    known = f"scene {str(name)!r} is unknown; known are {', '.join(names)}"
-    said = f"{path}: there is no such file" if is_path else known
+    unknown = f"scene {str(name)!r} is unknown; known are {', '.join(names)}"
+    said = f"{path}: there is no such file" if is_path else unknown
     raise ValueError(said + "".join(f"; did you mean {n}?" for n in near))

@@ -81,27 +81,27 @@ class SlopeInput:
         progress.
         """
         circle = {name: value for name, value in self.given.get("circle", {}).items() if name != "start"}
-        known = self.profile is not None or bool(self.strength)
+        has_strength = self.profile is not None or bool(self.strength)
         if "critical" in circle:
-            if not known:
+            if not has_strength:
                 needs = "circle.critical: needs friction or cohesion, and a pore pressure that is not a record"
                 raise InputError("critical", [needs])
             limits = {name: self.limits[name] for name in ("entry", "exit", "depth") if name in self.limits}
             least = critical(self.slope(), circle["critical"], **limits, tell=tell)
             if least.radius > _FLATTEST * least.slope.size:
                 raise InputError("critical", ["{depth}: is missing: the search leads to ever thinner masses"])
-            found = replace(least, start=self.start)
-            return {"centre": found.centre, "radius": found.radius, "between": found.between}, found
+            searched = replace(least, start=self.start)
+            return {"centre": searched.centre, "radius": searched.radius, "between": searched.between}, searched
         circle = _circle(circle)
         ground = self.ground
         geometry = Section(ground["ground"], **circle, **self.water, unit_weight=1.0, base=ground.get("base"))
         raise_all("Section", complaint([outside_between(geometry)], ()))
         # The circle is known to be above the base, which may lie higher than ground beside it.
-        given = at_circle(replace(self.slope(), base=None), geometry) if known else None
+        fixed = at_circle(replace(self.slope(), base=None), geometry) if has_strength else None
         pushed = "shaking" in self.given or self.given[""].get("initial_velocity")
-        if not pushed and not (self.profile and given and given.facing):
+        if not pushed and not (self.profile and fixed and fixed.facing):
             require_drive(geometry)
-        return circle, given and replace(_deep_enough(given, geometry), start=self.start)
+        return circle, fixed and replace(_deep_enough(fixed, geometry), start=self.start)
 
     def section(self, circle: Values) -> Section:
         """Return the section that moves along a circle, a mapping with "centre", "radius" and "between"."""
@@ -124,39 +124,39 @@ class SlopeInput:
 
         `tell` is called with lines of progress.
         """
-        circle, found = self.stability(tell)
-        return self.section(circle), found
+        circle, searched = self.stability(tell)
+        return self.section(circle), searched
 
 
-def motion_mistakes(given: Arguments, layered: bool) -> Texts:
+def motion_mistakes(values: Arguments, layered: bool) -> Texts:
     """Return a message for each table that factors of safety use but motions do not.
 
-    `given` are the arguments by path of the table, and `layered` states whether the file has layers.
+    `values` are the arguments by path of the table, and `layered` states whether the file has layers.
     """
     alone = "is for factors of safety alone (slipcircle search)"
     mistakes = []
-    if given.get("tension_crack", {}).get("crack_water"):
+    if values.get("tension_crack", {}).get("crack_water"):
         why = "a crack opens and empties as soon as the mass moves"
         mistakes.append(f"tension_crack.water_m: {alone}: {why}; leave it out")
-    present = {"tension_crack": "tension_crack" in given, "surcharge": bool(numbered_points(given, "surcharge"))}
+    present = {"tension_crack": "tension_crack" in values, "surcharge": bool(numbered_points(values, "surcharge"))}
     for name in (name for name, there in present.items() if there and not layered):
         fix = "put the soil into [soils.NAME], with one [[layers]] of it"
         mistakes.append(f"{name}: a motion uses it on layered ground only: {fix}; or leave it out")
     return mistakes
 
 
-def _deep_enough(found: Critical, section: Section) -> Critical:
+def _deep_enough(circle: Critical, section: Section) -> Critical:
     """Return the factors of safety of a circle, or raise an error if a tension crack cuts off its mass.
 
-    `found` are these factors, and `section` is the mass along the circle without a crack.
+    `circle` are these factors, and `section` is the mass along the circle without a crack.
     """
-    slope = found.slope
-    if slope.crack and not any(found.factors_of_safety.values()):
+    slope = circle.slope
+    if slope.crack and not any(circle.factors_of_safety.values()):
         uncracked = at_circle(replace(slope, crack=0.0, crack_water=0.0), section)
         if any(uncracked.factors_of_safety.values()):
             words = f"{{crack}} = {slope.crack:g}: is deeper than the mass, which is {float(section.depth):.4g} m thick"
             raise InputError("Section", [words])
-    return found
+    return circle
 
 
 def _circle(circle: ValueDict) -> ValueDict:

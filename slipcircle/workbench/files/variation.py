@@ -21,16 +21,16 @@ def along_means(scene: Scene) -> Scene:
     """Return a scene along the critical circle of the means of its uncertain numbers; other scenes unchanged."""
     if not isinstance(scene, SlopeScene) or scene.stability is None or not scene.stability.method:
         return scene
-    found = scene.stability
+    searched = scene.stability
     drawn = uncertain_numbers(scene)
     means = {n: float(u.number.to_si(u.moments[0])) for n, u in drawn.items()}
     medians: list[Any] = [scene.numbers[n] for n in means]
     if np.allclose(medians, [*means.values()], rtol=1e-12, atol=0.0):
         return scene
     assert isinstance(scene.arc, Section)
-    found = critical(varied_slope(with_parameters(scene, means), found.slope), found.method, **found.limits)
-    section = replace(scene.arc, centre=found.centre, radius=found.radius, between=found.between)
-    return replace(scene, arc=section, stability=found.without_map())
+    searched = critical(varied_slope(with_parameters(scene, means), searched.slope), searched.method, **searched.limits)
+    section = replace(scene.arc, centre=searched.centre, radius=searched.radius, between=searched.between)
+    return replace(scene, arc=section, stability=searched.without_map())
 
 
 def varied_slope(scene: Scene, like: Slope) -> Slope:

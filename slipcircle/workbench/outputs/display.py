@@ -6,19 +6,22 @@ from typing import Any
 
 from slipcircle.base.kinds import Function, PathName, Values
 from slipcircle.core import Motion
+from slipcircle.derivatives import Sensitivity
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.conversions import motion_table as table_of
 from slipcircle.workbench.common.conversions import to_dict, to_pandas, to_xarray
 from slipcircle.workbench.common.quantities import factors_of as factors_of_safety
+from slipcircle.workbench.outputs.influence import important_standstills, sensitivity_part
 from slipcircle.workbench.outputs.page import live
 from slipcircle.workbench.outputs.pictures import files as pictures
 from slipcircle.workbench.outputs.pictures import film, plots, studyplots, suiteplots
 from slipcircle.workbench.outputs.pictures.plotstyle import new_figure
+from slipcircle.workbench.outputs.tables import table_lines
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.studies.groundmotions import GroundMotions
 from slipcircle.workbench.studies.study import Study
 
-__all__ = ["animate", "factors_of_safety", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
+__all__ = ["animate", "factors_of_safety", "html", "plot", "text", "to_dict", "to_pandas", "to_xarray"]
 
 
 # By type of the result, or of the records of a study: kind of the overview, function that gives its data, and panels.
@@ -27,6 +30,7 @@ _DRAWN: Mapping[type, tuple[str, Function, Values]] = {
     Motion: ("motions", lambda motion: [motion], plots.PANELS),
     Study: ("study", lambda study: study, studyplots.PANELS),
     GroundMotions: ("suite", lambda study: study, suiteplots.PANELS),
+    Sensitivity: ("sensitivity", lambda table: table, {}),
 }
 
 
@@ -52,6 +56,12 @@ def plot(result: Any, what: PathName, ax: Any) -> Any:
         return files.write_file(name, pictures.picture(overview, drawn(result), name))
     drawing = pictures.drawing(overview, drawn(result))
     return drawing.draw(new_figure(drawing.size)).axes[0]
+
+
+def text(table: Sensitivity) -> str:
+    """Return the most important derivatives of a motion as a table of text."""
+    part = sensitivity_part(table, important_standstills(table))
+    return "\n".join(table_lines(*part))
 
 
 def html(motion: Motion) -> str:

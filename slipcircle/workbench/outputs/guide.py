@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from generated.effects import EFFECTS, LAWS, Effect, Law
-from slipcircle.core import joined
+from slipcircle.core import path_of_part
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.files.keys import EFFECT_TABLES, FRICTION, TOP, WITH_ARC, Table
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, WITH_LAYERS
@@ -99,7 +99,7 @@ def _tables(path: str, table: Table) -> Iterator[str]:
     yield from _title(head, words)
     yield from _keys(table)
     for name, inner in table.tables.items():
-        yield from _tables(joined(path, name), inner)
+        yield from _tables(path_of_part(path, name), inner)
 
 
 def _with_source(declared: Law | Effect) -> str:

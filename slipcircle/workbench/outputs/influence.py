@@ -5,13 +5,14 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import printed, shown
+from slipcircle.base.text import number_text, output_unit
 from slipcircle.derivatives import Sensitivity
-from slipcircle.workbench.common.quantities import words
+from slipcircle.workbench.common.quantities import in_words
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.pictures.tornado import size_of
 from slipcircle.workbench.outputs.tables import ResultTable
+from slipcircle.workbench.studies.standstill import standstills
 
 _MOST = 10  # rows
 _TERMS = {
@@ -42,22 +43,18 @@ def _is_point(name: str) -> bool:
     return name.startswith(("ground.", "level.", "centre."))
 
 
-def sensitivity_part(
-    table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str
-) -> ResultTable:
-    """Return a table of derivatives of the outputs per unit of the key of each number.
+def important_standstills(table: Sensitivity) -> dict[str, float]:
+    """Return the values of the `important` numbers in SI units at which F = 1, by name; absent without such a value."""
+    return standstills(table.scene, important(table).items())
 
-    Parameters
-    ----------
-    table : Sensitivity
-    stops : mapping
-        Values in SI units at which F = 1, by name of the number. They are listed with their distance.
-    names : mapping
-        Names of the listed numbers, such as the result of `important`.
-    name : str
-        Title of the table.
+
+def sensitivity_part(table: Sensitivity, stops: Mapping[str, float]) -> ResultTable:
+    """Return a table of derivatives of the outputs per unit of the key of each of the `important` numbers.
+
+    ``stops`` are the `important_standstills`, which are listed with their distance.
     """
-    outcomes = (printed(unit)[0] * table.at[output] for output, unit in table.outputs.items())
+    names = important(table)
+    outcomes = (output_unit(unit)[0] * table.at[output] for output, unit in table.outputs.items())
     rows: list[list[Any]] = [["", "", "", "", *outcomes]]
     keys = by_name(table.scene)
     for parameter in names:
@@ -66,12 +63,12 @@ def sensitivity_part(
         limit = ["-", "-"]
         if parameter in stops:
             stop = float(key.from_si(stops[parameter]))
-            limit = [shown(stop, 4), f"{stop - value:+.2g}"]
+            limit = [number_text(stop, 4), f"{stop - value:+.2g}"]
         cells = [_cell(table, output, parameter, key) for output in table.outputs]
-        rows.append([_label(table, key), shown(value, 6), *limit, *cells])
+        rows.append([_label(table, key), number_text(value, 6), *limit, *cells])
     head = ["by", "value", "F = 1 at", "distance"]
-    head += [words(output, printed(unit)[1]) for output, unit in table.outputs.items()]
-    return ResultTable(head, rows, name, _note(table, names))
+    head += [in_words(output, output_unit(unit)[1]) for output, unit in table.outputs.items()]
+    return ResultTable(head, rows, table.scene.name, _note(table, names))
 
 
 def _label(table: Sensitivity, key: Key) -> str:
@@ -95,7 +92,7 @@ def _cell(table: Sensitivity, output: str, parameter: str, key: Key) -> str:
         per_unit = 0.0
     else:
         per_unit = float(per_si * key.slope(value))
-    text = shown(printed(table.outputs[output])[0] * per_unit)
+    text = number_text(output_unit(table.outputs[output])[0] * per_unit)
     if at and per_unit * value and per_unit == per_unit:
         text += f" ({per_unit * value / at:+.2g})"
     kind = table.kind(output, parameter)

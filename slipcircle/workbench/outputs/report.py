@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.base.progress import track
-from slipcircle.base.text import printed, shown
+from slipcircle.base.progress import tracked
+from slipcircle.base.text import number_text, output_unit
 from slipcircle.core import Motion, Plan, Scene, Status, law_names, plan
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, html_table, html_terms, tag
@@ -126,7 +126,7 @@ def figure(name: str, caption: str, drawing: bytes) -> Raw:
 
 def _number(value: float) -> str:
     """Return a number with six digits as text."""
-    return shown(float(value), 6)
+    return number_text(float(value), 6)
 
 
 def slope_parts(scene: Scene, with_tables: bool = True) -> Iterator[ResultTable | Raw]:
@@ -196,7 +196,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[ResultTable | Raw]:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep samples the uncertain inputs.")
     yield tag("h3", "Pictures")
-    for what, caption in track(_captions(motion).items(), "pictures drawn"):
+    for what, caption in tracked(_captions(motion).items(), "pictures drawn"):
         yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, picture(what, motion, "svg"))
     if stability_of(plan.scene):
         yield from slope_parts(plan.scene, with_tables=False)
@@ -324,8 +324,8 @@ def _of_study(study: Study, tables: Iterable[ResultTable | str], file: bytes) ->
 def _key_numbers(study: Study) -> Iterator[tuple[str, str]]:
     """Yield label and value of yield coefficient, displacements at own scale, moving share and block factor."""
     at_scale = distribution(study.displacement, study.own_scale)
-    yield "yield coefficient", shown(study.yield_coefficient)
+    yield "yield coefficient", number_text(study.yield_coefficient)
     for words, value in (("16 % of", at_scale.p16), ("median", at_scale.median), ("84 % of", at_scale.p84)):
-        yield f"{words} displacements", f"{value_text(in_unit(value, 'm'))} {printed('m')[1]}"
+        yield f"{words} displacements", f"{value_text(in_unit(value, 'm'))} {output_unit('m')[1]}"
     yield "that move", f"{100 * at_scale.moving:.3g} %"
-    yield "displacement of the arc over that of a block", shown(study.block_factor)
+    yield "displacement of the arc over that of a block", number_text(study.block_factor)

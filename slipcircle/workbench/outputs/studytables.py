@@ -1,19 +1,18 @@
 """Tables of studies of samples, on the screen and in reports."""
 
-from collections.abc import Callable, Iterator, Sequence
-from functools import partial
+from collections.abc import Iterator, Sequence
 from typing import Any
 
-from slipcircle.base.text import printed
-from slipcircle.workbench.common.quantities import OUTCOMES, words
+from slipcircle.workbench.common.quantities import OUTCOMES, in_words
 from slipcircle.workbench.common.starting import method_of
-from slipcircle.workbench.outputs.tables import ResultTable, in_unit
+from slipcircle.workbench.outputs.tables import ResultTable, unit_table
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.searched import SEARCHED
 from slipcircle.workbench.studies.statistics import BEYOND
 from slipcircle.workbench.studies.study import Study
 
+_UNITS = {in_words(name): quantity.unit for name, quantity in OUTCOMES.items()}  # of columns of outcomes
 NO_INTERVAL = (
     "Sobol sequences: no interval in the tails, for fewer than 256 samples, and where the sequences differ by less "
     "than a sample; use monte-carlo for intervals everywhere"
@@ -25,28 +24,19 @@ def study_tables(study: Study, verbose: bool = True) -> Iterator[ResultTable]:
     start = method_of(study.scene)
     methods = [name for name in study.failure if verbose or name.removeprefix(SEARCHED) == start]
     yield _probabilities(study, methods)
-    heads = [q.heading for q in OUTCOMES.values()]
     of_methods = [f"factor of safety, {_method_words(method)}" for method in methods]
     quantiles: list[list[Any]] = []
     for p in export.QUANTILES:
         factors = [study.factor_quantile(method, p) for method in methods]
-        quantiles.append([f"{1 - p:.2g}", *factors, *_of_outcomes(partial(study.quantile, p=p))])
-    note = "; ".join(_quantile_notes(study))
-    yield ResultTable(
-        ["exceedance probability", *of_methods, *heads], quantiles, "How safe, how far and how fast", note
-    )
-    yield _moments(study, heads, verbose)
+        quantiles.append([f"{1 - p:.2g}", *factors, *(study.quantile(name, p) for name in OUTCOMES)])
+    units = dict.fromkeys(["exceedance probability", *of_methods], "") | _UNITS
+    yield unit_table(units, quantiles, "How safe, how far and how fast", "; ".join(_quantile_notes(study)))
+    yield _moments(study, verbose)
     if study.sensitivity:
         yield _indices(study)
     if verbose:
-        names = (words(name, printed("m")[1]) for name in ("median run-out", "95 % quantile"))
-        rows = [[c.n, c.moving, in_unit(c.median, "m"), in_unit(c.upper, "m")] for c in study.convergence]
-        yield ResultTable(["samples", "probability of moving", *names], rows, "Convergence")
-
-
-def _of_outcomes(estimate: Callable[[str], Any]) -> Iterator[Any]:
-    """Yield for each outcome the result of ``estimate(name)``, an `Estimate` or a number, in its unit of output."""
-    return (in_unit(estimate(name), quantity.unit) for name, quantity in OUTCOMES.items())
+        units = {"samples": "", "probability of moving": "", "median run-out": "m", "95 % quantile": "m"}
+        yield unit_table(units, study.convergence, "Convergence")
 
 
 def _probabilities(study: Study, methods: Sequence[str]) -> ResultTable:
@@ -67,22 +57,18 @@ def _method_words(method: str) -> str:
     return name
 
 
-def _moments(study: Study, heads: Sequence[str], verbose: bool) -> ResultTable:
-    """Return a table of the mean and standard deviation of each outcome, if verbose also by linear propagation.
-
-    ``heads`` are the heads of the columns of outcomes.
-    """
+def _moments(study: Study, verbose: bool) -> ResultTable:
+    """Return a table of the mean and standard deviation of each outcome, if verbose also by linear propagation."""
     rows: list[list[Any]] = []
     notes = ["intervals of standard deviations are omitted, as they depend on few samples in the tails"]
     for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
-        rows.append([name, *_of_outcomes(estimate)])
+        rows.append([name, *map(estimate, OUTCOMES)])
         if study.linear and verbose:
-            moments = {outcome: both[moment] for outcome, both in study.linear.items()}
-            rows.append([f"linear {name}", *_of_outcomes(moments.__getitem__)])
+            rows.append([f"linear {name}", *(study.linear[outcome][moment] for outcome in OUTCOMES)])
     if verbose:
         reason = f"no linear propagation: {study.no_linear}"
         notes.insert(0, reason if study.no_linear else "linear: derivatives at the means")
-    return ResultTable(["", *heads], rows, "Mean and standard deviation", "; ".join(notes))
+    return unit_table({"": ""} | _UNITS, rows, "Mean and standard deviation", "; ".join(notes))
 
 
 def _indices(study: Study) -> ResultTable:
@@ -90,7 +76,7 @@ def _indices(study: Study) -> ResultTable:
     rows = []
     for output, (first, total) in study.sensitivity.items():
         for unknown, alone, together in zip(study.design.inputs.values(), first, total, strict=True):
-            rows.append([words(output), unknown.key, alone, together])
+            rows.append([in_words(output), unknown.key, alone, together])
     return ResultTable(
         ["output", "input", "first-order index", "total index"],
         rows,

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import TextDict
 from slipcircle.base.progress import is_terminal
-from slipcircle.base.text import DIGITS, clean, measured, printed, shown
+from slipcircle.base.text import DIGITS, amount_text, clean, drawn_unit, number_text, output_unit
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
 from slipcircle.messages import VelocityTimes
@@ -21,10 +21,10 @@ from slipcircle.workbench.common.quantities import (
     factor_label,
     factor_text,
     factors_of,
+    in_words,
     results,
     time_text,
     to_error,
-    words,
 )
 from slipcircle.workbench.common.starting import starts
 from slipcircle.workbench.common.summary import end_words, key_results
@@ -137,7 +137,7 @@ def _factors_at_start(motion: Motion) -> TextDict:
     if critical is not None and critical.slope.k_h:
         column |= _factors(critical.factors_of_safety, critical.slope.k_h)
     if starts(motion):
-        column["strength factor"] = shown(float(scene.strength_factor))
+        column["strength factor"] = number_text(float(scene.strength_factor))
     return column
 
 
@@ -168,14 +168,11 @@ def stretches_part(motion: Motion) -> ResultTable | None:
     for name in stresses:
         whole[name] = sum(record["length"] * record[name] for record in records) / length
     rows = []
-    (of_length, length_unit), (of_stress, unit) = printed("m"), printed("Pa")
-    if unit == "Pa":
-        of_stress = 1e-3
-        unit = "kPa"
+    (of_length, length_unit), (of_stress, unit) = output_unit("m"), drawn_unit("Pa")
     for record in (*records, whole):
         in_unit = [of_stress * record[name] for name in stresses]
         rows.append([record["soil"], of_length * record["length"], f"{100 * record['weight_share']:.1f}", *in_unit])
-    head = ["soil", words("length", length_unit), "weight (%)", *(words(name, unit) for name in stresses)]
+    head = ["soil", in_words("length", length_unit), "weight (%)", *(in_words(name, unit) for name in stresses)]
     note = "From the upper end down: the share of the weight above each stretch, and means along it at the start."
     if beyond := foreland_words(motion.plan.scene.arc):
         note += f" Beyond the exit: {beyond}."
@@ -205,7 +202,7 @@ def stability_columns(critical: Critical) -> tuple[TextDict, TextDict]:
 def pond_row(soil: Any) -> TextDict:
     """Return the free water on a slope or on the ground of a single section as text by label; empty without it."""
     ponds = soil.free_water.of_one if isinstance(soil, Slope | Section) else []
-    factor, unit = printed("m")
+    factor, unit = output_unit("m")
     numbers = [[f"{factor * x:.8g}" for x in pond] for pond in ponds]
     texts = [f"x = {first} to {last} {unit}, level {level} {unit}" for first, last, level in numbers]
     if texts:
@@ -218,7 +215,7 @@ def _circle(critical: Critical) -> TextDict:
     column = {
         "circle": least_of(critical.method) if critical.method else "as given",
         "centre": _point(critical.centre, critical.radius),
-        "radius": measured(critical.radius, "m"),
+        "radius": amount_text(critical.radius, "m"),
         "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
     }
     if not math.isnan(critical.negative):  # NaN for an overhanging circle
@@ -230,13 +227,13 @@ def _circle(critical: Critical) -> TextDict:
 
 def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> TextDict:
     """Return factors of safety as texts by labels that name the method, and k_h unless it is 0."""
-    condition = f", k_h = {shown(k_h)}" if k_h else ""
+    condition = f", k_h = {number_text(k_h)}" if k_h else ""
     return {f"{factor_label(method)}{condition}": factor_text(factor) for method, factor in by_method.items()}
 
 
 def _point(xy: Sequence[float], radius: float) -> str:
     """Return x and y in m as text in the unit of output, to the last place of the printed radius, also in m."""
-    factor, unit = printed("m")
+    factor, unit = output_unit("m")
     places = DIGITS - 1 - math.floor(math.log10(factor * radius))
     return ", ".join(f"{round(factor * value, places) + 0.0:.12g}" for value in xy) + f" {unit}"
 
@@ -263,7 +260,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> ResultTable:
     outcomes = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
     rows = []
     for rung in rungs:
-        values = [measured(getattr(rung, q.name), q.unit) for q in outcomes]
+        values = [amount_text(getattr(rung, q.name), q.unit) for q in outcomes]
         end = "yes" if rung.peak_velocity else "does not move"
         rows.append(
             [
@@ -274,7 +271,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> ResultTable:
                 f"{100 * rung.difference:.3g} %",
             ]
         )
-    head = ["effect added", "time", *(words(q.name) for q in outcomes), "rests", "differs"]
+    head = ["effect added", "time", *(in_words(q.name) for q in outcomes), "rests", "differs"]
     return ResultTable(head, rows, name)
 
 
@@ -289,15 +286,15 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
     """
     terminal = is_terminal(sys.stdout)
     width = min(shutil.get_terminal_size().columns, WIDEST) if terminal else WIDTH
-    lines = [*_layout(head, rows, title, note, width)]
+    lines = [*table_lines(head, rows, title, note, width)]
     coloured = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
     for line, after in zip(lines, [*lines[1:], ""], strict=True):
         headed = coloured and after.startswith("--")
         print(f"{BOLD}{line}{PLAIN}" if headed else line)
 
 
-def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
-    """Yield the lines of a table, at most ``width`` characters, in blocks of the first and as many columns as fit."""
+def table_lines(head: Sequence[str], rows: Rows, title: str, note: str, width: int = WIDTH) -> Iterator[str]:
+    """Yield the lines of a table of at most ``width`` characters, in blocks of the first and as many columns as fit."""
     every_row = [head, *rows] if head else rows
     first, *rest = ([*map(cell_text, column)] for column in zip(*every_row, strict=True))
     yield from wrap(clean(title), width)
@@ -331,17 +328,25 @@ def _total(columns: Sequence[Sequence[str]], most: int) -> int:
     return sum(_widths(columns, most)) + _GAP * len(columns)
 
 
-def headed(name: str, unit: str) -> str:
-    """Return the head of a column: its name, and in brackets the unit of output for its SI unit."""
-    return f"{name} ({printed(unit)[1]})"
-
-
 def in_unit(cell: Any, unit: str) -> Any:
     """Return an outcome in an SI unit, or an `Estimate` of one, converted to the unit of output."""
-    factor, _ = printed(unit)
+    factor, _ = output_unit(unit)
     if isinstance(cell, Estimate):
         return Estimate(*(factor * x for x in cell))
     return factor * cell
+
+
+def unit_table(units: Mapping[str, str], rows: Iterable[Iterable[Any]], title: str = "", note: str = "") -> ResultTable:
+    """Return a table in units of output, from rows of cells in SI units and the unit of each column by its name.
+
+    Cells of columns without a unit remain as they are.
+    """
+    heads = [f"{name} ({output_unit(unit)[1]})" if unit else name for name, unit in units.items()]
+    cells = []
+    for row in rows:
+        by_unit = zip(row, units.values(), strict=True)
+        cells.append([in_unit(cell, unit) if unit else cell for cell, unit in by_unit])
+    return ResultTable(heads, cells, title, note)
 
 
 def interval_text(e: Estimate) -> str:
@@ -356,9 +361,7 @@ def interval_text(e: Estimate) -> str:
     def text(x: float) -> str:
         if math.isnan(x):
             return "?"
-        if x == math.inf:
-            return BEYOND
-        return to_error(x, error)
+        return to_error(x, error) if x < math.inf else BEYOND
 
     value, low, high = map(text, e)
     if math.isnan(e.value):

@@ -80,8 +80,8 @@ def _shaking(settings: Values, gravity: float, remarks: Texts) -> ValueDict:
     for way in ("horizontal", "pulse"):
         if way in settings:
             raise InputError("", [f"{{{way}}} and {{record}} exclude each other; remove one"])
-    known = {"record", "holds", "vertical_record", "vertical_column", *Options._fields, *_BESIDE_RECORDS}
-    if strange := [k for k in settings if k not in known]:
+    allowed = {"record", "holds", "vertical_record", "vertical_column", *Options._fields, *_BESIDE_RECORDS}
+    if strange := [k for k in settings if k not in allowed]:
         raise InputError("", [f"{{{strange[0]}}}: does not belong to a record; leave it out"])
     if "holds" not in settings:
         missing = '{holds}: is missing: a record must say whether it holds "ground" or "driving" acceleration'

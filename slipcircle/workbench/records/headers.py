@@ -117,23 +117,23 @@ def header_of(name: str, text: str) -> Header | None:
     """
     head = text[:20000]
     for words, reason in _REFUSED.items():
-        if found := re.search(words, head[:4000].lstrip(), re.IGNORECASE | re.MULTILINE):
-            raise ValueError(f"{name}: {found[0].strip()!r}: {reason}")
-    for kind, known in _FORMATS.items():
-        if re.search(known.mark, head, re.IGNORECASE | re.MULTILINE):
-            header = _header(re.match(known.header, head, re.IGNORECASE), known.units)
+        if refused := re.search(words, head[:4000].lstrip(), re.IGNORECASE | re.MULTILINE):
+            raise ValueError(f"{name}: {refused[0].strip()!r}: {reason}")
+    for kind, form in _FORMATS.items():
+        if re.search(form.mark, head, re.IGNORECASE | re.MULTILINE):
+            header = _header(re.match(form.header, head, re.IGNORECASE), form.units)
             if header is None:
-                raise ValueError(f"{name}: the header of {kind} must have {known.needs}")
+                raise ValueError(f"{name}: the header of {kind} must have {form.needs}")
             return header
     return None
 
 
-def _header(found: re.Match[str] | None, units: str) -> Header | None:
+def _header(match: re.Match[str] | None, units: str) -> Header | None:
     """Return the header of a format from the fields of its expression, or None without samples and step.
 
-    `found` is the match of the expression, and `units` the default unit.
+    `match` is the match of the expression, and `units` the default unit.
     """
-    fields = {key: text.strip() for key, text in found.groupdict("").items()} if found else {}
+    fields = {key: text.strip() for key, text in match.groupdict("").items()} if match else {}
     numbers = defaultdict(float)
     for key, text in fields.items():
         if re.fullmatch(_NUMBER, text, re.IGNORECASE):
@@ -145,11 +145,11 @@ def _header(found: re.Match[str] | None, units: str) -> Header | None:
         s for s in steps if 0.0 < s < 1e9 and (not seconds or abs(samples * s - seconds) <= 1.0 + 0.02 * seconds)
     )
     step = next(fitting, 0.0)
-    if found is None or samples < 1 or not step:
+    if match is None or samples < 1 or not step:
         return None
     components = (fields.get(key, "").upper().replace("-", "") for key in ("component", "seed"))
     component = next((_KIK_NET.get(text, text) for text in components if text and is_direction(text)), "")
-    lines = found[0].count("\n") + max(round(numbers["comments"]), 0)
+    lines = match[0].count("\n") + max(round(numbers["comments"]), 0)
     scale = numbers["gal"] / (numbers["counts"] or INFINITY)
     return Header(lines, samples, step, fields.get("units") or units, component, scale, fields)
 

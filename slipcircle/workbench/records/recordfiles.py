@@ -61,9 +61,9 @@ class Options(NamedTuple):
         """
         parts = self.columns.split(",") if isinstance(self.columns, str) else self.columns
         roles = tuple(str(part).strip().lower() for part in parts)
-        known = ("time", quantity.role, "vertical", SKIP)
-        if roles != (WRAPPED,) and (not {*roles} <= {*known} or roles.count("time") > 1):
-            rule = f"must be {', '.join(known)} for each column, one time at most, or {WRAPPED} alone"
+        allowed = ("time", quantity.role, "vertical", SKIP)
+        if roles != (WRAPPED,) and (not {*roles} <= {*allowed} or roles.count("time") > 1):
+            rule = f"must be {', '.join(allowed)} for each column, one time at most, or {WRAPPED} alone"
             raise InputError("", [f"{{columns}} = {','.join(roles)!r}: {rule}"])
         return roles
 
@@ -112,9 +112,9 @@ def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> li
 
     `name` is the name of the file, and `names` are the names of the columns by number.
     """
-    wanted = str(column).strip().lower()
-    named = [place for place, other in names.items() if other.lower() == wanted]
-    chosen = named or [place for place in names if column is None or wanted == str(place)]
+    requested = str(column).strip().lower()
+    named = [place for place, other in names.items() if other.lower() == requested]
+    chosen = named or [place for place in names if column is None or requested == str(place)]
     if not chosen or len(named) > 1:
         raise InputError("", [f"{name}: {{column}} = {column!r}: must be one of {choice(names.items())}"])
     return chosen
@@ -179,17 +179,17 @@ def _of_table(quantity: RecordedQuantity, name: str, text: str, options: Options
         check_count(name, len(lines), float(table.stated))
     columns = _only(quantity, name, _with_roles(quantity, table.columns, cells, roles), options.column)
     time = _times(quantity, name, columns, cells, lines, table.step or options.step)
-    found = []
+    columns_read = []
     for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
         if column.role in (quantity.role, "vertical"):
             unit = _unit_of_column(quantity, name, k, column, table.unit)
             samples = _samples(name, time, of_column, lines, unit)
             label = table.component * (width == 1) or column.name
             role = column.role if roles or column.role == "vertical" else ""
-            found.append(Channel(k, label, role, "", samples))
+            columns_read.append(Channel(k, label, role, "", samples))
         elif column.role not in ("time", SKIP):
-            found.append(Channel(k, column.name, "", column.reason if any(of_column) else "is empty"))
-    return found
+            columns_read.append(Channel(k, column.name, "", column.reason if any(of_column) else "is empty"))
+    return columns_read
 
 
 def _roles(quantity: RecordedQuantity, name: str, table: NumberTable, options: Options) -> Names:

@@ -36,7 +36,7 @@ def place_of(name: str, component: str = "") -> Place:
     if named is None:
         return Place(plain, component)
     parts = {"level": "", "rest": ""} | named.groupdict(default="")
-    found = next(parts[key] for key in ("azimuth", "axis", "letter", "channel") if parts.get(key))
+    named_component = next(parts[key] for key in ("azimuth", "axis", "letter", "channel") if parts.get(key))
     station = parts["station"].rstrip("-_. ") + parts["level"] + parts["rest"]
-    component = component or found.upper()
+    component = component or named_component.upper()
     return Place(station, component)

@@ -22,7 +22,7 @@ from typing import Any, Literal, NamedTuple
 
 from slipcircle.base.errors import InputError, raise_all
 from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
-from slipcircle.base.progress import track
+from slipcircle.base.progress import tracked
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import files_in
 from slipcircle.workbench.common.units import ACCELERATION, unit_of
@@ -185,8 +185,8 @@ class Suite:
 
     def to_dict(self) -> ValueDict:
         """Return records with their intensity measures, vertical components, pairs and unused files, for JSON."""
-        known = ("name", "file", "station", "component", "samples", "step", "unit")
-        plain = [{name: getattr(entry, name) for name in known} for entry in self.entries]
+        fields = ("name", "file", "station", "component", "samples", "step", "unit")
+        plain = [{name: getattr(entry, name) for name in fields} for entry in self.entries]
         return {
             "records": [row | entry.intensities._asdict() for row, entry in zip(plain, self.entries, strict=True)],
             "verticals": [entry.name for entry in self.verticals],
@@ -288,7 +288,7 @@ def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> t
     entries = []
     unread = []
     remaining = _KEPT
-    for file in track(files, "records read"):
+    for file in tracked(files, "records read"):
         try:
             for entry in _entries(file, vertical, reading):
                 if isinstance(entry, Unread):
@@ -306,9 +306,9 @@ def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None
     """Raise an error if all files contradict a given unit or step. The step is in s."""
     units = [entry.unit for entry in entries]
     steps = [f"{entry.step:.3g}" for entry in entries]
-    for name, given, stated in (("units", unit, units), ("step", step and f"{step:.3g}", steps)):
-        if given and given not in stated:
-            raise ValueError(f"records: {name} = {given}, but {entries[0].name} states {stated[0]}; leave {name} out")
+    for name, option, stated in (("units", unit, units), ("step", step and f"{step:.3g}", steps)):
+        if option and option not in stated:
+            raise ValueError(f"records: {name} = {option}, but {entries[0].name} states {stated[0]}; leave {name} out")
 
 
 def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from slipcircle.base.kinds import Texts
 from slipcircle.workbench.common.textfiles import NUMBER, NUMBER_AND_STEP, SEPARATORS, first_row, split, without_comment
-from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, period_of, seconds_of, unit_of
+from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, seconds_of, unit_of
 from slipcircle.workbench.records.columns import Column, column_of
 
 _STATEMENT = re.compile(  # in a header: "SAMPLING INTERVAL (sec) : 0.02", "#SampleRate(Hz): 200", "UNITS: cm/s^2"
@@ -44,9 +44,9 @@ def number_table(quantity: RecordedQuantity, name: str, text: str) -> NumberTabl
     lines, separator, width = first_row(name, text, quantity.name)
     above = text.split("\n", lines)[:lines]
     said = dict.fromkeys(_STATEMENT.groupindex, ("", ""))
-    for found in filter(None, map(_STATEMENT.match, reversed(above))):
-        key = next(key for key, value in found.groupdict().items() if value)
-        said[key] = found["of"] or "", found["value"].strip()
+    for statement in filter(None, map(_STATEMENT.match, reversed(above))):
+        key = next(key for key, value in statement.groupdict().items() if value)
+        said[key] = statement["of"] or "", statement["value"].strip()
     columns = _columns(quantity, above, separator, width)
     _, stated = said["count"]
     count = "".join(re.findall(r"^\d{1,15}", stated))
@@ -60,7 +60,7 @@ def _step(said: dict[str, tuple[str, str]]) -> float:
 
     `said` has the bracket and the value of each statement by its kind.
     """
-    return seconds_of(*said["step"]) or period_of(*said["rate"])
+    return seconds_of(*said["step"]) or seconds_of(*said["rate"], default="Hz")
 
 
 def _unit(quantity: RecordedQuantity, said: dict[str, tuple[str, str]]) -> str:
@@ -70,9 +70,9 @@ def _unit(quantity: RecordedQuantity, said: dict[str, tuple[str, str]]) -> str:
     """
     for key in ("unit", "peak"):
         bracket, value = said[key]
-        known = [word for word in (bracket, value, value.partition(" ")[0]) if unit_of(word, quantity)]
-        if known or (key == "unit" and value):
-            return known[0] if known else value
+        spelt = [word for word in (bracket, value, value.partition(" ")[0]) if unit_of(word, quantity)]
+        if spelt or (key == "unit" and value):
+            return spelt[0] if spelt else value
     return ""
 
 

@@ -239,32 +239,32 @@ class SlopeScene(Scene[Numbers]):
         if quantity not in _BY_START or self.start == OF_CLOSURE or not self.starts_by_method:
             return None
         if quantity == "yield_coefficient":  # under shaking, the strength factor has made it the closure's value
-            found = None if "shaking" in self.called else yield_by(self, self.start)
+            by_method = None if "shaking" in self.called else yield_by(self, self.start)
         elif quantity == "factor_of_safety":  # without shaking, it has made this factor equal to the closure's factor
-            found = factor_of(self, self.start) if "shaking" in self.called else None
+            by_method = factor_of(self, self.start) if "shaking" in self.called else None
         elif quantity == "residual":
-            found = factor_of(self, self.start, slipped=True)
+            by_method = factor_of(self, self.start, slipped=True)
         elif self.shape or not motion.arrested:
             return None
         else:
             friction = float(motion.friction_at(motion.settling_time))
-            found = at_rest_by(self, self.start, motion.end.rotation, friction, kept)
-        return None if found is None or np.all(np.isnan(found)) else (found, self.start)
+            by_method = at_rest_by(self, self.start, motion.end.rotation, friction, kept)
+        return None if by_method is None or np.all(np.isnan(by_method)) else (by_method, self.start)
 
     def parts(self) -> Parts:
         """Return the parts of the scene. The strength factor follows from the others unless it is explicit."""
-        found = super().parts() | {"set_by_start": (self.set_by_start, STORED)}
+        by_name = super().parts() | {"set_by_start": (self.set_by_start, STORED)}
         if self.starts_by_method:
-            _, declaration = found["strength_factor"]
-            found["strength_factor"] = self.strength_factor, replace(declaration, kind="set")
-        return found
+            _, declaration = by_name["strength_factor"]
+            by_name["strength_factor"] = self.strength_factor, replace(declaration, kind="set")
+        return by_name
 
 
 def at_circle(slope: Slope, section: Section) -> Critical:
     """Return the circle of a section, which lies on a slope, with its factors of safety."""
     left, right = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
-    found = circle_of(slope, np.array([section.centre]), np.array([section.radius]), left, right)
-    return replace(found, refused=int(None in found.factors_of_safety.values()))
+    circle = circle_of(slope, np.array([section.centre]), np.array([section.radius]), left, right)
+    return replace(circle, refused=int(None in circle.factors_of_safety.values()))
 
 
 def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:

@@ -337,8 +337,8 @@ class Search:
         if not np.any(np.isfinite(values)):
             left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
-        found = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
-        valleys = np.array(found)[sorted_indices(values[found])]
+        lowest = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
+        valleys = np.array(lowest)[sorted_indices(values[lowest])]
         least = np.nanmin(values)
         tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
         return q[valleys], steps[valleys]

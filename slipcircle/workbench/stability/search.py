@@ -10,7 +10,7 @@ import numpy as np
 
 from slipcircle.base.errors import InputError, raise_all
 from slipcircle.base.kinds import Floats, Pair, Tell, Texts, Values
-from slipcircle.base.text import measured
+from slipcircle.base.text import amount_text
 from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.critical import Critical, circle_of
 from slipcircle.workbench.stability.factors import YIELD
@@ -100,7 +100,7 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> Texts:
     centre, radius, _, _ = search.circles(q)
     if search.depth and search.thickness(q, centre, radius)[0] < search.depth + near:
         sentences.append(
-            f"the mass is as thin as the search allows, {measured(search.depth, 'm', 6)}; thinner ones may be worse"
+            f"the mass is as thin as the search allows, {amount_text(search.depth, 'm', 6)}; thinner ones may be worse"
         )
     return sentences
 
@@ -139,12 +139,12 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> Texts:
         low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
     except (TypeError, ValueError):
         return [f"{{{name}}} = {pair!r}: must be two numbers, the least and the greatest x"]
-    given = f"{{{name}}} = [{low:.10g}, {high:.10g}]"
+    interval = f"{{{name}}} = [{low:.10g}, {high:.10g}]"
     if not low <= high:
-        return [f"{given}: must be the least and the greatest x, in this order"]
+        return [f"{interval}: must be the least and the greatest x, in this order"]
     if high < ground[0, 0] or low > ground[-1, 0]:
         reach = f"from {ground[0, 0]:.10g} to {ground[-1, 0]:.10g}"
-        return [f"{given}: lies beside the ground, which extends {reach}"]
+        return [f"{interval}: lies beside the ground, which extends {reach}"]
     return []
 
 

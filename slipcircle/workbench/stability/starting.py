@@ -147,12 +147,12 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
     """Return the strength factors of arcs for a start by a method; if ``shaken``, from equal yield coefficients."""
     if shaken:
         k_h = yield_coefficient(driven, method)
-        wanted = np.ones_like(k_h)
+        target = np.ones_like(k_h)
         of_closure = factor_by(OF_CLOSURE, _under(k_h, driven))
     else:
-        wanted = factor_by(method, driven)
+        target = factor_by(method, driven)
         of_closure = factor_by(OF_CLOSURE, driven)
-    factor = wanted / of_closure
+    factor = target / of_closure
     slices = driven.slices
     return np.where((slices.integral(slices.friction) > 0.0) & (driven.facing != 0.0), factor, 1.0)
 

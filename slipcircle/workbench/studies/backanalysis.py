@@ -12,7 +12,7 @@ import numpy as np
 
 from slipcircle.base.arrays import EPS
 from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Texts, Values
-from slipcircle.core import Motion, Scene, checked, solve
+from slipcircle.core import Motion, Scene, checked_scene, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.loaded import stability_of
@@ -200,7 +200,7 @@ def backanalyse(
     >>> round(backanalyse(load("vaiont"), run_out=400.0).value, 4)
     15.2147
     """
-    checked(scene, "backanalyse")
+    checked_scene(scene, "backanalyse")
     every = [run_out, end_displacement, peak_velocity, duration, toe_rise]
     every += [toe_x, crest_drop, centroid_travel, factor_of_safety]
     arguments = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}

@@ -15,7 +15,7 @@ from slipcircle.base.arrays import array_of
 from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats, PathName, ValueDict, Values
 from slipcircle.base.progress import Progress
-from slipcircle.core import Scene, checked, plan
+from slipcircle.core import Scene, checked_scene, plan
 from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.identity import content_digest
@@ -208,7 +208,7 @@ def grid(
     executor, accuracy, folder, progress
         As for `ensemble`.
     """
-    checked(scene, "grid")
+    checked_scene(scene, "grid")
     if not isinstance(levels, Mapping):
         raise ValueError(f"grid: levels = {levels!r}: must be a mapping from keys to lists of numbers")
     faults = [] if levels else ["no values are given"]

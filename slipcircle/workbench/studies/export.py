@@ -170,38 +170,36 @@ def study_axes(study: Any) -> Columns:
     return {"record": names, "polarity": study.polarities, "scale": study.scales} | samples
 
 
-def _along(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
-    """Return arrays that vary along some axes only, by name, each with the names of its axes.
-
-    They are the scale factors of records and the inputs of samples.
-    """
-    along: dict[str, tuple[Names, NDArray[Any]]] = {}
+def _variables(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
+    """Return axes, factors of records, inputs of samples, and results by name, each with the names of its axes."""
+    levels = study_axes(study)
+    shape = [len(values) for values in levels.values()]
+    variables: dict[str, tuple[Names, NDArray[Any]]] = {name: ((name,), values) for name, values in levels.items()}
     if study.design.records is not None:
-        along = {name: (("record", "scale"), x) for name, x in (("factor", study.factors), ("pga_g", study.pga))}
-    if study.design.method == "grid":
-        return along
-    return along | {key: (("sample",), values) for key, values in study.inputs.items()}
+        variables |= {name: (("record", "scale"), x) for name, x in (("factor", study.factors), ("pga_g", study.pga))}
+    if study.design.method != "grid":
+        variables |= {key: (("sample",), values) for key, values in study.inputs.items()}
+    return variables | {name: (tuple(levels), values.reshape(shape)) for name, values in study.values.items()}
 
 
 def arrays(study: Any) -> Columns:
     """Return axes, inputs (as ``sample_`` followed by the key) and results as arrays by name."""
-    levels = study_axes(study)
-    shape = [len(values) for values in levels.values()]
-    named = {f"sample_{n}" if dims == ("sample",) else n: values for n, (dims, values) in _along(study).items()}
-    return levels | named | {name: values.reshape(shape) for name, values in study.values.items()}
+    sampled = () if study.design.method == "grid" else study.inputs
+    variables = _variables(study).items()
+    return {f"sample_{name}" if name in sampled else name: values for name, (_, values) in variables}
 
 
 def study_columns(study: Any) -> Columns:
     """Return all scenes as columns by name, one element for each scene; without records, outcomes are magnitudes."""
-    levels = study_axes(study)
-    shape = [len(values) for values in levels.values()]
-    places = dict(zip(levels, np.indices(shape).reshape(len(shape), -1), strict=True))
-    columns = {name: values[places[name]] for name, values in levels.items()}
-    columns |= {name: values[tuple(places[dim] for dim in dims)] for name, (dims, values) in _along(study).items()}
+    variables = _variables(study)
+    _, status = variables.pop("status")
+    columns = {}
+    for name, (dims, values) in variables.items():
+        place = tuple(slice(None) if axis in dims else None for axis in study_axes(study))
+        columns[name] = np.broadcast_to(values[place], status.shape).ravel()
     columns |= {name: study.samples.get(name, values).ravel() for name, values in study.values.items()}
-    status = columns.pop("status")
     words = {"status": [s.name for s in Status], "reason": [s.reason for s in Status]}
-    return columns | {name: np.array(of_status)[status] for name, of_status in words.items()}
+    return columns | {name: np.array(of_status)[status.ravel()] for name, of_status in words.items()}
 
 
 def frame(study: Any) -> Any:
@@ -215,13 +213,9 @@ def frame(study: Any) -> Any:
 
 def dataset(study: Any) -> Any:
     """Return the results as an xarray.Dataset with units; ``status`` has the integers of `Status`."""
-    levels = study_axes(study)
-    shape = [len(values) for values in levels.values()]
-    results = {
-        name: ([*levels], values.reshape(shape), {"units": RESULTS.get(name, "")})
-        for name, values in study.values.items()
-    }
-    return optional("xarray", "to_xarray").Dataset(results, {**levels, **_along(study)})
+    coordinates = _variables(study)
+    results = {name: (*coordinates.pop(name), {"units": RESULTS.get(name, "")}) for name in study.values}
+    return optional("xarray", "to_xarray").Dataset(results, coordinates)
 
 
 def _record(estimate: Estimate, value: str = "value") -> ValueDict:

@@ -6,7 +6,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.optional import optional
-from slipcircle.base.progress import track
+from slipcircle.base.progress import tracked
 from slipcircle.workbench.studies.problem import SearchProblem
 
 _STARTS = 12  # of fits
@@ -26,7 +26,9 @@ class Fit(NamedTuple):
 
 def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
     """Return all distinct minima reached from the best of the points ``shares``, (fields, count), the best first."""
-    results = [_minimum(problem, start) for start in track(_starts(problem, shares), "starts followed to the best fit")]
+    results = [
+        _minimum(problem, start) for start in tracked(_starts(problem, shares), "starts followed to the best fit")
+    ]
     same_below = 1.0 if problem.is_weighted else 1e-3  # change of the residuals, in standard errors or shares
     different: list[Fit] = []
     for result in sorted(results, key=lambda result: result.cost):

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.kinds import ArrayTriple, Floats, Integers, ValueDict
-from slipcircle.base.text import shown
+from slipcircle.base.kinds import ArrayPair, Floats, Integers, ValueDict
+from slipcircle.base.text import number_text
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
 
@@ -185,8 +185,8 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
     highest = log_pga[stays].max()
     if lowest < highest - _SAME:
         return ""
-    first = shown(math.exp(lowest))
-    last = shown(math.exp(highest))
+    first = number_text(math.exp(lowest))
+    last = number_text(math.exp(highest))
     if lowest <= highest + _SAME:
         return f"no motion exceeds it below a peak of {first} g and every one above; give scales next to it"
     return f"no motion exceeds it up to a peak of {last} g and every one does from {first} g; give scales between"
@@ -197,24 +197,21 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
     from scipy.optimize import minimize
 
     def negative(coefficients: Floats) -> tuple[float, Floats]:
-        likelihood, score, _ = _likelihood(terms @ coefficients, share)
+        likelihood, score = _likelihood(terms @ coefficients, share)
         return -float(likelihood.sum()), -score @ terms
 
     return minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9}).x
 
 
-def _likelihood(argument: Floats, share: Floats) -> ArrayTriple:
-    """Return log-likelihoods of shares of exceedance at arguments of Phi, their derivatives and expected curvatures.
-
-    All are (points,). The derivatives are by the argument; curvatures are minus the expected second derivatives.
-    """
+def _likelihood(argument: Floats, share: Floats) -> ArrayPair:
+    """Return log-likelihoods of shares of exceedance at arguments of Phi, and their derivatives, all (points,)."""
     log_above = special().log_ndtr(argument)
     log_below = special().log_ndtr(-argument)
     log_density = -(argument**2 + math.log(2.0 * math.pi)) / 2.0
     above = np.exp(log_density - log_above)
     below = np.exp(log_density - log_below)
     rest = 1.0 - share
-    return share * log_above + rest * log_below, share * above - rest * below, above * below
+    return share * log_above + rest * log_below, share * above - rest * below
 
 
 def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:

@@ -8,7 +8,7 @@ import numpy as np
 from slipcircle.base.arrays import array_of
 from slipcircle.base.errors import abridged
 from slipcircle.base.kinds import Function, Texts, Values
-from slipcircle.core import Scene, checked
+from slipcircle.core import Scene, checked_scene
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
 from slipcircle.workbench.studies.searched import search_mistakes
@@ -80,7 +80,7 @@ def setting_mistakes(scene: Scene, settings: Values, records: Any) -> Texts:
 
     ``settings`` are the arguments of `ensemble` by name; ``records`` is None without records.
     """
-    faults = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
+    faults = [OF_ARRAYS] if checked_scene(scene, "ensemble").shape else []
     if not scene.uncertain and records is None:
         faults.append(
             "the scene has no uncertain parameter; give Scene(uncertain=...), --uncertain, or one in the file"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Columns, Floats, Texts
-from slipcircle.base.text import shown
+from slipcircle.base.text import number_text
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.tables import Pulse
 from slipcircle.workbench.records.suite import Suite
@@ -186,7 +186,7 @@ class Shaken:
 
     def scale_text(self, scale: int) -> str:
         """Return a scale, given by its place, in words."""
-        value = shown(float(self.scales[scale]))
+        value = number_text(float(self.scales[scale]))
         return f"a peak of {value} g" if self.records.to_pga else f"scale {value}"
 
     def _record_warnings(self) -> Texts:

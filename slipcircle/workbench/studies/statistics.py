@@ -8,7 +8,7 @@ import numpy as np
 
 from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayTriple, Floats
-from slipcircle.base.text import shown
+from slipcircle.base.text import number_text
 from slipcircle.workbench.common.distributions import special
 
 # Least values for an interval from replicates: samples of each, samples in the tail, standard deviation of the counts.
@@ -49,7 +49,7 @@ BEYOND = "beyond"  # replaces an infinite value, due to samples that slide witho
 
 def value_text(value: float) -> str:
     """Return a value of an estimate as text, `BEYOND` if it is infinite."""
-    return BEYOND if value == math.inf else shown(value)
+    return BEYOND if value == math.inf else number_text(value)
 
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
@@ -317,21 +317,19 @@ def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
         return exceeds.sum(axis=(1, 3)) / (~np.isnan(displacement)).sum(axis=(1, 3))
 
 
-def exceedance_probabilities(
-    displacement: Floats, thresholds: Floats, confidence: float = 0.95
-) -> list[list[Estimate]]:
+def exceedance_probabilities(displacement: Floats, thresholds: Floats) -> list[list[Estimate]]:
     """Return the probabilities that displacements exceed thresholds, m, as lists by scale of lists by threshold.
 
-    The intervals are conservative: they treat each record as one draw (Clopper and Pearson 1934), as if both polarities
-    and all samples of a record exceeded a threshold together. Intervals for motions as independent draws would be too
-    short, because the two polarities of a record are not independent.
+    The intervals of 95 % are conservative: they treat each record as one draw (Clopper and Pearson 1934), as if both
+    polarities and all samples of a record exceeded a threshold together. Intervals for motions as independent draws
+    would be too short, because the two polarities of a record are not independent.
     """
     records, _, scales, _ = displacement.shape
     by_scale = []
     for k in range(scales):
         values = _valid(displacement, k)
         shares = (values[:, None] > thresholds).mean(axis=0) if values.size else np.full(thresholds.size, np.nan)
-        rows = np.stack([shares, *proportion(shares * records, records, confidence)], axis=1)
+        rows = np.stack([shares, *proportion(shares * records, records, 0.95)], axis=1)
         by_scale.append([Estimate(*row) for row in rows.tolist()])
     return by_scale
 

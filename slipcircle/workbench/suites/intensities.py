@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats
-from slipcircle.base.text import measured
+from slipcircle.base.text import amount_text
 from slipcircle.tables import Series
 
 _DRIFT = 0.05  # of the peak velocity
@@ -71,7 +71,7 @@ def drift_warning(record: Series, gravity: float = 9.81) -> str:
     end, peak = float(velocity[-1]), float(np.max(velocity))
     if not end > _DRIFT * peak:
         return ""
-    drift = f"drifts: its velocity at the end is {measured(end, 'm/s', 3)}, {100 * end / peak:.3g} % of its peak"
+    drift = f"drifts: its velocity at the end is {amount_text(end, 'm/s', 3)}, {100 * end / peak:.3g} % of its peak"
     return f"{drift}; correct its base line, or take the corrected record"
 
 

@@ -130,7 +130,8 @@ class PageInputs:
 
         For tables it is the greatest over all pieces at each power.
         """
-        sizes = np.abs(values).max(axis=1)
+        magnitudes = np.abs(values)
+        sizes = magnitudes.max(axis=1)
         at = len(self.names)
         for table in self.problem.tables():
             pieces, terms = table.coefficients.shape[:2]
@@ -149,13 +150,10 @@ class PageInputs:
         start = with_outputs(problem, (*OUTPUTS, "energy")).start
         rows = [np.broadcast_to(start[name], (1, count)) for name in self.names]
         for table in problem.tables():
-            for values in (table.breaks, table.coefficients):
-                shared = values.ndim < (2 if values is table.breaks else 3)
-                if shared:
-                    flat = values.reshape(-1, 1)
-                else:
-                    flat = values.reshape(-1, count)
-                rows.append(np.broadcast_to(flat, (flat.shape[0], count)))
+            for values, axes in ((table.breaks, 1), (table.coefficients, 2)):
+                lanes = count if values.ndim > axes else 1
+                flat = values.reshape(-1, lanes)
+                rows.append(np.broadcast_to(flat, (len(flat), count)))
         rows += [np.broadcast_to(np.ravel(value), (1, count)) for value in _others(motion).values()]
         if self.start:
             rows[-1] = np.ones((1, count))  # factor of safety, which the page solves for

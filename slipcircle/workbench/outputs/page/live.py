@@ -14,7 +14,7 @@ from string import Template
 import numpy as np
 
 from slipcircle.base.kinds import ValueDict, Values
-from slipcircle.base.text import drawn_unit, printed, shown
+from slipcircle.base.text import drawn_unit, number_text, output_unit
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.messages import standing
@@ -112,13 +112,13 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
         "axes": section_ticks(frame, names_left=float(scene.arc.facing) > 0.0),
         "headline": escaped(first["headline"]),
         "label": escaped(f"section to scale: {first['headline']}"),
-        "time": shown(_duration(motion)),
+        "time": number_text(_duration(motion)),
         "duration": repr(_duration(motion)),
         "state": escaped(first["end"]),
         "facts": html_terms(first["facts"]),
         "warnings": "".join(tag("li", warning) for warning in first["warnings"]),
-        "length": printed("m")[1],
-        "velocity": printed("m/s")[1],
+        "length": output_unit("m")[1],
+        "velocity": output_unit("m/s")[1],
         "caption": escaped(" ".join(_caption(motion, magnification, why_not))),
         "data": _as_script_data(data),
     }
@@ -132,8 +132,8 @@ def _data(motion: Motion, drawn: DrawnSection, sliders: Sequence[Slider] | None,
     """
     scene = motion.plan.scene
     duration = _duration(motion)
-    length, _ = printed("m")
-    observed = {name: np.multiply(printed(OBSERVABLE[name].unit)[0], seen) for name, seen in scene.observed.items()}
+    length, _ = output_unit("m")
+    observed = {name: np.multiply(output_unit(OBSERVABLE[name].unit)[0], seen) for name, seen in scene.observed.items()}
     data: ValueDict = {
         "units": {unit: drawn_unit(unit)[::-1] for unit in ("m", "m/s", "Pa")},
         "shape": {"centre": drawn.centre, "turn": drawn.turn / length},
@@ -207,7 +207,7 @@ def _stored(motion: Motion) -> ValueDict:
     columns = {"t": times, "s": np.zeros(times.size), "v": np.zeros(times.size)}
     if _is_motion(motion):
         states = motion.at(times)
-        columns |= {"s": printed("m")[0] * states.displacement, "v": printed("m/s")[0] * states.velocity}
+        columns |= {"s": output_unit("m")[0] * states.displacement, "v": output_unit("m/s")[0] * states.velocity}
     rounded = {name: [float(f"{x:.{_DIGITS}g}") for x in column.tolist()] for name, column in columns.items()}
     left = _is_motion(motion) and motion.range_end
     return rounded | {"duration": _duration(motion), "left": left and float(left.time)}
@@ -237,7 +237,7 @@ def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str
     if len(getattr(arc, "surcharge", ())):
         yield "Arrows: surcharges, where they are at the start."
     if magnification > 1.0:
-        yield f"Displacements are drawn {shown(magnification)} times as large."
+        yield f"Displacements are drawn {number_text(magnification)} times as large."
     if motion.moves and "rotation" not in motion.plan.effects:
         yield "Frozen geometry: the mass is drawn turned, its forces remain as at the start."
     if why_not:
@@ -246,13 +246,20 @@ def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str
         yield "Grey, dashed: the scene as given. This page itself solves the scene with the values of the sliders."
 
 
+def _compact(data: Values) -> str:
+    """Return data as JSON without blanks."""
+    return json.dumps(data, separators=(",", ":"), allow_nan=False)
+
+
 def _packed(data: Values) -> str:
     """Return data as compressed JSON in base64, which the script unpacks."""
-    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
-    return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode()
+    content = gzip.compress(_compact(data).encode(), mtime=0)
+    return base64.b64encode(content).decode()
 
 
 def _as_script_data(data: Values) -> str:
     """Return data as JSON with escaped ``&``, ``<`` and ``>``, which is safe inside HTML and XML."""
-    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
-    return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
+    text = _compact(data)
+    for character in "&<>":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return text

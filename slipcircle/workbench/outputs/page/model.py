@@ -111,7 +111,7 @@ def page_model(scene: Scene, sliders: Sequence[Slider]) -> ValueDict:
         "divided": inputs.divided,
         "divisor": inputs.friction,
         "fits": [[fit.of, fit.degrees, fit.rows, _plain(fit.weights), _plain(fit.coefficients)] for fit in fits],
-        "tables": [_table(name, inputs.problem) for name in _table_names(inputs.problem)],
+        "tables": [_table(inputs.problem.data[table.name]) for table in inputs.problem.program.tables],
         "programs": [_program(problem, inputs.names) for problem in (inputs.problem, inputs.forces)],
         "runs": _runs(inputs),
         "start": inputs.start and _start(inputs, inputs.start),
@@ -138,17 +138,11 @@ def _start(inputs: PageInputs, start: StartSeries) -> ValueDict:
     }
 
 
-def _table_names(problem: Problem) -> list[str]:
-    """Return the names of the tables (piecewise functions) of a problem's program."""
-    return [table.name for table in problem.program.tables]
-
-
-def _table(name: str, problem: Problem) -> ValueDict:
-    """Return a table (piecewise function) of a problem by its name as JSON data: counts, jumps and flags.
+def _table(data: Any) -> ValueDict:
+    """Return a table (piecewise function) as JSON data: counts, jumps and flags.
 
     Its breaks and coefficients are rows of `PageInputs` instead.
     """
-    data = problem.data[name]
     pieces, terms = data.coefficients.shape[:2]
     return {"pieces": pieces, "terms": terms, "jumps": _plain(data.jumps), "sine": data.sine, "open": data.open}
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Pair
-from slipcircle.base.text import printed
+from slipcircle.base.text import output_unit
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.pictures.plotstyle import SOILS
@@ -53,20 +53,21 @@ class Frame(NamedTuple):
         """Return an SVG path of a CSS class, ``kind``: a line through points (n, 2) in m, with gaps at NaN.
 
         ``world`` are the points, and ``arc`` further commands of the path.
-
-        ``arc`` has further commands of the path.
         """
         points = self.points(np.asarray(world, dtype=np.float64))
         data = ""
-        for part in np.split(points, np.flatnonzero(np.isnan(points[:, 0]))):
-            data += "M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in part[np.isfinite(part[:, 0])].tolist())
+        is_gap = np.isnan(points[:, 0])
+        for part in np.split(points, np.flatnonzero(is_gap)):
+            ends = part[np.isfinite(part[:, 0])].tolist()
+            data += "M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in ends)
             data += "Z" * closed
         return f'<path class="{kind}" d="{data}{arc}" />'
 
     def area(self, kind: str, line: Floats, bottom: float) -> str:
         """Return the area between a line, (n, 2), and a height, both in m, as an SVG path of a CSS class (``kind``)."""
-        slopes = np.diff(line[:, 1]) / np.diff(line[:, 0])
-        corners = line[np.pad(np.abs(np.diff(slopes)) > _STRAIGHT, 1, constant_values=True)]
+        run, rise = np.diff(line, axis=0).T
+        turns = np.abs(np.diff(rise / run)) > _STRAIGHT
+        corners = line[np.pad(turns, 1, constant_values=True)]
         (left, _), (right, _) = line[[0, -1]]
         return self.path(kind, [*corners, [right, bottom], [left, bottom]], closed=True)
 
@@ -178,7 +179,7 @@ def section_ticks(frame: Frame, names_left: bool) -> Raw:
     ``names_left`` says that the names are at the left.
     """
     view = frame.view
-    factor, unit = printed("m")
+    factor, unit = output_unit("m")
     drawn = ""
     for x in _round_numbers(factor * view.left, factor * view.right, _TICKS[0]):
         across, _ = frame.points([x / factor, 0.0])

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from generated import slopes
-from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.factors import Driven, factor_by
@@ -77,7 +77,8 @@ class StartSeries(NamedTuple):
         half = (self.high - self.low) / 2
         shear = np.stack([self._shear(driven, (middle + half * x)[self.soils]) for x in places])
         of_soils = shear @ np.eye(len(self.low))[self.soils]
-        coefficients = np.tensordot(np.linalg.inv(chebyshev.chebvander(places, self.degree)), of_soils, 1)
+        polynomials = chebyshev.chebvander(places, self.degree)
+        coefficients = np.tensordot(np.linalg.inv(polynomials), of_soils, 1)
         return np.moveaxis(coefficients, -1, 0).reshape(self.terms, -1)
 
     def _shear(self, driven: Driven, mobilised: Floats) -> Floats:
@@ -95,8 +96,8 @@ class StartSeries(NamedTuple):
             shear = strength / slopes.bishop_lever(slices.sine, slices.cosine, mobilised, 1.0)
         return _by_lane(slices, (slices.weight * shear).sum(axis=0))
 
-    def factors(self, rows: Floats) -> ArrayPair:
-        """Return factors of safety and strength factors, (lanes,) each, from `rows`, as the page does."""
+    def strength_factors(self, rows: Floats) -> Floats:
+        """Return strength factors, (lanes,), from `rows`, as the page does."""
         driving, closure = rows[:2]
         count = len(self.low)
         friction = rows[2 : 2 + count]
@@ -107,7 +108,7 @@ class StartSeries(NamedTuple):
             places = (friction / factor - self.low[:, None]) / half - 1.0
             shares = [chebyshev.chebval(x, c, tensor=False) for x, c in zip(places, series, strict=True)]
             factor = sum(shares) / driving
-        return factor, factor * driving / closure
+        return factor * driving / closure
 
 
 def start_of(scene: Scene, probe: Scene) -> StartSeries | None:
@@ -136,7 +137,7 @@ def start_of(scene: Scene, probe: Scene) -> StartSeries | None:
     high = mobilised.max(axis=0) + margin + 1e-3
     start = StartSeries(scene.start, soils.ravel(), low, high, 0 if scene.start == "ordinary" else _DEGREE)
     start = start.shortened(probe)
-    _, strength = start.factors(start.rows(probe))
+    strength = start.strength_factors(start.rows(probe))
     if np.allclose(strength, probe.strength_factor, rtol=_ERROR, atol=0.0):
         return start
     return None

@@ -112,18 +112,15 @@ def _run_outs(motions: Sequence[Motion], ax: Any) -> Any:
     if hidden := order[_MOST_BARS:]:
         more = f"; {len(hidden)} more, each at most {formatted_amount(abs(motions[hidden[0]].run_out), 'm')}"
     panel(ax, "run-out", (*_RUN_OUT, more))
-    _draw_run_outs(ax, [m.plan.scene.name for m in shown], [(m.run_out, m.arrested) for m in shown], words)
+    _draw_run_outs(ax, [m.plan.scene.name for m in shown], shown, words)
     return ax
 
 
-def _draw_run_outs(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bool]], words: Sequence[str]) -> None:
-    """Draw a bar for each run-out in m, styled by whether the mass is at rest, between a name and its outcome.
-
-    ``outcomes`` has pairs of both, ``words`` the outcomes as text.
-    """
+def _draw_run_outs(ax: Any, names: Sequence[str], results: Sequence[Motion | Rung], words: Sequence[str]) -> None:
+    """Draw a bar for each run-out, styled by whether the mass is at rest, between a name and the outcome in words."""
     name_rows(ax, names)
-    for place, (run_out, arrested) in enumerate(outcomes):
-        ax.barh(place, run_out, height=0.62, **AREAS["rests" if arrested else "moves on"])
+    for place, result in enumerate(results):
+        ax.barh(place, result.run_out, height=0.62, **AREAS["rests" if result.arrested else "moves on"])
     side = ax.secondary_yaxis("right")
     side.set_yticks(range(len(words)), words)
     side.tick_params(length=0, labelsize="small")
@@ -152,6 +149,6 @@ def ladder(rungs: Sequence[Rung], ax: Any = None) -> Any:
         else:
             end = "still moving at"
         words.append(_words(r.run_out, r.peak_velocity, end, r.duration) if r.peak_velocity else STILL)
-    _draw_run_outs(ax, names, [(r.run_out, r.arrested) for r in rungs], words)
+    _draw_run_outs(ax, names, rungs, words)
     ax.axvline(most, **LINES["help"])
     return ax

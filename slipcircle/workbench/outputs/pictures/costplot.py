@@ -31,7 +31,8 @@ def _group(rows: Sequence[CostRow], style: tuple[str, Any, str], axes: Any) -> N
     """Draw the ways of a group, given as rows; ``style`` has colour, dashes and marker."""
     colour, dashes, marker = style
     for row in rows:
-        height, bound = np.clip([row.error, row.error if row.bound is None else row.bound], _LEAST, _NONE)
+        ends = [row.error, row.error if row.bound is None else row.bound]
+        height, bound = np.clip(ends, _LEAST, _NONE)
         beaten = row.verdict.startswith(BEATEN)
         axes.plot(row.seconds, height, marker, color=colour, mfc="white" if beaten else colour, zorder=4)
         if row.bound is not None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from slipcircle.base.kinds import Function, Pair
 from slipcircle.base.optional import optional
-from slipcircle.base.progress import track
+from slipcircle.base.progress import tracked
 from slipcircle.core import Motion
 from slipcircle.workbench.outputs.pictures.plotstyle import figure_texts
 
@@ -78,7 +78,7 @@ def _played(film: "Film") -> bytes:
     background = canvas.copy_from_bbox(figure.bbox)
     size = canvas.get_width_height()
     images = []
-    for frame in track(range(len(film.times)), "frames drawn"):
+    for frame in tracked(range(len(film.times)), "frames drawn"):
         canvas.restore_region(background)
         for artist in film.draw(frame):
             figure.draw_artist(artist)

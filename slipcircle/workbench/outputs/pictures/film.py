@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.text import printed
+from slipcircle.base.text import output_unit
 from slipcircle.core import Motion
 from slipcircle.workbench.outputs.pictures.plotstyle import area, formatted_number, pace, panel
 from slipcircle.workbench.outputs.pictures.sectionplot import magnified, set_stage
@@ -37,7 +37,7 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     times = np.linspace(0.0, motion.settling_time, frames if motion.moves else 1)
     states = motion.at(times)
     turns = magnification * float(motion.plan.scene.arc.facing) * states.rotation
-    (far, length), (fast, velocity) = printed("m"), printed("m/s")
+    (far, length), (fast, velocity) = output_unit("m"), output_unit("m/s")
     if motion.moves:
         words = f"; {pace(motion.settling_time, seconds)}"
     else:

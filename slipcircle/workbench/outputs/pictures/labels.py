@@ -83,7 +83,8 @@ class Label(Annotation):
             return np.zeros(1), np.zeros((1, 2))
         away = np.stack([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)], axis=1)
         distances = np.repeat(_DISTANCES, len(away)) * pixels
-        return distances, (distances[:, None] + half) * np.tile(away, (len(_DISTANCES), 1))
+        directions = np.tile(away, (len(_DISTANCES), 1))
+        return distances, (distances[:, None] + half) * directions
 
 
 def _crosses(anchors: Floats, centres: Floats, box: Any) -> Any:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import ArrayPair, Floats
-from slipcircle.base.text import printed
+from slipcircle.base.text import output_unit
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
 from slipcircle.messages import standing, swings_back
@@ -156,7 +156,7 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
 
 def _rotation_axis(ax: Any, motion: Motion) -> None:
     """Add an axis of rotations in deg to the right of displacements."""
-    radius, _ = printed("m")
+    radius, _ = output_unit("m")
     degrees = math.degrees(1.0 / (radius * float(np.asarray(motion.plan.scene.arc.radius))))
     functions = partial(np.multiply, degrees), partial(np.multiply, 1.0 / degrees)
     ax.secondary_yaxis("right", functions=functions).set_ylabel("rotation $\\phi$ (deg)")

@@ -8,7 +8,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Pair, Values
 from slipcircle.base.optional import optional
-from slipcircle.base.text import measured, printed, shown
+from slipcircle.base.text import amount_text, number_text, output_unit
 from slipcircle.core import Motion, Status
 from slipcircle.messages import standing, swings_back
 from slipcircle.workbench.common.trace import columns_of_picture
@@ -113,7 +113,7 @@ def check_choice(what: str, name: str, choice: Iterable[str]) -> None:
 
 def formatted_number(value: float) -> str:
     """Return a number with four significant digits as text, with a power of ten as a formula."""
-    mantissa, _, exponent = shown(float(value)).partition("e")
+    mantissa, _, exponent = number_text(float(value)).partition("e")
     if exponent:
         return f"${mantissa}\\times10^{{{int(exponent)}}}$"
     return mantissa
@@ -121,7 +121,7 @@ def formatted_number(value: float) -> str:
 
 def formatted_amount(value: float, unit: str) -> str:
     """Return a quantity in an SI unit as `formatted_number`, with its unit of output."""
-    factor, name = printed(unit)
+    factor, name = output_unit(unit)
     return f"{formatted_number(factor * value)} {name}"
 
 
@@ -132,7 +132,7 @@ def label_direction(line: Any, words: str, unit: str | None = None, more: str = 
     """
     from matplotlib.ticker import AutoLocator, FuncFormatter, LogLocator
 
-    factor, name = (1.0, "") if unit is None else printed(unit)
+    factor, name = (1.0, "") if unit is None else output_unit(unit)
     line.set_label_text(words if unit is None else f"{words} ({name or '–'}){more}")
     if factor == 1.0:
         return
@@ -314,8 +314,8 @@ def outcome_words(motion: Motion, digits: int = 3) -> str:
     time = motion.settling_time
     end = ending(motion)
     if swings_back(motion):
-        time, end = motion.farthest.time, f"swings back to {measured(motion.end.displacement, 'm', digits)}"
-    return f"{measured(motion.run_out, 'm', digits)} in {shown(time, digits)} s, {end}"
+        time, end = motion.farthest.time, f"swings back to {amount_text(motion.end.displacement, 'm', digits)}"
+    return f"{amount_text(motion.run_out, 'm', digits)} in {number_text(time, digits)} s, {end}"
 
 
 def pace(duration: float, seconds: float) -> str:
@@ -332,7 +332,7 @@ def width(motion: Motion) -> tuple[str, str, float]:
     The end is "/m" for one metre, otherwise empty.
     """
     metres = float(np.asarray(motion.plan.scene.arc.width))
-    factor, name = printed("m")
+    factor, name = output_unit("m")
     if metres != 1.0:
         return f"of {formatted_amount(metres, 'm')} of width", "", 1.0
     return f"per {'metre' if factor == 1.0 else name} of width", f"/{name}", 1.0 / factor

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.text import drawn_unit, shown
+from slipcircle.base.text import drawn_unit, number_text
 from slipcircle.core import Arc
 from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.pictures.shapes import MassShape, View
@@ -203,6 +203,6 @@ def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], 
         tips = np.stack([x, np.interp(x, *ground.T)], axis=-1)
         heights = _LOAD * view.size / greatest * np.interp(x, [left, right], pressures)
         arrows = tips[:, None] + heights[:, None, None] * _ARROW
-        values = dict.fromkeys(shown(factor * value, 4) for value in pressures)
+        values = dict.fromkeys(number_text(factor * value, 4) for value in pressures)
         line = np.concatenate([arrows[:, 1], *arrows])
         yield Line("surcharge", line, f"{' to '.join(values)} {unit}", arrows[:, 1])

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.base.kinds import Pair
-from slipcircle.base.text import printed
+from slipcircle.base.text import output_unit
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, Quantity, observable
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import number_in
@@ -216,7 +216,7 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Key], values: Any, qu
     ordered = values[np.ix_(columns, rows)].T
     cells = ax.pcolormesh(across, up, ordered, shading="nearest", cmap="viridis_r", rasterized=True)
     label_direction(ax.figure.colorbar(cells, ax=ax).ax.yaxis, quantity.label, quantity.unit)
-    seen = printed(quantity.unit)[0] * ordered
+    seen = output_unit(quantity.unit)[0] * ordered
     low = np.nanmin(seen)
     high = np.nanmax(seen)
     if low < high:
@@ -281,7 +281,7 @@ def _draw_observed(
     seen, sigma = observed
     words = "observed"
     if interval is not None and interval.limit is not None:
-        words, interval = str(interval.times(printed(OBSERVABLE[name].unit)[0])), None
+        words, interval = str(interval.times(output_unit(OBSERVABLE[name].unit)[0])), None
     band = interval
     if sigma and interval is None:
         band = Interval(seen - sigma, seen + sigma)
