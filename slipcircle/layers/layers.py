@@ -23,7 +23,7 @@ from slipcircle.base.errors import Fault, complaint, mistakes, raise_all
 from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Texts, Values
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import symbols_of
-from slipcircle.core.scene.friction import rate_mistakes
+from slipcircle.core.scene.laws import rate_mistakes
 from slipcircle.core.scene.mass import Farther
 from slipcircle.core.scene.piecewise import Tables
 from slipcircle.core.scene.tree import number, numbers

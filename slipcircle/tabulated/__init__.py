@@ -105,5 +105,5 @@ def _given_mistakes(coefficients: Any) -> Texts:
     names = ", ".join(GIVEN)
     messages += [f"given: {name!r} is unknown; known are {names}" for name in coefficients if name not in GIVEN]
     bounds = {name: GIVEN[name] for name in GIVEN if name in coefficients}
-    messages += [f"given: {mistake}" for mistake in mistakes(coefficients, bounds, one=bounds)]
+    messages += [f"given: {mistake}" for mistake in mistakes(coefficients, bounds)]
     return messages

@@ -164,7 +164,7 @@ class Arc(Mass, Generic[Numbers]):
         """Return messages about the fields: numbers out of bounds, shapes that do not broadcast, impossible arcs."""
         values = {name: getattr(self, name) for name in self.quantities}
         kind: Any = type(self)
-        messages = mistakes(values, bounds(kind)) or shape_mistakes(values)
+        messages = mistakes(values, declared(kind)) or shape_mistakes(values)
         if not messages and not self._is_plain_arc:
             angles = np.broadcast(self.theta_1, self.theta_2)
             messages = complaint(self.geometry_errors(), angles.shape)

@@ -17,7 +17,7 @@ from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
-from slipcircle.core.scene.friction import law_mistakes, law_parts
+from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.mass import Mass
 from slipcircle.core.scene.tree import Parts, declared, number, numbers, parts_of_fields, replace_unchecked
 
@@ -170,8 +170,8 @@ class Scene(Generic[Numbers]):
             faults.append(f"arc = {mass!r}: must be an Arc or a Section")
         faults += self._field_faults()
         if own_friction is None:
-            faults += law_mistakes(self.friction)
-            if type(self.friction) is not float:
+            if type(self.friction) is not float or not 0.0 <= self.friction < INFINITY:
+                faults += lazy_import("laws").law_mistakes(self.friction)
                 freeze(self, ("friction",))
         else:
             object.__setattr__(self, "friction", own_friction)

@@ -14,8 +14,9 @@ from generated.effects import EFFECTS
 from slipcircle.base.arrays import plain
 from slipcircle.base.errors import InputError, Message
 from slipcircle.base.kinds import Rename, Tell, Texts, ValueDict, Values
-from slipcircle.core import Arc, Scene, law_mistakes
+from slipcircle.core import Arc, Scene
 from slipcircle.ground import Section
+from slipcircle.layers import law_mistakes
 from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import Table
