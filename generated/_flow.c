@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "27de8a4d3db134cf7672d3e4a871ec46948f893a5c1b879144e3d546db553d06"
+#define DIGEST "e6ff181549f79510441d44cdd92af265253d7cdcd7315267773bd2f112775063"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2211,6 +2211,39 @@ INLINE M passes(Batch *b, int t, int piece, V per, V until, V press)
     return before_last & in_time & pressed;
 }
 
+/* Return a record at the right end of a piece. */
+INLINE V right_value(Batch *b, int t, int piece)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int last = (int)job->data[t].pieces - 1;
+    int following = (piece + 1) < last ? (piece + 1) : last;
+    double height = job->data[t].coefficients[2 * following];
+    return height * c[job->table[t].cell + SCALED_BY];
+}
+
+/* Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it. */
+INLINE M rests_through(Batch *b, int t, int piece, V per)
+{
+    V *const c = b->c;
+    V value = right_value(b, t, piece);
+    V until = end_of(b, t, piece, per);
+    V pressed = broadcast(1.0);
+    M inside = passes(b, t, piece, per, until, pressed);
+    M quiet = (c[QUIET_FROM] <= value) & (value <= c[QUIET_TO]);
+    return inside & quiet;
+}
+
+/* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
+static int last_at_rest(Batch *b, M on, int t, int piece, V per)
+{
+    int last = piece;
+    while (!bits(on & ~rests_through(b, t, last + 1, per))) {
+        last = last + 1;
+    }
+    return last;
+}
+
 /* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
 static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, double omega)
 {
@@ -2334,7 +2367,6 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     const Job *const job = b->job;
     V *const c = b->c;
     V per = 1.0 / c[job->table[t].cell + SCALE];
-    int last = (int)job->data[t].pieces - 1;
     int piece = first;
     V now = c[TIME];
     V current = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
@@ -2347,18 +2379,22 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     while (bits(on)) {
         V length = until - now;
         V after = base + (slope * value);
-        if (bits(on & ((omega > 0.0) | (net > 0.0) | (after > 0.0)))) {
+        M acts = on & ((omega > 0.0) | (net > 0.0) | (after > 0.0));
+        if (bits(acts)) {
             const Pair speed_way = pass_piece(b, on, now, length, x, omega, net, after);
             V speed = speed_way.one, way = speed_way.other;
             omega = speed;
             x = x + way;
         }
+        if (!bits(acts)) {
+            piece = last_at_rest(b, on, t, piece, per);
+            until = end_of(b, t, piece, per);
+            after = base + (slope * right_value(b, t, piece));
+        }
         now = until;
         net = after;
         piece = piece + 1;
-        int following = (piece + 1) < last ? (piece + 1) : last;
-        double height = job->data[t].coefficients[2 * following];
-        value = height * c[job->table[t].cell + SCALED_BY];
+        value = right_value(b, t, piece);
         V press = weight + (grip * value);
         until = end_of(b, t, piece, per);
         M inside = passes(b, t, piece, per, until, press);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c624f96fde3603d442c2cda249b20df7caf7405a604b3eb7becd898218d699fb
+# sha256 of the text below: 62246ddb3ec201810c1877bae391e58f53438feb5e390493b5d2f6f1b9a7c2a7
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1240,6 +1240,34 @@ def passes(s: Lanes, t: Table, piece: int, per: Floats, until: Floats, press: Fl
     return before_last & in_time & pressed
 
 
+def right_value(s: Lanes, t: Table, piece: int) -> Floats:
+    """Return a record at the right end of a piece."""
+    c = s.cells
+    last = t.pieces - 1
+    following = min(piece + 1, last)
+    height = t.heights[2 * following]
+    return height * c[t.cells + ix.SCALED_BY]
+
+
+def rests_through(s: Lanes, t: Table, piece: int, per: Floats) -> Mask:
+    """Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it."""
+    c = s.cells
+    value = right_value(s, t, piece)
+    until = end_of(s, t, piece, per)
+    pressed: Floats = 1.0
+    inside = passes(s, t, piece, per, until, pressed)
+    quiet = (c[ix.QUIET_FROM] <= value) & (value <= c[ix.QUIET_TO])
+    return inside & quiet
+
+
+def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, per: Floats) -> int:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last = piece
+    while not np.any(on & np.logical_not(rests_through(s, t, last + 1, per))):
+        last = last + 1
+    return last
+
+
 def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
     """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = lane.cells
@@ -1356,7 +1384,6 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
     c = s.cells
     per = 1.0 / c[t.cells + ix.SCALE]
-    last = t.pieces - 1
     piece = first
     now = c[ix.TIME].copy()
     current = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
@@ -1369,16 +1396,19 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     while np.any(on):
         length = until - now
         after = base + slope * value
-        if np.any(on & ((omega > 0.0) | (net > 0.0) | (after > 0.0))):
+        acts = on & ((omega > 0.0) | (net > 0.0) | (after > 0.0))
+        if np.any(acts):
             speed, way = pass_piece(s, on, now, length, x, omega, net, after)
             omega = speed
             x = x + way
+        if not np.any(acts):
+            piece = last_at_rest(s, on, t, piece, per)
+            until = end_of(s, t, piece, per)
+            after = base + slope * right_value(s, t, piece)
         now = until
         net = after
         piece = piece + 1
-        following = min(piece + 1, last)
-        height = t.heights[2 * following]
-        value = height * c[t.cells + ix.SCALED_BY]
+        value = right_value(s, t, piece)
         press = weight + grip * value
         until = end_of(s, t, piece, per)
         inside = passes(s, t, piece, per, until, press)

@@ -146,6 +146,32 @@ def passes(s: Lanes, t: T, piece: N, per: V, until: V, press: V) -> M:
     return before_last and in_time and pressed
 
 
+def right_value(s: Lanes, t: T, piece: N) -> V:
+    """Return a record at the right end of a piece."""
+    last: N = t.pieces - 1
+    following: N = minimum(piece + 1, last)
+    height = t.heights[2 * following]
+    return height * t.scaled_by
+
+
+def rests_through(s: Lanes, t: T, piece: N, per: V) -> M:
+    """Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it."""
+    value = right_value(s, t, piece)
+    until = end_of(s, t, piece, per)
+    pressed: V = 1.0
+    inside = passes(s, t, piece, per, until, pressed)
+    quiet = s.quiet_from <= value and value <= s.quiet_to
+    return inside and quiet
+
+
+def last_at_rest(s: Lanes, on: M, t: T, piece: N, per: V) -> N:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last: N = piece
+    while not any_lane(on and not rests_through(s, t, last + 1, per)):
+        last = last + 1
+    return last
+
+
 def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
     """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
     lane.x = x
@@ -257,7 +283,6 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
     A lane leaves before a piece in which it may lift.
     """
     per = 1.0 / t.scale
-    last: N = t.pieces - 1
     piece: N = first
     now: V = s.time
     current = t.value + t.inc
@@ -270,16 +295,19 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
     while any_lane(on):
         length = until - now
         after = base + slope * value
-        if any_lane(on and (omega > 0.0 or net > 0.0 or after > 0.0)):
+        acts = on and (omega > 0.0 or net > 0.0 or after > 0.0)
+        if any_lane(acts):
             speed, way = pass_piece(s, on, now, length, x, omega, net, after)
             omega = speed
             x = x + way
+        if not any_lane(acts):
+            piece = last_at_rest(s, on, t, piece, per)
+            until = end_of(s, t, piece, per)
+            after = base + slope * right_value(s, t, piece)
         now = until
         net = after
         piece = piece + 1
-        following: N = minimum(piece + 1, last)
-        height = t.heights[2 * following]
-        value = height * t.scaled_by
+        value = right_value(s, t, piece)
         press = weight + grip * value
         until = end_of(s, t, piece, per)
         inside = passes(s, t, piece, per, until, press)
