@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
 from slipcircle.workbench.common.units import published
-from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
+from slipcircle.workbench.files.keys import WITH_ARC, KeyTable, fitted
 from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, WITH_LAYERS, WITH_ONE_SOIL
 
 _BY_SOILS = "is given by the soils beside [[layers]]"
@@ -31,7 +31,7 @@ class Layout(NamedTuple):
     reported in ``mistakes``.
     """
 
-    tables: dict[str, Table]
+    tables: dict[str, KeyTable]
     content: ValueDict
     mistakes: Texts
     on_slope: bool
