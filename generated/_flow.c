@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e6ff181549f79510441d44cdd92af265253d7cdcd7315267773bd2f112775063"
+#define DIGEST "38e1840dd78806b62ad5e601f2a44476a9d0a939e8fba1bb9f2cbcf36bcbcd58"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -395,7 +395,7 @@ enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
-enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE };
+enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE, REST };
 enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
@@ -1961,6 +1961,15 @@ static void resolve_stick_or_slip(Batch *b, unsigned lane)
         return;
     }
     int may = may_start(b, lane);
+    if (c[PENDING][lane] == REST) {
+        if (may) {
+            stick(b, lane);
+            return;
+        }
+        face(b, lane, -c[DIRECTION][lane]);
+        c[PENDING][lane] = RESOLVE;
+        return;
+    }
     double terms = fabs(c[job->role->driving][lane]) + c[job->role->resisting][lane];
     double unsure = EPS * (terms + (c[job->role->mu][lane] * fabs(c[job->role->normal0][lane])));
     int of_weight = (c[job->role->driving][lane] == c[job->role->driving_moment][lane]) && (c[job->role->normal0][lane] == c[job->role->normal_load][lane]) && (c[job->role->resisting][lane] == 0.0);
@@ -2452,7 +2461,7 @@ static void enter_phase(Batch *b, unsigned lane, double rate)
     c[PENDING][lane] = ENTER_PHASE;
 }
 
-/* Bring the lane to its standstill, reversed, so that rounding cannot continue its motion. */
+/* Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion. */
 static void on_standstill(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -2461,8 +2470,9 @@ static void on_standstill(Batch *b, unsigned lane)
     c[REST_SINCE][lane] = c[TIME][lane];
     note(b, lane, NOTE_STANDS);
     c[FACED][lane] = 1.0;
-    face(b, lane, -c[DIRECTION][lane]);
-    c[PENDING][lane] = RESOLVE;
+    int one_way = c[ONE_WAY][lane] > 0.0;
+    face(b, lane, one_way ? c[DIRECTION][lane] : (-c[DIRECTION][lane]));
+    c[PENDING][lane] = one_way ? REST : RESOLVE;
 }
 
 /* Change contact with the slip surface. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 62246ddb3ec201810c1877bae391e58f53438feb5e390493b5d2f6f1b9a7c2a7
+# sha256 of the text below: 3126a21c3be363ac6fce332ba35323dbc1c8540bedc5fd1eb04982e941dc4e41
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -972,33 +972,50 @@ def resolve_stick_or_slip(lane: Lanes, i: Index) -> None:
     if not i.size:
         return
     may = may_start(lane, i)
+    holds_2 = c[ix.PENDING, i] == ix.REST
+    i_2, may_2 = (i, may)
+    i, may = among(holds_2, i_2, may_2)
+    if i.size:
+        holds_3 = may
+        i_3, may_3 = (i, may)
+        i, may = among(holds_3, i_3, may_3)
+        if i.size:
+            stick(lane, i)
+        i, may = among(np.logical_not(holds_3), i_3, may_3)
+        if not i.size:
+            return
+        face(lane, i, -c[ix.DIRECTION, i])
+        c[ix.PENDING, i] = ix.RESOLVE
+    i, may = among(np.logical_not(holds_2), i_2, may_2)
+    if not i.size:
+        return
     terms = np.abs(c[lane.roles.driving, i]) + c[lane.roles.resisting, i]
     unsure = EPS * (terms + c[lane.roles.mu, i] * np.abs(c[lane.roles.normal0, i]))
     of_weight = (c[lane.roles.driving, i] == c[lane.roles.driving_moment, i]) & (c[lane.roles.normal0,
         i] == c[lane.roles.normal_load, i]) & (c[lane.roles.resisting, i] == 0.0)
     unsure = np.where((c[ix.LIMIT_REST, i] * c[lane.roles.drive, i] != 0.0) & of_weight, c[lane.roles.drive_scale, i],
         unsure)
-    holds_2 = may
-    i_2, may_2, unsure_2 = (i, may, unsure)
-    i, may, unsure = among(holds_2, i_2, may_2, unsure_2)
+    holds_4 = may
+    i_4, may_4, unsure_4 = (i, may, unsure)
+    i, may, unsure = among(holds_4, i_4, may_4, unsure_4)
     if i.size:
         c[ix.CLOSE, i] = np.fmin(c[ix.CLOSE, i], np.abs(c[lane.roles.drive, i]) / np.fmax(unsure, CLOSEST))
-    i, may, unsure = (i_2, may_2, unsure_2)
-    holds_3 = may & (c[lane.roles.drive, i] > 0.0)
-    i_3, may_3 = (i, may)
-    i, may = among(holds_3, i_3, may_3)
+    i, may, unsure = (i_4, may_4, unsure_4)
+    holds_5 = may & (c[lane.roles.drive, i] > 0.0)
+    i_5, may_5 = (i, may)
+    i, may = among(holds_5, i_5, may_5)
     if i.size:
         start_moving(lane, i, c[lane.roles.drive, i])
-    i, may = among(np.logical_not(holds_3), i_3, may_3)
+    i, may = among(np.logical_not(holds_5), i_5, may_5)
     if not i.size:
         return
     c[ix.FACED, i] = c[ix.FACED, i] + 1.0
-    holds_4 = (c[ix.FACED, i] > 1.0) | may & (c[ix.ONE_WAY, i] > 0.0)
-    i_4, may_4 = (i, may)
-    i, may = among(holds_4, i_4, may_4)
+    holds_6 = (c[ix.FACED, i] > 1.0) | may & (c[ix.ONE_WAY, i] > 0.0)
+    i_6, may_6 = (i, may)
+    i, may = among(holds_6, i_6, may_6)
     if i.size:
         stick(lane, i)
-    i, may = among(np.logical_not(holds_4), i_4, may_4)
+    i, may = among(np.logical_not(holds_6), i_6, may_6)
     if not i.size:
         return
     face(lane, i, -c[ix.DIRECTION, i])
@@ -1459,15 +1476,16 @@ def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
 
 
 def on_standstill(lane: Lanes, i: Index) -> None:
-    """Bring the lane to its standstill, reversed, so that rounding cannot continue its motion."""
+    """Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion."""
     c = lane.cells
     advance_origin(lane, i)
     update_reach(lane, i)
     c[ix.REST_SINCE, i] = c[ix.TIME, i]
     note(lane, i, ix.NOTE_STANDS)
     c[ix.FACED, i] = 1.0
-    face(lane, i, -c[ix.DIRECTION, i])
-    c[ix.PENDING, i] = ix.RESOLVE
+    one_way = c[ix.ONE_WAY, i] > 0.0
+    face(lane, i, np.where(one_way, c[ix.DIRECTION, i], -c[ix.DIRECTION, i]))
+    c[ix.PENDING, i] = np.where(one_way, ix.REST, ix.RESOLVE)
 
 
 def on_contact_change(lane: Lanes, i: Index, rate: Floats) -> None:

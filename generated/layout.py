@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e5e9a86ba596fead0640c035f4ad5e3ff24d2cb1abbdbe02f8ed0741dc2649af
+# sha256 of the text below: 0fb291dfa4409fc029625d6ba4f5a97c63a3c5fb3b2ce6f1b98a6f2ecacbd144
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -101,6 +101,7 @@ START_AGAIN = 3  # to slip from rest under forces that change
 ENTER_PHASE = 4  # to go on in another phase
 DISCONTINUITY = 5  # whether it has contact, as forces have jumped
 BEGIN_PHASE = 6  # the numbers of its phase
+REST = 7  # rest of a one-way mass at its standstill
 
 # Events that end a step.
 EVENT_NONE = -1  # the step has its full length

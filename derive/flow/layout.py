@@ -106,6 +106,7 @@ PENDING = {
     "ENTER_PHASE": "to go on in another phase",
     "DISCONTINUITY": "whether it has contact, as forces have jumped",
     "BEGIN_PHASE": "the numbers of its phase",
+    "REST": "rest of a one-way mass at its standstill",
 }
 NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
 KINDS = ("slip", "speed", "time", "rotation")  # arguments of tables

@@ -353,10 +353,10 @@ class Section(SectionGeometry, Mass):
 
     def _for_lanes(self, tables: Tables, shape: Shape) -> Tables:
         """Return tables for the lanes of a scene of this shape from tables for the lanes of the section."""
-        own_shape = self.lanes_shape
-        if own_shape in ((), shape):
+        shape_of_lanes = self.lanes_shape
+        if shape_of_lanes in ((), shape):
             return tables
-        numbers = np.arange(math.prod(own_shape)).reshape(own_shape)
+        numbers = np.arange(math.prod(shape_of_lanes)).reshape(shape_of_lanes)
         lanes = np.broadcast_to(numbers, shape).ravel()
         return {name: table.lanes(lanes) for name, table in tables.items()}
 

@@ -83,19 +83,23 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
     `places` are the increasing arguments of the samples, such as times in s. `before` and `after` are the constant
     values.
     """
-    first = places[0] - 1.0
-    breaks = np.concatenate([[first], places])
-    first_values = values[:-1]
-    heights = np.concatenate([[before], first_values, [after]])
-    rise = np.diff(values)
-    step = np.diff(places)
-    secant = rise / step
-    level = [0.0]
-    slopes = np.concatenate([level, secant, level])
-    jumps = np.zeros_like(heights)
+    first = places[:1] - 1.0
+    breaks = np.concatenate([first, places])
+    coefficients = np.zeros((len(breaks), 2))
+    heights, slopes = coefficients.T
+    at_left = values[:-1]
+    at_right = values[1:]
+    left = places[:-1]
+    right = places[1:]
+    rise = at_right - at_left
+    step = right - left
+    heights[0] = before
+    heights[1:-1] = at_left
+    heights[-1] = after
+    slopes[1:-1] = rise / step
+    jumps = np.zeros(len(breaks))
     jumps[1] = values[0] - before
     jumps[-1] = after - values[-1]
-    coefficients = np.stack([heights, slopes], axis=1)
     return Data(breaks, coefficients, jumps)
 
 

@@ -164,6 +164,13 @@ def resolve_stick_or_slip(lane: Lane) -> None:
         stay(lane, Status.STOPPED)
         return
     may = may_start(lane)
+    if lane.pending == Pending.REST:  # a mass that moved down-slope does not turn back
+        if may:
+            stick(lane)
+            return
+        face(lane, -lane.direction)
+        lane.pending = Pending.RESOLVE
+        return
     terms = abs(lane.driving) + lane.resisting
     unsure = EPS * (terms + lane.mu * abs(lane.normal0))
     of_weight = lane.driving == lane.driving_moment and lane.normal0 == lane.normal_load and lane.resisting == 0.0

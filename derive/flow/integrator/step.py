@@ -57,14 +57,15 @@ def enter_phase(lane: Lane, rate: float) -> None:
 
 
 def on_standstill(lane: Lane) -> None:
-    """Bring the lane to its standstill, reversed, so that rounding cannot continue its motion."""
+    """Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion."""
     advance_origin(lane)
     update_reach(lane)
     lane.rest_since = lane.time
     note(lane, Note.STANDS)
     lane.faced = 1.0
-    face(lane, -lane.direction)
-    lane.pending = Pending.RESOLVE
+    one_way = lane.one_way > 0.0
+    face(lane, where(one_way, lane.direction, -lane.direction))
+    lane.pending = where(one_way, Pending.REST, Pending.RESOLVE)
 
 
 def on_contact_change(lane: Lane, rate: float) -> None:

@@ -193,7 +193,8 @@ def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
         return numbers
     flat = {}
     for name, value in numbers.items():
-        flat[name] = np.broadcast_to(value, shape).reshape(-1) if np.ndim(value) else value
+        is_shared = type(value) is float or np.ndim(value) == 0
+        flat[name] = value if is_shared else np.broadcast_to(value, shape).reshape(-1)
     if math.prod(shape) == 1:
         return {name: float(value if np.ndim(value) == 0 else value[0]) for name, value in flat.items()}
     return flat

@@ -19,7 +19,7 @@ from slipcircle.ground import Section
 from slipcircle.layers import law_mistakes
 from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.document import Document
-from slipcircle.workbench.files.keys import Table
+from slipcircle.workbench.files.keys import KeyTable
 from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.points import with_points
@@ -309,7 +309,7 @@ def _friction(arguments: Arguments) -> ValueDict:
     return {"law": "constant"} | arguments.get("friction", {"coefficient": 0.0}) | rate
 
 
-def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Rename:
+def _keys(tables: Mapping[str, KeyTable], typed: Mapping[str, str]) -> Rename:
     """Return a function from names of arguments (`effects.shaking.step`) to keys in the file (`shaking.step_s`).
 
     `typed` has the keys that the file contains, by argument.
