@@ -376,8 +376,8 @@ def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
 def soil(friction: Any, effects: Any, slipped: bool = False) -> ValueDict:
     """Return strength and pore pressure of a slope by name, from a scene's friction and effects at the start.
 
-    Strength is that before any slip, or after much. Values are numbers, or arrays where the scene has arrays. Empty where nothing is known of a pressure that a record holds, or
-    where there is no strength.
+    Strength is that before any slip, or after much. Values are numbers, or arrays where the scene has arrays. The
+    result is empty where nothing is known of a pressure that a record holds, or where there is no strength.
     """
 
     def at_start(value: Any) -> Any:
