@@ -31,8 +31,11 @@ def law_mistakes(strength: Any, path: str = "friction", laws: Mapping[str, Law] 
         return []
     if not is_law(strength):
         return mistakes({path: strength}, {path: COEFFICIENT})
+    of_slip = dict(strength)
     has_rate = laws is LAWS and "rate" in strength
-    faults = _named_mistakes({name: strength[name] for name in strength if not has_rate or name != "rate"}, path, laws)
+    if has_rate:
+        del of_slip["rate"]
+    faults = _named_mistakes(of_slip, path, laws)
     if faults or not has_rate:
         return faults
     if not may_have_rate(strength["law"]):
@@ -81,7 +84,8 @@ def effect_mistakes(name: str, parameters: Parameters) -> Texts:
         law = dict(parameters)
         of_growth = {p.name: law.pop(p.name) for p in OF_GROWTH if p.name in law}
         cohesion = law if "law" in law else law[name]
-        return law_mistakes(cohesion, path, COHESION_LAWS) + parameter_mistakes(path, of_growth, OF_GROWTH)
+        faults = law_mistakes(cohesion, path, COHESION_LAWS)
+        return faults + parameter_mistakes(path, of_growth, OF_GROWTH)
     faults = []
     if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
         names = ", ".join(effect.any_of)

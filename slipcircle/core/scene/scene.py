@@ -323,6 +323,123 @@ def _is_unusual(number: tuple[str, Any]) -> bool:
 
 
 _NUMBERS = ("initial_velocity", "strength_factor", "end_time")
+_SIGNS = {}  # declarations of a scene in Python, which may have any number of the right sign
+for _name in _NUMBERS:
+    _p = declared(Scene)[_name]
+    _least = 0.0 if _p.lower > 0.0 else -INFINITY
+    _SIGNS[_name] = replace(_p, lower=_least, upper=INFINITY)
+_SIGNS_OF_START
+        faults = mistakes(fields, limits)
+        faults += accuracy_mistakes(self.accuracy)
+        for name, which in MAPS.items():
+            value = fields[name]
+            if value is EMPTY:
+                continue
+            freeze(self, (name,))
+            if not isinstance(value, MAPPING):
+                faults.append(f"{name} = {value!r}: must be a mapping {which}")
+        return faults
+
+    @property
+    def checked_effects(self) -> dict[str, Parameters]:
+        """Effects of the scene by name, each with its parameters by name, after checks."""
+        effects: dict[str, Parameters] = self.effects  # type: ignore[assignment]
+        return effects
+
+    @cached_property
+    def law(self) -> Any:
+        """Friction of the scene, or of the soils of its mass, as a number, a law with parameters, or a function."""
+        return self.friction if self.arc.friction is None else self.arc.friction
+
+    @cached_property
+    def laws(self) -> tuple[Law, ...]:
+        """Name and parameters of each law of friction, whose product is the friction, and of each law of cohesion."""
+        return (*law_parts(self.law), *self.arc.cohesion_laws(self.checked_effects.get("cohesion", {})))
+
+    @property
+    def until(self) -> Any:
+        """Latest end, s; infinite without an end time."""
+        return INFINITY if self.end_time is None else plain(self.end_time)
+
+    @cached_property
+    def called(self) -> Effects:
+        """Effects by name with their parameters, including effects that the mass adds, such as its water level."""
+        return self.arc.effects_with_own(self.checked_effects)
+
+    def by_start(self, quantity: str, motion: Any, kept: float = 1.0) -> Any:
+        """Return a result by the starting method and the name of the method, or None if the closure applies.
+
+        ``quantity`` is the name of the result, such as "factor_of_safety", and ``kept`` is the remaining share of
+        cohesion. Only scenes of a subclass have a starting method.
+        """
+
+    @cached_property
+    def numbers(self) -> Mapping[str, ArrayLike]:
+        """Numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ..."""
+        return numbers(self)
+
+    def parts(self) -> Parts:
+        """Return the parts of the mass, the friction, the start and end, and the effects, each with its declaration."""
+        by_name: Parts = self.arc.parts() | parts_of_fields(self)
+        if self.arc.friction is not None:  # its soils have the numbers of friction
+            del by_name["friction"]
+        if type(self.strength_factor) is float and self.strength_factor == AS_ENTERED:
+            by_name["strength_factor"] = None, declared(Scene)["strength_factor"]
+        effects = self.checked_effects
+        for name in (*effects, *EFFECTS):
+            if name not in self.arc.own_effects:
+                one = effects.get(name, EMPTY)
+                by_name[name] = one, declared_parameters(name, one)
+        return by_name
+
+    def with_parts(self, changed: Values) -> Any:
+        """Return the scene with other parts, by the names in `parts`. Nothing is checked."""
+        of_mass = {name: changed[name] for name in self.arc.parts() if name in changed}
+        effects = {name: changed[name] for name in EFFECTS if name in changed}
+        fields = {name: value for name, value in changed.items() if name not in of_mass | effects}
+        if of_mass:
+            fields["arc"] = self.arc.with_parts(of_mass)
+        if effects:
+            fields["effects"] = {**self.checked_effects, **effects}
+        return replace_unchecked(self, fields)
+
+    @cached_property
+    def _has_plain_numbers(self) -> bool:
+        """Whether all inputs are floats, as in most single scenes, so that `numbers` is not needed."""
+        friction = self.friction
+        values: list[Any] = [self.initial_velocity, self.end_time, self.strength_factor]
+        values += friction.values() if isinstance(friction, dict) else [friction]
+        for parameters in self.checked_effects.values():
+            values += parameters.values()
+        return self.arc.has_plain_numbers and PLAIN.issuperset(map(type, values))
+
+    @cached_property
+    def shape(self) -> Shape:
+        """Broadcast shape of all fields, including fields of the mass and parameters, () for a single scene."""
+        if self._has_plain_numbers:
+            return ()
+        return np.broadcast_shapes(*map(np.shape, self.numbers.values()))
+
+
+_MOST, _OF_WEIGHT, _OF_STRENGTH = QUESTIONED_FRICTION, LEAST["N/m^3"], LEAST["Pa"]
+_UNUSUAL: Mapping[str, Callable[[Any], bool]] = {
+    **dict.fromkeys(("friction", "peak", "residual"), lambda value: value > _MOST),
+    "cohesion": lambda value: 0.0 < value < _OF_STRENGTH,
+    "unit_weight": lambda value: value < _OF_WEIGHT,
+}
+
+
+def _is_unusual(number: tuple[str, Any]) -> bool:
+    """Return whether a named value is an unusual friction, cohesion or unit weight.
+
+    ``number`` is a pair of name and value in SI units; the last part of the name determines the check.
+    """
+    name, value = number
+    check = _UNUSUAL.get(name.rpartition(".")[2])
+    return check is not None and isinstance(value, int | float) and check(value)
+
+
+_NUMBERS = ("initial_velocity", "strength_factor", "end_time")
 _OF_FILES = declared(Scene)
 _SIGNS = {  # a scene in Python may have any number of the right sign
     name: replace(_OF_FILES[name], lower=0.0 if _OF_FILES[name].lower > 0.0 else -INFINITY, upper=INFINITY)
