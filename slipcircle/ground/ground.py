@@ -94,7 +94,7 @@ def slope_errors(fields: Values, declared: Mapping[str, Parameter]) -> Texts:
 def section_errors(section: Any) -> Texts:
     """Return messages about the fields of a section, which may have axes of lanes before those of one section."""
     fields = vars(section)
-    errors = mistakes(fields, present(section))
+    errors = mistakes(fields, present(section, section.quantities))
     if not errors:  # all of them are numbers
         errors = _pair_errors(fields, section.quantities)
     errors += _lines_errors(fields, many=True)

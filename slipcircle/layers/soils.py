@@ -172,7 +172,7 @@ Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer
 def soil_mistakes(soil: Soil) -> Texts:
     """Return a message for each invalid number of a soil."""
     softens = callable(soil.cohesion) or isinstance(soil.cohesion, Mapping)
-    numbers = present(soil)
+    numbers = present(soil, declared(Soil))
     if softens:
         del numbers["cohesion"]
     messages = mistakes(vars(soil), numbers)

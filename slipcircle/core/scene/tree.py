@@ -61,19 +61,17 @@ def declared(kind: Any) -> dict[str, Parameter]:
     return declarations
 
 
-def present(node: Any, numbers: Mapping[str, Parameter] | None = None) -> dict[str, Parameter]:
+def present(node: Any, numbers: Mapping[str, Parameter]) -> dict[str, Parameter]:
     """Return the declarations of the numbers of a dataclass that have a value and allowed values in words, by field.
 
-    ``numbers`` are the declarations by field, by default those of `declared`. A field is absent if it is None and
-    may be.
+    ``numbers`` are the declarations by field. A field is absent if it is None and may be.
     """
-    kind: Any = type(node)
-    known = declared(kind) if numbers is None else numbers
     found = {}
     for field in fields(node):
-        is_absent = field.default is None and getattr(node, field.name) is None
-        if field.name in known and known[field.name].allowed and not is_absent:
-            found[field.name] = known[field.name]
+        name = field.name
+        is_absent = field.default is None and getattr(node, name) is None
+        if name in numbers and numbers[name].allowed and not is_absent:
+            found[name] = numbers[name]
     return found
 
 
