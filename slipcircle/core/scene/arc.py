@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from generated import kernels
 from generated.effects import Parameter
-from slipcircle.base.arrays import choose, freeze, plain, two_sum
+from slipcircle.base.arrays import choose, float_or_array, freeze, two_sum
 from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
 from slipcircle.base.units import take_units
@@ -304,7 +304,7 @@ class Arc(Mass, Generic[Numbers]):
             limit,
             1.0,
         )
-        return MomentCoefficients(*map(plain, coefficients))
+        return MomentCoefficients(*map(float_or_array, coefficients))
 
     @cached_property
     def normal_load(self) -> Any:
@@ -314,7 +314,7 @@ class Arc(Mass, Generic[Numbers]):
     @cached_property
     def _middle(self) -> tuple[Any, Any]:
         """Sine and cosine of theta_m, the mean of both angles, including its rounding, which matters for steep dips."""
-        total, lost = two_sum(plain(self.theta_1), plain(self.theta_2))
+        total, lost = two_sum(float_or_array(self.theta_1), float_or_array(self.theta_2))
         middle = total / 2
         rounding = lost / 2
         sine = np.sin(middle)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, LEAST, LIMITS, QUESTIONED_FRICTION
-from slipcircle.base.arrays import EMPTY, INFINITY, Frozen, freeze, plain
+from slipcircle.base.arrays import EMPTY, INFINITY, Frozen, float_or_array, freeze
 from slipcircle.base.errors import InputError, mistakes, one_number, raise_all, shape_mistakes
 from slipcircle.base.kinds import MAPPING, Array, Effects, Function, Numbers, Parameters, Shape, Values, cached_property
 from slipcircle.base.units import take_units
@@ -242,7 +242,7 @@ class Scene(Generic[Numbers]):
     @property
     def until(self) -> Any:
         """Latest end, s; infinite without an end time."""
-        return INFINITY if self.end_time is None else plain(self.end_time)
+        return INFINITY if self.end_time is None else float_or_array(self.end_time)
 
     @cached_property
     def called(self) -> Effects:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from generated.effects import EFFECTS
-from slipcircle.base.arrays import plain
+from slipcircle.base.arrays import float_or_array
 from slipcircle.base.errors import InputError, Message
 from slipcircle.base.kinds import Rename, Tell, Texts, ValueDict, Values
 from slipcircle.core import Arc, Scene
@@ -49,7 +49,7 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     stability = parts.pop("stability")
     remarks = parts.pop("remarks")
     try:
-        gravity = plain(parts["arc"].gravity)
+        gravity = float_or_array(parts["arc"].gravity)
         parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
         remarks = (*remarks, *of_records)
         scene: Any
