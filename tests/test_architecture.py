@@ -205,6 +205,7 @@ CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # A shipped scene with changed fields, and a result of its motion, that import each lazy module.
 USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "tabulated": ("vaiont-as-printed", {}, bool),
+    "laws": ("vaiont-softening", {}, bool),
     "arc": ("vaiont", {}, lambda motion: replace(motion.plan.scene.arc, theta_2=0.0)),
     "decimals": ("vaiont", {"friction": 0.419}, bool),
     "forcing": ("vaiont-shaken", {}, bool),

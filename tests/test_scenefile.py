@@ -14,7 +14,7 @@ import slipcircle
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load
 from slipcircle.workbench.common.files import write_file as write_file
-from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
+from slipcircle.workbench.files.keys import WITH_ARC, KeyTable, fitted
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.schema import schema
@@ -338,7 +338,7 @@ def test_the_schema_refuses_what_reading_refuses(file: Path) -> None:
             assert not valid(tomllib.loads(text)), said
 
 
-def tables_of(law: str) -> dict[str, Table]:
+def tables_of(law: str) -> dict[str, KeyTable]:
     return fitted(WITH_ARC, {"friction": {"law": law}})
 
 

@@ -22,7 +22,7 @@ from slipcircle.workbench.commands import backanalyse
 from slipcircle.workbench.common.quantities import OBSERVABLE
 from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.document import Document
-from slipcircle.workbench.files.keys import WITH_ARC, Key, Table, fitted
+from slipcircle.workbench.files.keys import WITH_ARC, Key, KeyTable, fitted
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 from slipcircle.workbench.files.points import read_points
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
@@ -45,7 +45,7 @@ PUBLISHED = {"m": "m", "m/s": "m_s", "m/s^2": "m_s2", "Pa": "kPa", "N/m^3": "kN_
 VALUES = {"points": [[1, 2], [3, 4.5]], "pair": [1, 2], "list": [1, 2.5], "line": [[1, 2], [3, 4]], "seen": [1, 2]}
 
 
-def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Table, str, Key]]:
+def keys_of(table: KeyTable, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], KeyTable, str, Key]]:
     """Yield every key of a scene file that has a unit: path of its table, table with its law, and name."""
     for law in table.laws.values() if table.laws else [table]:
         yield from ((path, law, name, key) for name, key in law.keys.items() if key.unit in SIZES)
@@ -53,7 +53,7 @@ def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[st
             yield from keys_of(inner, (*path, *([name, "1"] if inner.repeats else [name])))
 
 
-def argument(whole: Table, path: tuple[str, ...], table: Table, key: Key, name: str, value: Any) -> Any:
+def argument(whole: KeyTable, path: tuple[str, ...], table: KeyTable, key: Key, name: str, value: Any) -> Any:
     """Return the argument that a document with one key is read as."""
     content: dict[str, Any] = {name: value} | ({"law": table.keys["law"].kind} if "law" in table.keys else {})
     for part in reversed(path):
@@ -62,7 +62,7 @@ def argument(whole: Table, path: tuple[str, ...], table: Table, key: Key, name: 
 
 
 @pytest.mark.parametrize("whole", [WITH_ARC, WITH_ONE_SOIL, WITH_LAYERS])
-def test_every_key_in_every_unit(whole: Table) -> None:
+def test_every_key_in_every_unit(whole: KeyTable) -> None:
     """One value in both units, of every key of the schema with a unit."""
     found = list(keys_of(whole))
     assert len(found) > 40

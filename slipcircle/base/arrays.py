@@ -16,7 +16,7 @@ INFINITY = float("inf")
 _WITHOUT_WARNING: Any = nullcontext()
 
 
-def plain(value: Any) -> Any:
+def float_or_array(value: Any) -> Any:
     """Return numbers in the cheapest form for computation, a float or a float64 array."""
     if type(value) is float:
         return value

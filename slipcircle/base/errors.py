@@ -2,17 +2,16 @@
 
 import math
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from os import PathLike
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from generated.effects import Parameter
 from slipcircle.base.arrays import INFINITY, array_of
 from slipcircle.base.kinds import Rename, Shape, Texts, Values
 
-Bounds = tuple[float, float, str]  # open lower and upper bound, and their description in words
 Fault = tuple[Any, Callable[[int], str]]  # mask of invalid lanes, and a function that describes a lane
 _ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
 
@@ -105,115 +104,47 @@ def abridged(value: Any) -> str:
     return f"{kind} {text[:60]}..."
 
 
-def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> Texts:
-    """Return a message for each field that is not finite or not in its open bounds, or is in ``one`` and an array."""
+def mistakes(given: Values, declared: Mapping[str, Parameter]) -> Texts:
+    """Return a message for each number that is not finite, not within its open bounds, or not a single number.
+
+    ``declared`` are the declarations of the numbers by name. Numbers of kind "fixed" must not be arrays.
+    """
     sentences: Texts = []
-    for name, allowed in bounds.items():
-        value: Any = fields[name]
-        lower, upper, _ = allowed
-        plausible = type(value) is float and lower < value < upper  # the usual case; arrays take twenty times as long
-        if not plausible:
-            sentences += map(Message, _number_mistakes(name, value, allowed, name in one))
-    return sentences
-
-
-def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> Texts:
-    """Return a message if a field violates its open bounds, or if it must be ``one`` number and is an array."""
-    lower, upper, allowed = bounds
-    array = array_of(value)
-    if one and array.ndim > 0:
-        return [f"{{{name}}} = {abridged(value)}: must be one number"]
-    if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
-        return [f"{{{name}}} = {abridged(value)}: must be {allowed}"]
-    above = array > lower
-    below = array < upper
-    allowed_values = np.isfinite(array) & above & below
-    outside = array[~allowed_values]
-    if not outside.size:
-        return []
-    first = float(outside[0])
-    least = min(lower, 0.0)
-    sign_is_right = first > least and first != 0.0
-    if sign_is_right and math.isfinite(first) and upper < INFINITY:
-        least = 0.0 if lower == -5e-324 else lower
-        allowed = f"{allowed}, between {least:g} and {upper:g}"
-    return [f"{{{name}}} = {first:.10g}: must be {allowed}"]
-
-
-_KINDS = {
-    "text": "a text",
-    "name": "a name or a number",
-    "flag": "True or False",
-    "number": "a number",
-    "list": "a list of numbers",
-    "series": "a function of time, such as Record(t, a), Record(a, dt=0.01), a Series or a Pulse",
-}
-
-
-def parameter_mistakes(path: str, values: Values, parameters: Sequence[Any]) -> Texts:
-    """Return a message for each parameter that is missing, invalid or unknown; ``path`` names its effect or law."""
-    if _are_plain(values, parameters):
-        return []
-    declared = {p.name: p for p in parameters if p.kind != "rotation"}
-    missing = [p for name, p in declared.items() if not p.optional and name not in values]
-    sentences = [f"{path}: {p.name!r} is missing: {p.help}" for p in missing]
-    names = ", ".join(declared) or "none"
-    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in values if name not in declared]
     for name, p in declared.items():
-        if name in values:
-            sentences += _value_mistakes(path, p, values[name])
+        value = given[name]
+        plausible = type(value) is float and p.lower < value < p.upper  # usual; arrays take twenty times as long
+        if not plausible:
+            sentences += map(Message, _number_mistakes(name, p, value))
     return sentences
 
 
-def _are_plain(values: Values, parameters: Sequence[Any]) -> bool:
-    """Return whether the values by name are one valid float per required parameter and nothing else, the usual case."""
-    count = 0
-    for p in parameters:
-        if p.optional and p.name not in values:
-            continue
-        count += 1
-        value = values.get(p.name)
-        if p.kind != "number" or type(value) is not float or not p.lower < value < p.upper:
-            return False
-    return len(values) == count
+def one_number(lower: float, upper: float, allowed: str) -> Parameter:
+    """Return the declaration of a single number with open bounds and the allowed values in words."""
+    return Parameter("", "", lower, upper, allowed=allowed, kind="fixed")
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 
 
-def _value_mistakes(path: str, p: Any, value: Any) -> Texts:
-    """Return messages about the value of the declared parameter ``p``. Its effect or law is named ``path``."""
-    has_bounds = p.key and p.kind in ("number", "list", "series", "fixed")
-    if has_bounds and not callable(value):
-        lower = min(p.lower, 0.0)
-        sign = _SIGNS.get(lower, "")
-        allowed = f"{p.help}{sign} ({p.unit})"
-        bounds = {p.name: (p.lower, p.upper, allowed)}
-        one = (p.name,) if p.kind == "fixed" else ()
-        sentences = mistakes({p.name: value}, bounds, one)
-        messages = map(Message.of, sentences)
-        return [message.within(path) for message in messages]
-    if _is_of_kind(p.kind, value):
+def _number_mistakes(name: str, p: Parameter, value: Any) -> Texts:
+    """Return a message if the value of a number violates its declaration ``p``. ``name`` is its name in the message."""
+    array = array_of(value)
+    if p.kind == "fixed" and not p.axes and array.ndim:
+        return [f"{{{name}}} = {abridged(value)}: must be one number"]
+    sign = _SIGNS.get(min(p.lower, 0.0), "")
+    allowed = p.allowed or f"{p.help}{sign} ({p.unit})"
+    if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
+        return [f"{{{name}}} = {abridged(value)}: must be {allowed}"]
+    outside = array[~p.allows(array)]
+    if not outside.size:
         return []
-    choices = p.kind.replace("|", ", ")
-    allowed = _KINDS.get(p.kind, f"one of {choices}")
-    name = f"{path}.{p.name}"
-    sentence = f"{{{name}}} = {abridged(value)}: must be {allowed}: {p.help}"
-    return [Message(sentence)]
-
-
-def _is_of_kind(kind: str, value: Any) -> bool:
-    """Return whether a value has the type that its parameter's kind requires."""
-    match kind:
-        case "number" | "list" | "fixed":
-            return False
-        case "series":
-            return hasattr(type(value), "kinks")
-        case "flag":
-            return isinstance(value, bool)
-        case "text" | "name":
-            return isinstance(value, str | int | PathLike)
-    return value in kind.split("|")
+    first = float(outside[0])
+    least = min(p.lower, 0.0)
+    sign_is_right = first > least and first != 0.0
+    if sign_is_right and math.isfinite(first) and p.upper < INFINITY:
+        least = 0.0 if p.lower == -5e-324 else p.lower
+        allowed = f"{allowed}, between {least:g} and {p.upper:g}"
+    return [f"{{{name}}} = {first:.10g}: must be {allowed}"]
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> Texts:

@@ -14,11 +14,10 @@ from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import DIP, GRAVITY, WIDTH, Arc
-from slipcircle.core.scene.effects import cohesion_mistakes
-from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
+from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked_scene
-from slipcircle.core.scene.tree import STORED, Leaf, Parts, bounds, declared, leaves, number, numbers, path_of_part
+from slipcircle.core.scene.tree import STORED, Leaf, Parts, declared, leaves, number, numbers, path_of_part, present
 
 __all__ = [
     "ANSWERED",
@@ -40,13 +39,10 @@ __all__ = [
     "Scene",
     "State",
     "Status",
-    "bounds",
     "checked_scene",
-    "cohesion_mistakes",
     "declared",
     "depends_on",
     "path_of_part",
-    "law_mistakes",
     "law_names",
     "law_parts",
     "lazy_import",
@@ -56,6 +52,7 @@ __all__ = [
     "numbers",
     "numpy_only",
     "plan",
+    "present",
     "problem_of",
     "program_integers",
     "solve",

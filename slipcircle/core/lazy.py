@@ -12,6 +12,7 @@ MODULES = {
     "journey": "slipcircle.history.journey",  # the displacement of toe or centroid is requested
     "validity": "slipcircle.history.validity",  # the range of validity is requested
     "toe": "slipcircle.ground.toe",  # the range of validity of a section is requested
+    "laws": "slipcircle.core.scene.laws",  # friction is not a plain number, or an effect has parameters
     "forcing": "slipcircle.tables.forcing",  # shaking, or pore pressure that changes with time
     "tables": "slipcircle.tables.tables",  # a function of time, or a piecewise or tabulated law
     "functions": "slipcircle.tables.functions",  # friction is a Python function of slip

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import Parameter
-from slipcircle.base.arrays import array_of, plain, real_number
+from slipcircle.base.arrays import array_of, float_or_array, real_number
 from slipcircle.base.kinds import Flags, Floats, Values
 from slipcircle.core.scene.scene import Scene, checked_scene
 from slipcircle.core.scene.tree import Leaf, leaves, mapped, put, replace_unchecked
@@ -162,7 +162,7 @@ def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
         every_lane = np.broadcast_to(value, scene.shape)
         if flat:
             every_lane = every_lane.reshape(-1)
-        return plain(every_lane[index])
+        return float_or_array(every_lane[index])
 
     lanes: Scene = mapped(scene, of_lanes)
     return lanes

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.arrays import INFINITY
+from generated.effects import Parameter
 from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats, Texts, ValueDict
 from slipcircle.ground.plane import Vectors
@@ -23,13 +23,13 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
     angle, run : float
         Inclination of the slope in rad, at most pi/2, or its horizontal length in m. Exactly one is required.
     """
-    bounds = {"height": (0.0, INFINITY, "a positive length in m")}
+    allowed = {"height": Parameter("", "m", 0.0, allowed="a positive length in m")}
     if run is not None:
-        bounds["run"] = (-5e-324, INFINITY, "a length of at least 0 in m")
+        allowed["run"] = Parameter("", "m", -5e-324, allowed="a length of at least 0 in m")
     if angle is not None:
-        bounds["angle"] = (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")
+        allowed["angle"] = Parameter("", "rad", 0.0, 1.5707963267948968, allowed="above 0 and at most pi/2 (rad)")
     fields: ValueDict = {"height": height, "run": run, "angle": angle}
-    errors = mistakes(fields, bounds)
+    errors = mistakes(fields, allowed)
     if (run is None) == (angle is None):
         errors.append("{angle} or {run}: give one of them")
     raise_all("simple_slope", errors)

@@ -7,8 +7,9 @@ import numpy as np
 
 from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, quiet
-from slipcircle.base.errors import Bounds, Fault, complaint, mistakes, shape_mistakes
+from slipcircle.base.errors import Fault, complaint, mistakes, shape_mistakes
 from slipcircle.base.kinds import Floats, Shape, Texts, Values
+from slipcircle.core.scene.tree import present
 
 FAR = 1e9  # bound of coordinates, m
 AS_PRINTED = 1e-3  # tolerance relative to the radius or the width of a mass, for circles rounded to printed digits
@@ -85,46 +86,22 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
     return longer
 
 
-def slope_errors(fields: Values, bounds: Mapping[str, Bounds]) -> Texts:
-    """Return messages about the fields of one slope, which are numbers except for its lines.
-
-    ``fields`` and ``bounds`` contain values and open bounds by field.
-    """
-    limits = _of_present(fields, bounds)
-    numbers = mistakes(fields, limits, one=limits)
-    return numbers + _lines_errors(fields, many=False)
+def slope_errors(fields: Values, declared: Mapping[str, Parameter]) -> Texts:
+    """Return messages about the fields of one slope, from values and declarations by field."""
+    return mistakes(fields, declared) + _lines_errors(fields, many=False)
 
 
-def _of_present(fields: Values, bounds: Mapping[str, Bounds]) -> dict[str, Bounds]:
-    """Return the bounds of the fields that have a value and a description of the allowed values, by field.
-
-    ``fields`` and ``bounds`` contain values and open bounds by field. A few fields may be None.
-    """
-    present = {}
-    for name, limits in bounds.items():
-        if name not in fields:
-            continue
-        may_be_none = name in ("base", "between", "datum")
-        is_absent = may_be_none and fields[name] is None
-        *_, allowed = limits
-        if allowed and not is_absent:
-            present[name] = limits
-    return present
-
-
-def section_errors(fields: Values, quantities: Mapping[str, Parameter], bounds: Mapping[str, Bounds]) -> Texts:
-    """Return messages about the fields of sections, which may have axes of lanes before those of one section.
-
-    Values, declarations and open bounds are by field.
-    """
-    errors = mistakes(fields, _of_present(fields, bounds), one=("base", "water_unit_weight"))
+def section_errors(section: Any) -> Texts:
+    """Return messages about the fields of a section, which may have axes of lanes before those of one section."""
+    fields = vars(section)
+    errors = mistakes(fields, present(section, section.quantities))
     if not errors:  # all of them are numbers
-        errors = _pair_errors(fields, bounds)
+        errors = _pair_errors(fields, section.quantities)
     errors += _lines_errors(fields, many=True)
     if errors:
         return errors
     of_lanes = {}
-    for name, p in quantities.items():
+    for name, p in section.quantities.items():
         value = fields[name]
         if p.kind == "number" and value is not None:
             shape = leading_shape(value, p.axes)
@@ -134,10 +111,10 @@ def section_errors(fields: Values, quantities: Mapping[str, Parameter], bounds: 
     return shape_mistakes(of_lanes) or errors
 
 
-def _pair_errors(fields: Values, bounds: Mapping[str, Bounds]) -> Texts:
+def _pair_errors(fields: Values, declared: Mapping[str, Parameter]) -> Texts:
     """Return messages about the centre, a pair of numbers, and the range of x, an increasing pair.
 
-    Values and bounds are by field.
+    Values and declarations are by field.
     """
     wrong = []
     *_, coordinates = np.atleast_1d(fields["centre"]).shape
@@ -150,8 +127,7 @@ def _pair_errors(fields: Values, bounds: Mapping[str, Bounds]) -> Texts:
             wrong.append("between")
     messages = []
     for name in wrong:
-        *_, allowed = bounds[name]
-        messages.append(f"{{{name}}} = {fields[name]!r}: must be {allowed}")
+        messages.append(f"{{{name}}} = {fields[name]!r}: must be {declared[name].allowed}")
     return messages
 
 

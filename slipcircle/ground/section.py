@@ -20,7 +20,7 @@ from slipcircle.core.scene.arc import GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
-from slipcircle.core.scene.tree import bounds, declared, number
+from slipcircle.core.scene.tree import declared, number
 from slipcircle.ground.errors import geometry_errors, motion_errors
 from slipcircle.ground.geometry import SectionGeometry
 from slipcircle.ground.ground import FAR, WEIGHT, line_errors, section_errors
@@ -107,8 +107,7 @@ class Section(SectionGeometry, Mass):
         """Check lines, circle and numbers, convert their units and freeze them."""
         take_units(self, (*self.quantities, "ponds"))
         freeze(self, self.quantities)
-        kind: Any = type(self)
-        errors = section_errors(vars(self), self.quantities, bounds(kind))
+        errors = section_errors(self)
         if not errors:
             impossible = geometry_errors(self)
             errors = complaint(impossible, self.shape)
@@ -354,10 +353,10 @@ class Section(SectionGeometry, Mass):
 
     def _for_lanes(self, tables: Tables, shape: Shape) -> Tables:
         """Return tables for the lanes of a scene of this shape from tables for the lanes of the section."""
-        own_shape = self.lanes_shape
-        if own_shape in ((), shape):
+        shape_of_lanes = self.lanes_shape
+        if shape_of_lanes in ((), shape):
             return tables
-        numbers = np.arange(math.prod(own_shape)).reshape(own_shape)
+        numbers = np.arange(math.prod(shape_of_lanes)).reshape(shape_of_lanes)
         lanes = np.broadcast_to(numbers, shape).ravel()
         return {name: table.lanes(lanes) for name, table in tables.items()}
 

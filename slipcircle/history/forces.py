@@ -8,7 +8,7 @@ import numpy as np
 
 from generated import layout as ix
 from generated.program import Program, Recipe
-from slipcircle.base.arrays import EPS, plain, quiet
+from slipcircle.base.arrays import EPS, float_or_array, quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names
 from slipcircle.core.integrator.compiled import engine
 from slipcircle.core.integrator.lanes import BLOCK
@@ -40,13 +40,13 @@ class Balance(NamedTuple):
 
 def stress_unit(mass: Mass) -> Any:
     """Return the stress in Pa that corresponds to a normal force of 1 over Theta*, sigma_ref Theta*/lambda."""
-    return plain(mass.reference_stress / mass.moment_coefficients.resistance_factor)
+    return float_or_array(mass.reference_stress / mass.moment_coefficients.resistance_factor)
 
 
 def energy_unit(mass: Mass) -> Any:
     """Return the energy in J that corresponds to omega*^2/2 = 1."""
     weight_of_area = np.multiply(mass.width, mass.mean_unit_weight)
-    return plain(weight_of_area * np.power(mass.radius, 3.0) * mass.dimensionless.moment_of_inertia)
+    return float_or_array(weight_of_area * np.power(mass.radius, 3.0) * mass.dimensionless.moment_of_inertia)
 
 
 def with_outputs(problem: Problem, outputs: Names) -> Problem:

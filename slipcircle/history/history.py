@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.arrays import INFINITY, choose
+from generated.effects import Parameter
+from slipcircle.base.arrays import choose
 from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Log
@@ -28,7 +29,7 @@ from slipcircle.history.states import States, read
 
 _LONG = 1e15  # slip over R at which every law has reached its residual strength
 ENERGY_CHECKS = 21  # number of times at which the energy balance is checked
-ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
+ALLOWED_TIMES = Parameter("times", "s", -5e-324, allowed="times in s, not before 0")
 
 
 class Stresses(NamedTuple):

@@ -1,5 +1,6 @@
 """Layered ground: soils, stretches of the arc, strips and cracks."""
 
+from slipcircle.core.scene.laws import is_law, law_mistakes
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, growth_at_rest
 from slipcircle.layers.cracks import crack_place
 from slipcircle.layers.layered_numbers import PRESSURE
@@ -20,6 +21,8 @@ __all__ = [
     "edge_below",
     "friction_at_rest",
     "growth_at_rest",
+    "is_law",
+    "law_mistakes",
     "layer_mistakes",
     "line_crossings",
     "mean_normal_stress",

@@ -10,7 +10,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 import operator
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -23,7 +23,7 @@ from slipcircle.base.errors import Fault, complaint, mistakes, raise_all
 from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Texts, Values
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import symbols_of
-from slipcircle.core.scene.friction import rate_mistakes
+from slipcircle.core.scene.laws import rate_mistakes
 from slipcircle.core.scene.mass import Farther
 from slipcircle.core.scene.piecewise import Tables
 from slipcircle.core.scene.tree import number, numbers
@@ -91,7 +91,9 @@ class LayeredSection(LayeredNumbers):
             errors += rate_mistakes(self.rate)
         raise_all("LayeredSection", errors)
         least = 0.0 if array_of(self.crack).ndim else -5e-324  # all lanes of an array have a crack
-        depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
+        depth = replace(
+            self.quantities["crack"], lower=least, allowed="a depth of at least 0 in m, in an array above 0"
+        )
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()
         raise_all("LayeredSection", complaint([self._overhang], self.shape))

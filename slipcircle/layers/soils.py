@@ -14,13 +14,23 @@ from slipcircle.base.arrays import array_of, freeze
 from slipcircle.base.errors import abridged, mistakes, raise_all
 from slipcircle.base.kinds import Texts
 from slipcircle.base.units import take_units
-from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
-from slipcircle.core.scene.friction import law_mistakes
-from slipcircle.core.scene.tree import Parts, bounds, declared, number, parts_of_fields
+from slipcircle.core.scene.effects import cohesion_law
+from slipcircle.core.scene.laws import law_mistakes
+from slipcircle.core.scene.tree import Parts, declared, number, parts_of_fields, present
 from slipcircle.ground.ground import FAR, WEIGHT, points_errors
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, least_friction
 
-STRESS = (-5e-324, 1e12, "a stress of at least 0 in Pa")
+STRESS = Parameter(
+    "cohesion",
+    "Pa",
+    -5e-324,
+    1e12,
+    "cohesion, by default 0",
+    "cohesion_kPa",
+    1e3,
+    optional=True,
+    allowed="a stress of at least 0 in Pa",
+)
 TOP = Parameter(
     "top",
     "m",
@@ -63,13 +73,7 @@ class Soil:
     unit_weight: ArrayLike = field(
         metadata=number("N/m^3", *WEIGHT, help="unit weight", key="unit_weight_kN_m3", per_unit=1e3)
     )
-    cohesion: Any = field(
-        default=0.0,
-        metadata={
-            "laws": COHESION_LAWS,
-            **number("Pa", *STRESS, help="cohesion, by default 0", key="cohesion_kPa", per_unit=1e3, optional=True),
-        },
-    )
+    cohesion: Any = field(default=0.0, metadata={"laws": COHESION_LAWS, "number": STRESS})
     friction: Any = field(default=0.0, metadata={"laws": LAWS})
     saturated_unit_weight: ArrayLike | None = field(
         default=None,
@@ -168,13 +172,16 @@ Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer
 def soil_mistakes(soil: Soil) -> Texts:
     """Return a message for each invalid number of a soil."""
     softens = callable(soil.cohesion) or isinstance(soil.cohesion, Mapping)
-    absent = {"cohesion": softens, "saturated_unit_weight": soil.saturated_unit_weight is None}
-    messages = mistakes(vars(soil), {name: limits for name, limits in bounds(Soil).items() if not absent.get(name)})
-    messages += cohesion_mistakes(soil.cohesion, "cohesion") if softens else []
+    numbers = present(soil, declared(Soil))
+    if softens:
+        del numbers["cohesion"]
+    messages = mistakes(vars(soil), numbers)
+    messages += law_mistakes(soil.cohesion, "cohesion", COHESION_LAWS) if softens else []
     if softens and not messages and np.any(soil.cohesion_gradient) and not np.all(soil.peak_cohesion):
         messages.append("cohesion.peak = 0: must be positive, as the law multiplies the increase with depth")
-    messages += law_mistakes(soil.friction)
-    if callable(soil.friction):
+    of_friction = law_mistakes(soil.friction)
+    messages += of_friction
+    if callable(soil.friction) and not of_friction:
         messages.append("friction: must be a number or a law by name")
     if isinstance(soil.friction, Mapping) and "rate" in soil.friction:
         messages.append(
@@ -274,7 +281,7 @@ def _top_mistakes(k: int, top: Any) -> Texts:
     if array_of(top).ndim > 1:
         return points_errors(f"layers.{k + 1}.top", top, True)
     name = f"layers.{k + 1}.top"
-    return mistakes({name: top}, {name: (TOP.lower, TOP.upper, TOP.allowed)})
+    return mistakes({name: top}, {name: TOP})
 
 
 def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:

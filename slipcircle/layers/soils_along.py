@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.arrays import plain
+from slipcircle.base.arrays import float_or_array
 from slipcircle.base.kinds import Floats
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.profile import AREA, HEAD, RADIAL_Y
@@ -66,7 +66,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
         soil, _ = section.layers[layer]
         start = float(ends[k])
         end = float(ends[k + 1])
-        ratio = plain(soil.pore_ratio)
+        ratio = float_or_array(soil.pore_ratio)
         pressure = ratio * vertical[k] if ratio else _head(section, start, end)
         cohesion = np.asarray(soil.peak_cohesion) + np.asarray(soil.cohesion_gradient) * growth[layer, k]
         stretch = Stretch(
@@ -107,7 +107,7 @@ def _one_lane(section: LayeredSection) -> None:
 
 
 def _radius(section: LayeredSection) -> float:
-    return plain(section.radius)
+    return float_or_array(section.radius)
 
 
 def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[int], Floats]:
@@ -153,4 +153,4 @@ def _head(section: LayeredSection, start: float, end: float) -> float:
     (facing,) = section._facing
     low, high = np.sort([[facing * start], [facing * end]], axis=0)
     (integral,) = section.heads_between(low, high)
-    return float(integral / (high - low)[0]) * _radius(section) * plain(section.water_unit_weight)
+    return float(integral / (high - low)[0]) * _radius(section) * float_or_array(section.water_unit_weight)

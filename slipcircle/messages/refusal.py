@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from generated.layout import MOST_TURNS, TIME
-from slipcircle.base.arrays import plain
+from slipcircle.base.arrays import float_or_array
 from slipcircle.base.errors import InputError
 from slipcircle.core import Status
 from slipcircle.core.scene.effects import rotates
@@ -17,7 +17,7 @@ _REMEDIES = {"friction": "less friction", "drag": "a greater xi", "viscosity": "
 def refusal(motion: Any) -> InputError:
     """Return the error that explains why a single scene has no result and how to change the scene."""
     scene = motion.plan.scene
-    speed = plain(scene.initial_velocity)
+    speed = float_or_array(scene.initial_velocity)
     status = motion.status
     turns = rotates(motion.plan.recipe.effects)
     stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it

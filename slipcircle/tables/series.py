@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.arrays import INFINITY, array_of, frozen
-from slipcircle.base.errors import mistakes, raise_all
+from slipcircle.base.errors import mistakes, one_number, raise_all
 from slipcircle.base.kinds import Floats, Integers
 
 PULSES = ("rectangular", "half-sine", "triangular", "sine")
@@ -155,13 +155,13 @@ class Pulse:
         faults = []
         if self.name not in PULSES:
             faults.append(f"name = {self.name!r}: must be one of {', '.join(PULSES)}")
-        bounds = {
-            "amplitude": (-INFINITY, INFINITY, "a finite number"),
-            "start": (-5e-324, INFINITY, "a time in s, not before 0"),
-            "duration": (0.0, INFINITY, "a positive time in s"),
-            "cycles": (0.0, 1e4, "a number of waves above 0, below 1e4"),
+        numbers = {
+            "amplitude": one_number(-INFINITY, INFINITY, "a finite number"),
+            "start": one_number(-5e-324, INFINITY, "a time in s, not before 0"),
+            "duration": one_number(0.0, INFINITY, "a positive time in s"),
+            "cycles": one_number(0.0, 1e4, "a number of waves above 0, below 1e4"),
         }
-        faults += mistakes(vars(self), bounds, one=bounds)
+        faults += mistakes(vars(self), numbers)
         if self.name != "sine" and self.cycles != 1.0:
             faults.append(f"cycles = {self.cycles!r}: applies to a sine only; remove it")
         raise_all("Pulse", faults)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from generated.effects import LAWS
+from generated.effects import LAWS, Law
 from generated.flow import PIECES
 from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
@@ -35,12 +35,9 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> tupl
     return table, 1.0, of_places.unit
 
 
-def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> Texts:
-    """Return the mistakes in a tabulated law, where `values` names its second list.
-
-    `path` locates the law in messages, such as "friction", and `name` is the name of the law.
-    """
-    argument = LAWS[name].parameters[0].name
+def list_faults(path: str, law: Law, parameters: Parameters) -> Texts:
+    """Return the mistakes in the two lists of a tabulated law. `path` locates it in messages, such as "friction"."""
+    argument, values = (p.name for p in law.parameters)
     places = np.asarray(parameters[argument], float)
     coefficients = np.asarray(parameters[values], float)
     key = f"{{{path}.{argument}}}"
@@ -51,7 +48,7 @@ def list_faults(path: str, name: str, parameters: Parameters, values: str = "coe
     steps = np.diff(places)
     increases = np.all(steps > 0.0)
     starts_at_0 = places[0] == 0.0
-    if name == "tabulated" and not (increases and starts_at_0):
+    if law.name == "tabulated" and not (increases and starts_at_0):
         return [f"{key}: must start at 0 and increase"]
     if increases:
         return []

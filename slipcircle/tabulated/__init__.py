@@ -7,21 +7,25 @@ from typing import Any
 
 import numpy as np
 
-from generated.effects import EFFECTS
+from generated.effects import EFFECTS, Parameter
 from slipcircle.base.arrays import INFINITY, choose
-from slipcircle.base.errors import Bounds, mistakes
+from slipcircle.base.errors import mistakes
 from slipcircle.base.kinds import Effects, Names, NumberMap, Numbers, Texts
 from slipcircle.core import Arc, Dimensionless
 
 __all__ = ["GIVEN", "GivenArc"]
 # Coefficients of `Arc(given=...)`. The remaining coefficients are their quotients.
-_POSITIVE = (0.0, INFINITY, "a positive number")
-GIVEN: Mapping[str, Bounds] = {
-    "moment_of_inertia": _POSITIVE,
-    "radial_weight": _POSITIVE,
-    "weight_moment": (-INFINITY, INFINITY, "a finite number"),
-    "resistance_factor": _POSITIVE,
-    "dynamic_coefficient": _POSITIVE,
+GIVEN: Mapping[str, Parameter] = {
+    name: Parameter(
+        name, "", lower, help=f"{name.replace('_', ' ')}, dimensionless", key=name, kind="fixed", allowed=allowed
+    )
+    for name, lower, allowed in (
+        ("moment_of_inertia", 0.0, "a positive number"),
+        ("radial_weight", 0.0, "a positive number"),
+        ("weight_moment", -INFINITY, "a finite number"),
+        ("resistance_factor", 0.0, "a positive number"),
+        ("dynamic_coefficient", 0.0, "a positive number"),
+    )
 }
 
 
@@ -101,5 +105,5 @@ def _given_mistakes(coefficients: Any) -> Texts:
     names = ", ".join(GIVEN)
     messages += [f"given: {name!r} is unknown; known are {names}" for name in coefficients if name not in GIVEN]
     bounds = {name: GIVEN[name] for name in GIVEN if name in coefficients}
-    messages += [f"given: {mistake}" for mistake in mistakes(coefficients, bounds, one=bounds)]
+    messages += [f"given: {mistake}" for mistake in mistakes(coefficients, bounds)]
     return messages

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose, may_overflow, plain
+from slipcircle.base.arrays import choose, float_or_array, may_overflow
 from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.lanes import integrate_problem
@@ -42,7 +42,7 @@ class Motion(Conversions, Generic[Numbers]):
         self.shape: Shape = plan.scene.shape
         self.invalid = invalid
         self._final = final
-        self._radius = plain(plan.scene.arc.radius)
+        self._radius = float_or_array(plan.scene.arc.radius)
         self._time_scale = plan.scene.arc.time_scale
         if problem is not None:
             self.problem = problem

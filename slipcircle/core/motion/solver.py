@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.arrays import plain
+from slipcircle.base.arrays import float_or_array
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.integrator.lanes import BLOCK, ENTRIES, integrate_problem
 from slipcircle.core.lazy import lazy_import
@@ -65,7 +65,7 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
 def _is_finite(motion: Motion) -> bool:
     """Return whether a single motion has a result, and neither the result nor its initial energy overflows."""
     outcomes = motion.outcomes
-    speed = plain(motion.plan.scene.initial_velocity)
+    speed = float_or_array(motion.plan.scene.initial_velocity)
     return math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed)
 
 

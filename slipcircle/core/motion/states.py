@@ -8,7 +8,7 @@ from typing import Any, Self
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose, may_overflow, plain
+from slipcircle.base.arrays import choose, float_or_array, may_overflow
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.scene import Scene
 
@@ -135,7 +135,7 @@ def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stre
     """
     axes = getattr(time, "ndim", 0) - len(scene.shape)
     scale = before(scene.arc.time_scale, axes)
-    radius = before(plain(scene.arc.radius), axes)
+    radius = before(float_or_array(scene.arc.radius), axes)
     with may_overflow(scene.shape):
         angular_velocity = omega / scale
         velocity = radius * angular_velocity

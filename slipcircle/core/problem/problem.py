@@ -16,7 +16,7 @@ from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
 from generated.program import OF_COHESION, OF_SOIL, Program, Recipe
-from slipcircle.base.arrays import choose, may_overflow, plain
+from slipcircle.base.arrays import choose, float_or_array, may_overflow
 from slipcircle.base.kinds import Floats, Function, Names, Parameters, Shape, ValueDict, Values, cached_property
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan
@@ -145,7 +145,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     """
     scene = plan.scene
     lanes = math.prod(scene.shape)
-    numbers = Numbers(scene.arc, scene.shape, plain(scene.strength_factor))
+    numbers = Numbers(scene.arc, scene.shape, float_or_array(scene.strength_factor))
     for effect in plan.recipe.effects:
         numbers.add_effect(effect, scene.called[effect])
     farther = numbers.add_rotations(plan, lanes)
@@ -160,7 +160,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     is_unknown = strength != strength
     if invalid is not False or is_unknown is not False:
         failed = np.logical_or(invalid, is_unknown)
-        numbers.start["STATUS"] = plain(np.where(failed, float(ix.FAILED), 0.0))
+        numbers.start["STATUS"] = float_or_array(np.where(failed, float(ix.FAILED), 0.0))
     start = _flat(numbers.start, scene.shape)
     start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes, "shaking" in scene.effects)
     start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
@@ -227,7 +227,7 @@ class Numbers:
     def __init__(self, mass: Mass, shape: Shape, strength_factor: Any) -> None:
         self.mass = mass
         self.shape = shape
-        self.radius = plain(mass.radius)
+        self.radius = float_or_array(mass.radius)
         balance = mass.moment_coefficients
         self.start: ValueDict = {name: getattr(balance, name) for name in INPUTS}
         self.start["strength_factor"] = strength_factor
@@ -257,14 +257,14 @@ class Numbers:
         present = [p for p in declared if p.name in parameters]
         for p in present:
             if p.kind == "number":  # a symbol may depend on several
-                scales[p.name] = plain(parameters[p.name])
+                scales[p.name] = float_or_array(parameters[p.name])
         for p in present:
             if not p.symbol:
                 continue
             value = parameters[p.name]
             symbol = symbols[p.name]
             if not callable(value):
-                self.start[symbol] = p.dimensionless(plain(value), scales)
+                self.start[symbol] = p.dimensionless(float_or_array(value), scales)
             elif p.kind != "series":  # a function of the rotation, tabulated by the mass
                 self.start[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
             else:
@@ -280,7 +280,7 @@ class Numbers:
         if not plan.recipe.moving:
             return None
         scene = plan.scene
-        velocity = plain(scene.initial_velocity)
+        velocity = float_or_array(scene.initial_velocity)
         pushed = velocity != 0.0
         upslope = bool(pushed if type(velocity) is float else pushed.any()) or "shaking" in plan.recipe.effects
         tolerance = max(plan.accuracy / 100, FINEST) if lanes > 1 else FINEST
@@ -310,13 +310,13 @@ class Numbers:
             self.add_table(name, table, units[unit] / scale, strength)
         else:
             for p in LAWS[law].parameters:
-                self.start[f"{name}.{p.name}"] = plain(parameters[p.name]) / units[p.unit]
+                self.start[f"{name}.{p.name}"] = float_or_array(parameters[p.name]) / units[p.unit]
 
     def add_start(self, velocity: Any, end_time: Any) -> None:
         """Add the initial velocity in m/s, the end time in s, and initial values of the integrator's records."""
         start = self.start
         with may_overflow(self.shape):
-            start["omega"] = plain(velocity) / self.radius * self.mass.time_scale
+            start["omega"] = float_or_array(velocity) / self.radius * self.mass.time_scale
             start["END_TIME"] = end_time / self.mass.time_scale
         start["LIMIT"] = abs(self.mass.moment_coefficients.limit_friction)
         start["CLOSE"] = np.inf

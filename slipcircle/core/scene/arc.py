@@ -12,13 +12,13 @@ from numpy.typing import ArrayLike
 
 from generated import kernels
 from generated.effects import Parameter
-from slipcircle.base.arrays import choose, freeze, plain, two_sum
+from slipcircle.base.arrays import choose, float_or_array, freeze, two_sum
 from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
-from slipcircle.core.scene.tree import Parts, bounds, number
+from slipcircle.core.scene.tree import Parts, declared, number
 
 GRAVITY = 9.81  # default
 WIDTH = 1.0
@@ -164,7 +164,7 @@ class Arc(Mass, Generic[Numbers]):
         """Return messages about the fields: numbers out of bounds, shapes that do not broadcast, impossible arcs."""
         values = {name: getattr(self, name) for name in self.quantities}
         kind: Any = type(self)
-        messages = mistakes(values, bounds(kind)) or shape_mistakes(values)
+        messages = mistakes(values, declared(kind)) or shape_mistakes(values)
         if not messages and not self._is_plain_arc:
             angles = np.broadcast(self.theta_1, self.theta_2)
             messages = complaint(self.geometry_errors(), angles.shape)
@@ -304,7 +304,7 @@ class Arc(Mass, Generic[Numbers]):
             limit,
             1.0,
         )
-        return MomentCoefficients(*map(plain, coefficients))
+        return MomentCoefficients(*map(float_or_array, coefficients))
 
     @cached_property
     def normal_load(self) -> Any:
@@ -314,7 +314,7 @@ class Arc(Mass, Generic[Numbers]):
     @cached_property
     def _middle(self) -> tuple[Any, Any]:
         """Sine and cosine of theta_m, the mean of both angles, including its rounding, which matters for steep dips."""
-        total, lost = two_sum(plain(self.theta_1), plain(self.theta_2))
+        total, lost = two_sum(float_or_array(self.theta_1), float_or_array(self.theta_2))
         middle = total / 2
         rounding = lost / 2
         sine = np.sin(middle)

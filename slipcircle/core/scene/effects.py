@@ -7,7 +7,7 @@ from typing import Any
 from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
 from generated.program import OF_SOIL
 from slipcircle.base.arrays import EMPTY, Frozen, frozen
-from slipcircle.base.errors import parameter_mistakes, raise_all
+from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters, TextDict
 from slipcircle.core.lazy import lazy_import
 
@@ -87,47 +87,6 @@ def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, .
     return (*law.parameters, *OF_GROWTH) if law else ()
 
 
-def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
-    """Return messages about the parameters of an effect.
-
-    ``name`` is the name of the effect, and ``parameters`` are by name.
-    """
-    if name not in EFFECTS:
-        return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
-    effect = EFFECTS[name]
-    path = f"effects.{name}"
-    faults = []
-    if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
-        law = dict(parameters)
-        of_growth = {p.name: law.pop(p.name) for p in OF_GROWTH if p.name in law}
-        faults = parameter_mistakes(path, of_growth, OF_GROWTH)
-        cohesion = law if "law" in law else law[name]
-        return cohesion_mistakes(cohesion, path) + faults
-    if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
-        names = ", ".join(effect.any_of)
-        faults.append(f"{path}: one of {names} is missing")
-    return faults + parameter_mistakes(path, parameters, effect.parameters)
-
-
-def cohesion_mistakes(cohesion: Any, path: str) -> list[str]:
-    """Return a message for each mistake in a cohesion that changes with slip, a law by name or a function.
-
-    ``path`` names the cohesion in the messages.
-    """
-    if callable(cohesion):
-        return []
-    parameters = dict(cohesion)
-    name = parameters.pop("law", None)
-    if name not in COHESION_LAWS:
-        return [f"{path}.law = {name!r}: must be one of {', '.join(COHESION_LAWS)}"]
-    declared = COHESION_LAWS[name].parameters
-    faults = parameter_mistakes(path, parameters, declared)
-    if faults or declared[0].kind != "list":
-        return faults
-    of_list: list[str] = lazy_import("tables").list_faults(path, name, parameters, "cohesion")
-    return of_list
-
-
 def cohesion_law(cohesion: Any) -> Law | None:
     """Return the name and the parameters of the law of a cohesion that changes with slip; None for a number.
 
@@ -150,7 +109,7 @@ def resolved(name: str, parameters: Frozen) -> Frozen:
     """
     if name in WITHOUT_PARAMETERS and not parameters:
         return parameters
-    raise_all("", effect_mistakes(name, parameters))
+    raise_all("", lazy_import("laws").effect_mistakes(name, parameters))
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(parameters) and not any(map(callable, parameters.values()))):
         return parameters

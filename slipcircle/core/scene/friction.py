@@ -1,69 +1,18 @@
-"""Friction of a scene, a number, a law by name from `generated.effects` or a function: names and messages."""
+"""Friction of a scene, a number, a law by name from `generated.effects` or a function, as a product of laws."""
 
 from typing import Any
 
-import numpy as np
-
 from generated.effects import LAWS
 from generated.program import OF_SOIL
-from slipcircle.base.errors import Bounds, abridged, mistakes, parameter_mistakes
-from slipcircle.base.kinds import MAPPING, Names, Parameters
-from slipcircle.core.lazy import lazy_import
+from slipcircle.base.kinds import MAPPING, Names
 from slipcircle.core.scene.effects import Law, without_soil
 
-NAMES = tuple(LAWS)
 RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
-COEFFICIENT: Bounds = (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")
-
-
-def law_mistakes(friction: Any) -> list[str]:
-    """Return a message for each mistake in a scene's friction, a number, a law with parameters, or a function."""
-    if callable(friction):
-        return []
-    if type(friction) is float or not isinstance(friction, MAPPING):
-        return mistakes({"friction": friction}, {"friction": COEFFICIENT})
-    faults = _named_faults(friction, "friction", NAMES)
-    if faults or "rate" not in friction:
-        return faults
-    if not may_have_rate(friction["law"]):
-        return [f"friction.rate: {friction['law']} is not a law of slip; remove one"]
-    return rate_mistakes(friction["rate"], "friction.rate")
-
-
-def rate_mistakes(rate: Any, path: str = "rate") -> list[str]:
-    """Return a message for each mistake in a law of speed, which multiplies a law of slip or the friction of soils.
-
-    ``rate`` is the law's name and parameters, and ``path`` names it in the messages.
-    """
-    if not isinstance(rate, MAPPING):
-        return [f"{path} = {abridged(rate)}: must be a law of speed with its parameters"]
-    return _named_faults(rate, path, RATE_LAWS)
 
 
 def may_have_rate(law: str) -> bool:
     """Return whether a law, given by name, may be multiplied by a law of speed."""
     return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
-
-
-def _named_faults(entered: Parameters, path: str, laws: Names) -> list[str]:
-    """Return a message for each mistake in a law by name.
-
-    ``path`` names it in the messages, and ``laws`` are the names of the laws allowed there.
-    """
-    name = entered.get("law")
-    if name not in laws:
-        names = ", ".join(laws)
-        return [f"{path}.law = {name!r}: must be one of {names}"]
-    parameters = dict(entered)
-    del parameters["law"]
-    if path == "friction":
-        parameters.pop("rate", None)
-    declared = LAWS[name].parameters
-    faults = parameter_mistakes(path, parameters, declared)
-    if faults or declared[0].kind != "list":
-        return faults
-    of_list: list[str] = lazy_import("tables").list_faults(path, name, parameters)
-    return of_list
 
 
 def law_parts(friction: Any) -> tuple[Law, ...]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from generated.effects import Parameter
 from generated.program import OF_COHESION
-from slipcircle.base.arrays import EPS, plain
+from slipcircle.base.arrays import EPS, float_or_array
 from slipcircle.base.errors import Fault
 from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Shape, Values, cached_property
 from slipcircle.core.lazy import lazy_import
@@ -257,7 +257,7 @@ class Mass:
     @cached_property
     def time_scale(self) -> Any:
         """Time scale (3.9), t_c = sqrt(R/g), s."""
-        return plain(np.sqrt(np.divide(self.radius, self.gravity)))
+        return float_or_array(np.sqrt(np.divide(self.radius, self.gravity)))
 
     @cached_property
     def scales(self) -> Values:
@@ -267,8 +267,8 @@ class Mass:
             "gravity": self.gravity,
             "reference_stress": self.reference_stress,
             "Theta": self.dimensionless.moment_of_inertia,
-            "radius": plain(self.radius),
-            "density": plain(self.mean_unit_weight) / plain(self.gravity),
+            "radius": float_or_array(self.radius),
+            "density": float_or_array(self.mean_unit_weight) / float_or_array(self.gravity),
             "cover": self.moment_coefficients.cover,
         }
 

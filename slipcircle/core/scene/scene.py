@@ -3,27 +3,27 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, LEAST, LIMITS, QUESTIONED_FRICTION
-from slipcircle.base.arrays import EMPTY, INFINITY, Frozen, freeze, plain
-from slipcircle.base.errors import Bounds, InputError, mistakes, raise_all, shape_mistakes
+from slipcircle.base.arrays import EMPTY, INFINITY, Frozen, float_or_array, freeze
+from slipcircle.base.errors import InputError, mistakes, one_number, raise_all, shape_mistakes
 from slipcircle.base.kinds import MAPPING, Array, Effects, Function, Numbers, Parameters, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
-from slipcircle.core.scene.friction import law_mistakes, law_parts
+from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.mass import Mass
-from slipcircle.core.scene.tree import Parts, bounds, declared, number, numbers, parts_of_fields, replace_unchecked
+from slipcircle.core.scene.tree import Parts, declared, number, numbers, parts_of_fields, replace_unchecked
 
 One = float | str | Function | Mapping[str, float | str]  # parameter of a single scene
 AS_ENTERED = 1.0  # strength factor
-ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
+ACCURACY = one_number(0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 PLAIN = frozenset((float, str, type(None)))
 _, _FASTEST = LIMITS["m/s"]
 MAPS = {"uncertain": "from numbers to their distributions", "observed": "from outcomes to observed values"}
@@ -170,8 +170,8 @@ class Scene(Generic[Numbers]):
             faults.append(f"arc = {mass!r}: must be an Arc or a Section")
         faults += self._field_faults()
         if own_friction is None:
-            faults += law_mistakes(self.friction)
-            if type(self.friction) is not float:
+            if type(self.friction) is not float or not 0.0 <= self.friction < INFINITY:
+                faults += lazy_import("laws").law_mistakes(self.friction)
                 freeze(self, ("friction",))
         else:
             object.__setattr__(self, "friction", own_friction)
@@ -242,7 +242,7 @@ class Scene(Generic[Numbers]):
     @property
     def until(self) -> Any:
         """Latest end, s; infinite without an end time."""
-        return INFINITY if self.end_time is None else plain(self.end_time)
+        return INFINITY if self.end_time is None else float_or_array(self.end_time)
 
     @cached_property
     def called(self) -> Effects:
@@ -323,11 +323,11 @@ def _is_unusual(number: tuple[str, Any]) -> bool:
 
 
 _NUMBERS = ("initial_velocity", "strength_factor", "end_time")
-_SIGNS: dict[str, Bounds] = {  # a scene in Python may have any number of the right sign
-    name: (0.0 if low > 0.0 else -INFINITY, INFINITY, allowed)
-    for name in _NUMBERS
-    for low, _, allowed in [bounds(Scene)[name]]
-}
+_SIGNS = {}  # declarations of a scene in Python, which may have any number of the right sign
+for _name in _NUMBERS:
+    _p = declared(Scene)[_name]
+    _least = 0.0 if _p.lower > 0.0 else -INFINITY
+    _SIGNS[_name] = replace(_p, lower=_least, upper=INFINITY)
 _SIGNS_OF_START = {name: _SIGNS[name] for name in _NUMBERS[:2]}
 
 
@@ -335,7 +335,7 @@ def accuracy_mistakes(accuracy: Any) -> list[str]:
     """Return a message if the accuracy is neither None nor a relative error between 0 and 1."""
     if accuracy is None:
         return []
-    return mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}, one=("accuracy",))
+    return mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY})
 
 
 def checked_scene(scene: Any, what: str) -> Scene:

@@ -15,7 +15,7 @@ import numpy as np
 
 from generated.effects import INFINITY, LAWS, Parameter
 from slipcircle.base.arrays import EMPTY
-from slipcircle.base.errors import Bounds, InputError, raise_all
+from slipcircle.base.errors import InputError, raise_all
 from slipcircle.base.kinds import MAPPING, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 
@@ -52,19 +52,27 @@ def declared(kind: Any) -> dict[str, Parameter]:
 
     ``kind`` is the class. A declaration without key has the field's name as key.
     """
-    found = {}
+    declarations = {}
     for field in fields(kind):
         p = field.metadata.get("number")
         if p:
             key = p.key or field.name
-            found[field.name] = replace(p, name=field.name, key=key)
+            declarations[field.name] = replace(p, name=field.name, key=key)
+    return declarations
+
+
+def present(node: Any, numbers: Mapping[str, Parameter]) -> dict[str, Parameter]:
+    """Return the declarations of the numbers of a dataclass that have a value and allowed values in words, by field.
+
+    ``numbers`` are the declarations by field. A field is absent if it is None and may be.
+    """
+    found = {}
+    for field in fields(node):
+        name = field.name
+        is_absent = field.default is None and getattr(node, name) is None
+        if name in numbers and numbers[name].allowed and not is_absent:
+            found[name] = numbers[name]
     return found
-
-
-@lru_cache
-def bounds(kind: Any) -> dict[str, Bounds]:
-    """Return lower and upper open bound and the allowed values in words of the numbers in `declared`, by field."""
-    return {name: (one.lower, one.upper, one.allowed) for name, one in declared(kind).items()}
 
 
 def parts_of_fields(node: Any) -> Parts:
@@ -74,12 +82,12 @@ def parts_of_fields(node: Any) -> Parts:
     """
     kind: Any = type(node)
     numbers = declared(kind)
-    found: Parts = {}
+    by_field: Parts = {}
     for field in fields(node):
         what = field.metadata.get("laws", numbers.get(field.name))
         if what:
-            found[field.name] = getattr(node, field.name), what
-    return found
+            by_field[field.name] = getattr(node, field.name), what
+    return by_field
 
 
 def parts(node: Any, kind: Any = None) -> Parts:
@@ -88,8 +96,8 @@ def parts(node: Any, kind: Any = None) -> Parts:
     ``kind`` is the declaration of the node itself, None for an object or a mapping of nodes.
     """
     if hasattr(type(node), "parts"):
-        found: Parts = node.parts()
-        return found
+        of_node: Parts = node.parts()
+        return of_node
     if kind is None:
         return {name: (one, None) for name, one in node.items()}
     if node is None:
@@ -106,25 +114,25 @@ def _of_points(points: Any, p: Parameter) -> Parts:
     """
     lanes: Any = np.asarray(points)
     declarations = [replace(p, axes=0, key=axis) for axis in "xy"]
-    found: Parts = {}
+    coordinates: Parts = {}
     for place, index in _places(lanes.shape[lanes.ndim - p.axes :]).items():
-        found[place] = lanes[(..., *index)], declarations[index[-1]]
-    return found
+        coordinates[place] = lanes[(..., *index)], declarations[index[-1]]
+    return coordinates
 
 
-def _of_effect(given: Values, parameters: tuple[Parameter, ...]) -> Parts:
+def _of_effect(values: Values, parameters: tuple[Parameter, ...]) -> Parts:
     """Return the parts of an effect from its values by name and the declarations of its parameters.
 
     For shaking by a record they contain both scale and peak, of which one determines the other.
     """
-    found: Parts = {p.name: (given.get(p.name), p) for p in parameters}
-    if callable(given.get("horizontal")):
-        of_record = lazy_import("forcing").record_numbers(given)
+    by_name: Parts = {p.name: (values.get(p.name), p) for p in parameters}
+    if callable(values.get("horizontal")):
+        of_record = lazy_import("forcing").record_numbers(values)
         for name, value in of_record.items():
-            _, p = found[name]
-            kind = p.kind if name in given else "lens"
-            found[name] = value, replace(p, kind=kind)
-    return found
+            _, p = by_name[name]
+            kind = p.kind if name in values else "lens"
+            by_name[name] = value, replace(p, kind=kind)
+    return by_name
 
 
 def _of_law(law: Any, laws: Mapping[str, Any]) -> Parts:
@@ -137,13 +145,13 @@ def _of_law(law: Any, laws: Mapping[str, Any]) -> Parts:
     if not isinstance(law, MAPPING):
         return {"": (law, *laws["constant"].parameters)}
     name = law["law"]
-    found: Parts = {}
+    by_name: Parts = {}
     for p in laws[name].parameters:
         of_constant = name == "constant"
-        found["" if of_constant else p.name] = law[p.name], p
+        by_name["" if of_constant else p.name] = law[p.name], p
     if "rate" in law:
-        found["rate"] = law["rate"], LAWS
-    return found
+        by_name["rate"] = law["rate"], LAWS
+    return by_name
 
 
 def walked(
@@ -154,9 +162,9 @@ def walked(
     Unless ``absent``, numbers and effects without a value are not visited. ``kind``, ``path`` and ``key`` are the
     declaration, the path and the key in scene files of the node itself.
     """
-    known = parts(node, kind)
+    every_part = parts(node, kind)
     new: ValueDict = {}
-    for name, (value, what) in known.items():
+    for name, (value, what) in every_part.items():
         if not absent and (value is None or value is EMPTY):
             continue
         is_anonymous = not name and kind is not None
@@ -173,20 +181,20 @@ def walked(
             changed = walked(value, visit, absent, what, at, inside)
         if changed is not value:
             new[name] = changed
-    return _with_parts(node, new, known) if new else node
+    return _with_parts(node, new, every_part) if new else node
 
 
 def leaves(node: Any, absent: bool = True) -> list[Leaf]:
     """Return the numbers below a node, with each coordinate of points; if ``absent``, also numbers without a value."""
-    found: list[Leaf] = []
+    visited: list[Leaf] = []
 
     def visit(leaf: Leaf) -> Any:
         if leaf.number.kind in _POSSIBLE:
-            found.append(leaf._replace(value=None) if callable(leaf.value) else leaf)
+            visited.append(leaf._replace(value=None) if callable(leaf.value) else leaf)
         return leaf.value
 
     walked(node, visit, absent)
-    return found
+    return visited
 
 
 def numbers(node: Any) -> ValueDict:
@@ -194,11 +202,11 @@ def numbers(node: Any) -> ValueDict:
 
     Kinds that are not inputs are left out.
     """
-    found: ValueDict = {}
+    by_path: ValueDict = {}
     for path, _, p, value in leaves(node, absent=False):
         if value is not None and p.kind in _LISTED:
-            found[path] = value
-    return found
+            by_path[path] = value
+    return by_path
 
 
 def put(node: Any, values: Values) -> Any:
@@ -220,10 +228,10 @@ def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
     return walked(node, visit, absent=False)
 
 
-def _with_parts(node: Any, new: Values, known: Parts) -> Any:
+def _with_parts(node: Any, new: Values, every_part: Parts) -> Any:
     """Return a node with other parts.
 
-    ``new`` contains the changed parts by name, and ``known`` all parts of the node.
+    ``new`` contains the changed parts by name, and ``every_part`` all parts of the node.
     """
     if hasattr(node, "with_parts"):
         return node.with_parts(new)
@@ -232,12 +240,12 @@ def _with_parts(node: Any, new: Values, known: Parts) -> Any:
     if "" in new and not isinstance(node, MAPPING):  # a constant in place of a law
         return new[""]
     if not isinstance(node, MAPPING):
-        return _with_coordinates(np.asarray(node, float), new, whole=len(new) == len(known))
+        return _with_coordinates(np.asarray(node, float), new, whole=len(new) == len(every_part))
     if new.keys() >= _DETERMINED.keys():
         both = " and ".join(f"{{shaking.{name}}}" for name in new if name in _DETERMINED)
         raise InputError("", [f"{both} exclude each other: one is the other times the record's peak; vary one"])
     kept = {name: value for name, value in node.items() if _DETERMINED.get(name) not in new}
-    _, anonymous = known.get("", (None, None))
+    _, anonymous = every_part.get("", (None, None))
     own_name = getattr(anonymous, "name", "")  # of the constant in a law; a soil may have no name
     return kept | {name or own_name: value for name, value in new.items()}
 
@@ -248,8 +256,8 @@ def replace_unchecked(instance: Any, values: Values) -> Any:
         return instance
     other = object.__new__(type(instance))
     for field in fields(instance):
-        known = getattr(instance, field.name)
-        value = values.get(field.name, known)
+        present = getattr(instance, field.name)
+        value = values.get(field.name, present)
         object.__setattr__(other, field.name, value)
     if hasattr(other, "takes_geometry") and other.takes_geometry(instance):
         other.take_geometry(instance)
@@ -262,14 +270,14 @@ def _with_coordinates(points: Any, new: Values, whole: bool) -> Any:
     ``whole`` is true if all coordinates change.
     """
     axes = 1 + max(place.count(".") for place in new)
-    own = points.shape[points.ndim - axes :]
+    shape_of_points = points.shape[points.ndim - axes :]
     lanes = () if whole else points.shape[: points.ndim - axes]
     shape = np.broadcast_shapes(lanes, *map(np.shape, new.values()))
-    changed: Any = np.empty((*shape, *own))
+    changed: Any = np.empty((*shape, *shape_of_points))
     if not whole:
         changed[...] = points
     for place, value in new.items():
-        changed[(..., *_places(own)[place])] = value
+        changed[(..., *_places(shape_of_points)[place])] = value
     return changed
 
 

@@ -19,7 +19,7 @@ from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.common.quantities import OUTCOMES, in_words
+from slipcircle.workbench.common.quantities import OUTCOMES, spelt_out
 from slipcircle.workbench.common.starting import method_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import load
@@ -266,7 +266,7 @@ def _outcomes(study: Study, keys: Sequence[str], ends: Sequence[str]) -> ResultT
     ``keys`` are those of the inputs, ``ends`` the statuses of all scenes as text.
     """
     method = method_of(study.scene)
-    heads = {key: (key, "") for key in keys} | {name: (in_words(name), q.unit) for name, q in OUTCOMES.items()}
+    heads = {key: (key, "") for key in keys} | {name: (spelt_out(name), q.unit) for name, q in OUTCOMES.items()}
     heads[f"{FACTOR}{method}"] = f"F, {method}", ""
     names = [name for name in heads if name in study.samples]
     units = dict(heads[name] for name in names) | {"status": ""}

@@ -13,7 +13,7 @@ from slipcircle.base.optional import optional
 from slipcircle.base.text import number_text
 from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, html_table, tag
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, factors_of, in_words, results
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, factors_of, results, spelt_out
 from slipcircle.workbench.common.summary import key_results
 
 
@@ -24,7 +24,7 @@ def motion_table(motion: Motion) -> str:
         for name, count in motion.count().items():
             rows[Status[name].words] = str(count)
         for name, quantity in OUTCOMES.items():
-            rows[in_words(name)] = _span(motion.outcomes[name], quantity.unit)
+            rows[spelt_out(name)] = _span(motion.outcomes[name], quantity.unit)
     return Raw(tag("b", motion.plan.scene.name or "motion") + html_table([*rows.items()]))
 
 

@@ -24,7 +24,7 @@ from slipcircle.workbench.stability.starting import OF_CLOSURE
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
 
 
-def in_words(name: str, unit: str = "") -> str:
+def spelt_out(name: str, unit: str = "") -> str:
     """Return the name of a quantity or a status in words, with its unit if given."""
     return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
@@ -86,7 +86,7 @@ class Quantity:
     @property
     def heading(self) -> str:
         """Name in words with the unit of output, for headings of tables."""
-        return in_words(self.name, output_unit(self.unit)[1])
+        return spelt_out(self.name, output_unit(self.unit)[1])
 
     @property
     def head(self) -> str:
@@ -158,7 +158,7 @@ SINGLE: tuple[Quantity, ...] = (
     ),
     Quantity("velocity_class", "", "velocity class by Cruden and Varnes", "velocity_class"),
     *(
-        Quantity(f"time_{name}", "s", f"time {in_words(name)}", path, where=attrgetter(path))
+        Quantity(f"time_{name}", "s", f"time {spelt_out(name)}", path, where=attrgetter(path))
         for name in VelocityTimes._fields
         for path in [f"velocity_times.{name}"]
     ),

@@ -17,7 +17,7 @@ from slipcircle.core import path_of_part
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
-from slipcircle.workbench.files.keys import VARYING, Key, Table
+from slipcircle.workbench.files.keys import VARYING, Key, KeyTable
 
 _UNITS = re.compile(f"_(deg|s|{'|'.join(suffix(next(iter(units))) for units in UNITS_OF_KEYS.values())})$")
 
@@ -39,7 +39,7 @@ class Document:
         Names of the top-level tables that contain a mistake.
     """
 
-    def __init__(self, content: Values, tables: Mapping[str, Table]) -> None:
+    def __init__(self, content: Values, tables: Mapping[str, KeyTable]) -> None:
         self.arguments: dict[str, ValueDict] = {}
         self.typed: TextDict = {}
         self.uncertain: ValueDict = {}
@@ -108,7 +108,7 @@ class Document:
         self._check_sets(path, spelt)
         self._check_choices(path, spelt)
 
-    def _report_mixed_units(self, path: str, table: Table, spelt: Mapping[str, str]) -> None:
+    def _report_mixed_units(self, path: str, table: KeyTable, spelt: Mapping[str, str]) -> None:
         """Report quantities of one table that are given in different units.
 
         `spelt` maps the published spelling of each key to the key as typed.
@@ -136,7 +136,7 @@ class Document:
             return f"tables [[{path}]]"
         return f"a table [{path}]"
 
-    def _argument(self, full: str, key: Key, value: Any, content: Values, table: Table) -> Any:
+    def _argument(self, full: str, key: Key, value: Any, content: Values, table: KeyTable) -> Any:
         """Return a value in SI units, or the median of a distribution; report a wrong value and return None.
 
         `full` is the path of the key in the file, and `content` are all keys of its table.
@@ -223,7 +223,7 @@ def shown_value(value: Any) -> str:
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 
-def _question(key: Key, entry: Any, table: Table) -> str:
+def _question(key: Key, entry: Any, table: KeyTable) -> str:
     """Return additional advice on a wrong value: the key's title, and a similar word, another unit or an angle.
 
     `entry` is the wrong value, or the wrong item of a list.
@@ -252,7 +252,7 @@ def _question(key: Key, entry: Any, table: Table) -> str:
     return title
 
 
-def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, str]:
+def _advice(path: str, unknown: str, tables: Mapping[str, KeyTable]) -> tuple[str, str]:
     """Return the path of the known key most similar to an unknown one ("" if none), and advice in words.
 
     In the same table, a similar key or the only key with the same unit is suggested. In other tables, only an almost
@@ -283,7 +283,7 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
     return "", f"known are {', '.join(here)}"
 
 
-def _similar(unknown: str, here: Texts, table: Table) -> str:
+def _similar(unknown: str, here: Texts, table: KeyTable) -> str:
     """Return the key or table most similar to an unknown key, or the only key with its unit; "" without a candidate.
 
     `here` are the keys and tables allowed at this place.

@@ -156,7 +156,7 @@ def worded(name: str, help: str, allowed: str = "text", kind: str = "text", opti
     return Key(name, help=help, key=name, optional=optional, kind=kind, allowed=allowed)
 
 
-class Table(NamedTuple):
+class KeyTable(NamedTuple):
     """Declaration of a table of a scene file.
 
     Exactly one key of each of ``one_of`` is required, and at least one key of ``any_of``. The keys present must match
@@ -175,14 +175,14 @@ class Table(NamedTuple):
     tables: Mapping[str, Any] = {}
     laws: Mapping[str, Any] = {}
 
-    def of_law(self, given: Any) -> "Table":
-        """Return the table with the keys of the law most similar to ``given``; without one, ``law`` is its only key."""
+    def of_law(self, law_typed: Any) -> "KeyTable":
+        """Return the table with the keys of the law most similar to ``law_typed``, or only with the key ``law``."""
         names = tuple(self.laws)
-        near = get_close_matches(str(given), names, 1)
+        near = get_close_matches(str(law_typed), names, 1)
         if not near:
             law = replace(self.laws[names[0]].keys["law"], kind="|".join(names))
             return self._replace(keys={"law": law})
-        chosen: Table = self.laws[near[0]]
+        chosen: KeyTable = self.laws[near[0]]
         return chosen._replace(title=self.title, required=self.required, laws=self.laws)
 
     @property
@@ -197,19 +197,19 @@ def tables_in(content: Any, name: str) -> ValueDict:
     return {k: one for k, one in table.items() if isinstance(one, Mapping)} if isinstance(table, Mapping) else {}
 
 
-def fitted(table: Table, content: Any = None, path: str = "") -> dict[str, Table]:
+def fitted(table: KeyTable, content: Any = None, path: str = "") -> dict[str, KeyTable]:
     """Return a table and all tables inside it by path, adapted to a file's content: chosen laws and repeated tables."""
-    given = content if isinstance(content, Mapping) else {}
+    entries = content if isinstance(content, Mapping) else {}
     if table.laws:
-        table = table.of_law(given.get("law", next(iter(table.laws))))
-    found = {path: table}
+        table = table.of_law(entries.get("law", next(iter(table.laws))))
+    by_path = {path: table}
     for name, inner in table.tables.items():
         if inner.repeats:
             each = inner._replace(repeats="", required=False)
-            inner = Table(inner.title, required=inner.required, repeats=inner.repeats)
-            inner = inner._replace(tables=dict.fromkeys(tables_in(given, name), each))
-        found |= fitted(inner, given.get(name), path_of_part(path, name))
-    return found
+            inner = KeyTable(inner.title, required=inner.required, repeats=inner.repeats)
+            inner = inner._replace(tables=dict.fromkeys(tables_in(entries, name), each))
+        by_path |= fitted(inner, entries.get(name), path_of_part(path, name))
+    return by_path
 
 
 _TEXT = {
@@ -235,7 +235,6 @@ _TOP = (
     ),
 )
 ARC = tuple(declared(Arc).values())
-_GIVEN = [Parameter(n, "", *b[:2], f"{n.replace('_', ' ')}, dimensionless", n, kind="fixed") for n, b in GIVEN.items()]
 
 
 def _number(key: Key, written: str = "", tangent: bool = False) -> Key:
@@ -273,8 +272,8 @@ def keys_of(p: Parameter) -> dict[str, Key]:
     name = p.key.rpartition(".")[2]
     if not name:
         return {}
-    given = {field.name: getattr(p, field.name) for field in fields(p) if field.name != "dimensionless"}
-    key = Key(**given | {"key": name})
+    declaration = {field.name: getattr(p, field.name) for field in fields(p) if field.name != "dimensionless"}
+    key = Key(**declaration | {"key": name})
     plain = {"flag": "true or false", "text": "text", "name": "text or a number"}
     if p.kind in plain or "|" in p.kind:
         return {name: replace(key, allowed=plain.get(p.kind, f"one of {p.kind.replace('|', ', ')}"))}
@@ -283,8 +282,8 @@ def keys_of(p: Parameter) -> dict[str, Key]:
         angle = _number(replace(key, help=f"{p.help}, as an angle", optional=True), "deg", tangent=True)
         of_coefficient = _number(coefficient)  # a value beyond the usual ones was an angle
         return {name: angle, p.name: replace(of_coefficient, upper=USUAL_FRICTION[1])}
-    _, known, _ = published(name)
-    unit = known if p.per_unit != 1.0 else p.unit
+    _, spelt_unit, _ = published(name)
+    unit = spelt_unit if p.per_unit != 1.0 else p.unit
     if not unit and p.unit:  # the key has the unit, such as MPa_K for Pa/K, without its separators
         between = iter(re.findall("[/ ]", p.unit))
         tail = name.removeprefix(f"{p.name}_")
@@ -292,7 +291,7 @@ def keys_of(p: Parameter) -> dict[str, Key]:
     return {name: _number(key, unit)}
 
 
-def table_of(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: Names = ()) -> Table:
+def table_of(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: Names = ()) -> KeyTable:
     """Return a table with the keys of parameters and ``more`` keys; at least one key of ``any_of`` is required."""
     keys = {p: keys_of(p) for p in parameters}
     by_name = dict(more)
@@ -304,36 +303,36 @@ def table_of(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key
             alternatives.append(tuple(of_parameter))
         if p.name in any_of:
             needed += of_parameter
-    return Table(title, by_name, tuple(alternatives), tuple(needed))
+    return KeyTable(title, by_name, tuple(alternatives), tuple(needed))
 
 
-def _laws(laws: Iterable[Law], title: str = "friction law") -> dict[str, Table]:
+def _laws(laws: Iterable[Law], title: str = "friction law") -> dict[str, KeyTable]:
     """Return a table for each law, by the name of the law. `title` describes the key `law`."""
     by_name = {law.name: law for law in laws}
-    found = {}
+    tables = {}
     for name, law in by_name.items():
         key = worded("law", title, f"one of {', '.join(by_name)}", name, name == "constant")
-        found[name] = table_of(law.help, law.parameters, {"law": key})
-    return found
+        tables[name] = table_of(law.help, law.parameters, {"law": key})
+    return tables
 
 
-_RATE = Table("law of speed that multiplies the law of slip", laws=_laws(LAWS[name] for name in RATE_LAWS))
-OF_SOIL = Table("friction of the soil, by default none", laws=_laws(LAWS.values()))
+_RATE = KeyTable("law of speed that multiplies the law of slip", laws=_laws(LAWS[name] for name in RATE_LAWS))
+OF_SOIL = KeyTable("friction of the soil, by default none", laws=_laws(LAWS.values()))
 RATE_OF_SOILS = _RATE._replace(title="law of speed that multiplies the friction of all soils")
 _WITH_RATE = {
     law: table._replace(tables={"rate": _RATE} if may_have_rate(law) else {}) for law, table in OF_SOIL.laws.items()
 }
-FRICTION = Table("friction on the slip surface", required=True, laws=_WITH_RATE)
+FRICTION = KeyTable("friction on the slip surface", required=True, laws=_WITH_RATE)
 EFFECT_TABLES = {
     name: table_of(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()
 }
-COHESION = Table(EFFECTS["cohesion"].help, laws=_laws(COHESION_LAWS.values(), "law of slip of the cohesion"))
+COHESION = KeyTable(EFFECTS["cohesion"].help, laws=_laws(COHESION_LAWS.values(), "law of slip of the cohesion"))
 _, *_of_growth = EFFECTS["cohesion"].parameters
 _growth = table_of("", _of_growth).keys
 EFFECT_TABLES["cohesion"] = COHESION._replace(
     laws={law: table._replace(keys={**table.keys, **_growth}) for law, table in COHESION.laws.items()}
 )
-_GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN)
+_GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", GIVEN.values())
 ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={"given": _GIVEN_TABLE})
 _SEEN = []
 for _q in OBSERVABLE.values():
@@ -343,7 +342,7 @@ for _q in OBSERVABLE.values():
         Parameter(_q.name, _q.unit, _least, _most, f"observed {_q.label}", _q.head, optional=True, kind="seen")
     )
 OBSERVED = table_of("observations of the motion, for `slipcircle backanalyse`", _SEEN)
-REPORT = Table(
+REPORT = KeyTable(
     "heading of a report",
     {
         name: worded(name, help)
@@ -355,7 +354,7 @@ REPORT = Table(
         )
     },
 )
-OUTPUT = Table(
+OUTPUT = KeyTable(
     "how the command line prints",
     {
         "units": worded(

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
 from slipcircle.workbench.common.units import published
-from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
+from slipcircle.workbench.files.keys import WITH_ARC, KeyTable, fitted
 from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, WITH_LAYERS, WITH_ONE_SOIL
 
 _BY_SOILS = "is given by the soils beside [[layers]]"
@@ -31,7 +31,7 @@ class Layout(NamedTuple):
     reported in ``mistakes``.
     """
 
-    tables: dict[str, Table]
+    tables: dict[str, KeyTable]
     content: ValueDict
     mistakes: Texts
     on_slope: bool
@@ -50,18 +50,18 @@ def layout_of(content: Values) -> Layout:
         friction = whole.tables["friction"]._replace(required=False)
         whole = whole._replace(tables={**whole.tables, "friction": friction})
     mistakes = [f"{name}: {why}" for name, why in excluded.items() if name in content]
-    tables_read = {}
+    content_read = {}
     for name, value in content.items():
         if name not in excluded:
             listed = name in whole.tables and whole.tables[name].repeats == "numbered"
-            tables_read[name] = _numbered(value) if listed else value
-    ground = tables_read.get("ground")
+            content_read[name] = _numbered(value) if listed else value
+    ground = content_read.get("ground")
     whole_ground = ground if layered and isinstance(ground, dict) else {}
     for k in whole_ground:
         if published(k)[0] == "unit_weight_kN_m3":
-            tables_read["ground"] = {name: value for name, value in whole_ground.items() if name != k}
+            content_read["ground"] = {name: value for name, value in whole_ground.items() if name != k}
             mistakes.append(f"ground.{k}: {_BY_SOILS}: {k} in [soils.NAME]; leave it out")
-    return Layout(fitted(whole, tables_read), tables_read, mistakes, on_slope, layered)
+    return Layout(fitted(whole, content_read), content_read, mistakes, on_slope, layered)
 
 
 def _excluded(on_slope: bool, layered: bool) -> TextDict:

@@ -11,14 +11,15 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from generated.effects import EFFECTS
-from slipcircle.base.arrays import plain
+from slipcircle.base.arrays import float_or_array
 from slipcircle.base.errors import InputError, Message
 from slipcircle.base.kinds import Rename, Tell, Texts, ValueDict, Values
-from slipcircle.core import Arc, Scene, law_mistakes
+from slipcircle.core import Arc, Scene
 from slipcircle.ground import Section
+from slipcircle.layers import law_mistakes
 from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.document import Document
-from slipcircle.workbench.files.keys import Table
+from slipcircle.workbench.files.keys import KeyTable
 from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.points import with_points
@@ -48,7 +49,7 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     stability = parts.pop("stability")
     remarks = parts.pop("remarks")
     try:
-        gravity = plain(parts["arc"].gravity)
+        gravity = float_or_array(parts["arc"].gravity)
         parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
         remarks = (*remarks, *of_records)
         scene: Any
@@ -308,7 +309,7 @@ def _friction(arguments: Arguments) -> ValueDict:
     return {"law": "constant"} | arguments.get("friction", {"coefficient": 0.0}) | rate
 
 
-def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Rename:
+def _keys(tables: Mapping[str, KeyTable], typed: Mapping[str, str]) -> Rename:
     """Return a function from names of arguments (`effects.shaking.step`) to keys in the file (`shaking.step_s`).
 
     `typed` has the keys that the file contains, by argument.

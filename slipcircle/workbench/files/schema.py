@@ -6,7 +6,7 @@ from dataclasses import replace
 from slipcircle.base.kinds import Texts, ValueDict, Values
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
-from slipcircle.workbench.files.keys import WITH_ARC, Key, Table
+from slipcircle.workbench.files.keys import WITH_ARC, Key, KeyTable
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
 
 _LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
@@ -73,7 +73,7 @@ def schema() -> ValueDict:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **scene_schema, "$defs": defs}
 
 
-def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
+def _schema_of_table(table: KeyTable, name: str, defs: ValueDict) -> ValueDict:
     """Return the schema of a table and the tables inside it; add the schemas of its laws to `defs`.
 
     `name` is the path of the table with underscores, the prefix of the names of its laws.

@@ -16,7 +16,7 @@ from slipcircle.workbench.files.keys import (
     OF_SOIL,
     RATE_OF_SOILS,
     Key,
-    Table,
+    KeyTable,
     table_of,
     worded,
 )
@@ -73,7 +73,7 @@ _UPRIGHT = Parameter(
     optional=True,
     kind="fixed",
 )
-SLOPING: Mapping[str, Table] = {  # in place of an arc
+SLOPING: Mapping[str, KeyTable] = {  # in place of an arc
     "ground": table_of(
         "a real slope, in place of [arc]",
         [
@@ -161,7 +161,7 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
     ),
 }
 
-LOADS: Mapping[str, Table] = {  # in addition to them
+LOADS: Mapping[str, KeyTable] = {  # in addition to them
     "tension_crack": table_of(
         "a tension crack at the upper end of the slip surface",
         [
@@ -216,7 +216,7 @@ _SLIP = table_of(
 )._replace(tables={"rate": RATE_OF_SOILS})
 
 
-def _plausible(table: Table) -> Table:
+def _plausible(table: KeyTable) -> KeyTable:
     """Return a table of cohesion with the upper bound of a soil's cohesion for its keys in kPa."""
     keys = {
         name: replace(key, upper=_MOST_COHESION) if name.endswith("_kPa") else key for name, key in table.keys.items()

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.arrays import plain
+from slipcircle.base.arrays import float_or_array
 from slipcircle.base.kinds import ValueDict
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
@@ -43,5 +43,5 @@ def varied_slope(scene: Scene, like: Slope) -> Slope:
     if isinstance(arc, LayeredSection):
         soils: ValueDict = {"layers": arc.layers, "surcharge": arc.surcharge, "crack": float(arc.crack)}
     else:
-        soils = soil(scene.friction, scene.effects) | {"unit_weight": plain(arc.unit_weight)}
+        soils = soil(scene.friction, scene.effects) | {"unit_weight": float_or_array(arc.unit_weight)}
     return replace(like, ground=arc.ground, level=arc.level, **soils)

@@ -7,7 +7,7 @@ from itertools import chain
 from generated.effects import EFFECTS, LAWS, Effect, Law
 from slipcircle.core import path_of_part
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.files.keys import EFFECT_TABLES, FRICTION, TOP, WITH_ARC, Table
+from slipcircle.workbench.files.keys import EFFECT_TABLES, FRICTION, TOP, WITH_ARC, KeyTable
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, WITH_LAYERS
 from slipcircle.workbench.stability.stability import METHODS
 
@@ -86,7 +86,7 @@ def guide() -> str:
     return "\n".join(lines)
 
 
-def _tables(path: str, table: Table) -> Iterator[str]:
+def _tables(path: str, table: KeyTable) -> Iterator[str]:
     """Yield the lines of a table and of the tables inside it."""
     if table.repeats == "named":
         path = f"{path}.NAME"
@@ -121,7 +121,7 @@ def _title(head: str, words: str) -> list[str]:
     return textwrap.wrap(words, WIDTH, initial_indent=f"{head:<{INDENT - 2}}  ", subsequent_indent=" " * INDENT)
 
 
-def _keys(table: Table) -> Iterator[str]:
+def _keys(table: KeyTable) -> Iterator[str]:
     """Yield lines for each key of a table; alternative keys share an entry if exactly one is required."""
     pairs = {pair[0]: pair[1] for pair in table.one_of}
     for k, key in table.keys.items():

@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.base.text import number_text, output_unit
 from slipcircle.derivatives import Sensitivity
-from slipcircle.workbench.common.quantities import in_words
+from slipcircle.workbench.common.quantities import spelt_out
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.pictures.tornado import size_of
@@ -67,7 +67,7 @@ def sensitivity_part(table: Sensitivity, stops: Mapping[str, float]) -> ResultTa
         cells = [_cell(table, output, parameter, key) for output in table.outputs]
         rows.append([_label(table, key), number_text(value, 6), *limit, *cells])
     head = ["by", "value", "F = 1 at", "distance"]
-    head += [in_words(output, output_unit(unit)[1]) for output, unit in table.outputs.items()]
+    head += [spelt_out(output, output_unit(unit)[1]) for output, unit in table.outputs.items()]
     return ResultTable(head, rows, table.scene.name, _note(table, names))
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from slipcircle.workbench.common.quantities import OUTCOMES, in_words
+from slipcircle.workbench.common.quantities import OUTCOMES, spelt_out
 from slipcircle.workbench.common.starting import method_of
 from slipcircle.workbench.outputs.tables import ResultTable, unit_table
 from slipcircle.workbench.stability.stability import METHODS
@@ -12,7 +12,7 @@ from slipcircle.workbench.studies.searched import SEARCHED
 from slipcircle.workbench.studies.statistics import BEYOND
 from slipcircle.workbench.studies.study import Study
 
-_UNITS = {in_words(name): quantity.unit for name, quantity in OUTCOMES.items()}  # of columns of outcomes
+_UNITS = {spelt_out(name): quantity.unit for name, quantity in OUTCOMES.items()}  # of columns of outcomes
 NO_INTERVAL = (
     "Sobol sequences: no interval in the tails, for fewer than 256 samples, and where the sequences differ by less "
     "than a sample; use monte-carlo for intervals everywhere"
@@ -76,7 +76,7 @@ def _indices(study: Study) -> ResultTable:
     rows = []
     for output, (first, total) in study.sensitivity.items():
         for unknown, alone, together in zip(study.design.inputs.values(), first, total, strict=True):
-            rows.append([in_words(output), unknown.key, alone, together])
+            rows.append([spelt_out(output), unknown.key, alone, together])
     return ResultTable(
         ["output", "input", "first-order index", "total index"],
         rows,

@@ -21,8 +21,8 @@ from slipcircle.workbench.common.quantities import (
     factor_label,
     factor_text,
     factors_of,
-    in_words,
     results,
+    spelt_out,
     time_text,
     to_error,
 )
@@ -172,7 +172,7 @@ def stretches_part(motion: Motion) -> ResultTable | None:
     for record in (*records, whole):
         in_unit = [of_stress * record[name] for name in stresses]
         rows.append([record["soil"], of_length * record["length"], f"{100 * record['weight_share']:.1f}", *in_unit])
-    head = ["soil", in_words("length", length_unit), "weight (%)", *(in_words(name, unit) for name in stresses)]
+    head = ["soil", spelt_out("length", length_unit), "weight (%)", *(spelt_out(name, unit) for name in stresses)]
     note = "From the upper end down: the share of the weight above each stretch, and means along it at the start."
     if beyond := foreland_words(motion.plan.scene.arc):
         note += f" Beyond the exit: {beyond}."
@@ -271,7 +271,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> ResultTable:
                 f"{100 * rung.difference:.3g} %",
             ]
         )
-    head = ["effect added", "time", *(in_words(q.name) for q in outcomes), "rests", "differs"]
+    head = ["effect added", "time", *(spelt_out(q.name) for q in outcomes), "rests", "differs"]
     return ResultTable(head, rows, name)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.arrays import EPS, INFINITY, array_of, frozen
-from slipcircle.base.errors import Bounds, InputError, mistakes, raise_all
+from slipcircle.base.errors import InputError, mistakes, one_number, raise_all
 from slipcircle.base.kinds import Floats, PathName, Texts
 from slipcircle.tables import Series, bad_sample
 from slipcircle.workbench.common.units import (
@@ -87,7 +87,7 @@ def read_record(
     ValueError
         If the file cannot be read. The message gives the file, the line, the value, the allowed values, and the remedy.
     """
-    raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
+    raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": _GRAVITY}))
     samples, _ = read_record_samples(ACCELERATION, path, Options(columns, column, step, units, start, gaps))
     return shaking_of(samples, str(path), holds, gravity, scaled)
 
@@ -145,9 +145,8 @@ class Record(Series):
         unit = unit_of(str(units))
         if unit is None:
             raise ValueError(f"Record: units = {units!r}: must be one of {ACCELERATION.choice}")
-        numbers = {"gravity": gravity} if dt is None else {"gravity": gravity, "dt": dt}
-        allowed = {"gravity": "a positive number in m/s^2", "dt": "a positive time in s"}
-        raise_all("Record", mistakes(numbers, {n: (0.0, INFINITY, allowed[n]) for n in numbers}, one=numbers))
+        numbers = {"gravity": _GRAVITY} if dt is None else {"gravity": _GRAVITY, "dt": _STEP}
+        raise_all("Record", mistakes({"gravity": gravity, "dt": dt}, numbers))
         time = samples[0]
         values = array_of(samples[-1])
         if dt is not None:
@@ -177,10 +176,9 @@ def pressure_of(samples: RecordSamples, name: str) -> dict[str, Series]:
     }
 
 
-_TIMES: dict[str, Bounds] = {
-    "step": (0.0, INFINITY, "a positive time in s"),
-    "start": (-5e-324, INFINITY, "a time in s, not before 0"),
-}
+_GRAVITY = one_number(0.0, INFINITY, "a positive number in m/s^2")
+_STEP = one_number(0.0, INFINITY, "a positive time in s")
+_START = one_number(-5e-324, INFINITY, "a time in s, not before 0")
 
 
 def read_record_samples(quantity: RecordedQuantity, path: PathName, options: Options) -> tuple[RecordSamples, Texts]:
@@ -189,8 +187,8 @@ def read_record_samples(quantity: RecordedQuantity, path: PathName, options: Opt
     The values have the unit of the file. `quantity` is acceleration or pore pressure.
     """
     name = str(path)
-    times = {n: v for n, v in (("step", options.step), ("start", options.start)) if v is not None}
-    raise_all(name, mistakes(times, {n: _TIMES[n] for n in times}))
+    times = {"step": _STEP, "start": _START}
+    raise_all(name, mistakes(options._asdict(), {n: p for n, p in times.items() if getattr(options, n) is not None}))
     channels = contents(quantity, name, Path(path), options)
     read = [channel for channel in channels if channel.samples]
     if len(read) > 1:

@@ -6,25 +6,24 @@ Lines are (1 or n, V, 2) for n slopes, and numbers () or (n,). Beyond both ends 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.errors import Bounds
+from slipcircle.base.errors import one_number
 from slipcircle.base.kinds import Floats
-from slipcircle.core import bounds
-from slipcircle.ground import FAR, Ponds, Section, continued
+from slipcircle.core import declared
+from slipcircle.ground import Ponds, Section, continued
 from slipcircle.layers import STRESS, Soil, edge_below
 
-BOUNDS: dict[str, Bounds] = {  # of the fields of a slope
-    **bounds(Section),
-    **bounds(Soil),
-    "datum": (-FAR, FAR, "one finite number in m"),
-    "pressure": STRESS,
-    "friction": (-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
-    "k_h": (-1.0, 1.0, "between -1 and 1"),
+SLOPE_NUMBERS = {  # declarations of the fields of a `Slope`
+    **{name: replace(p, kind="fixed") for name, p in (declared(Section) | declared(Soil)).items()},
+    "datum": declared(Section)["base"],
+    "pressure": replace(STRESS, kind="fixed"),
+    "friction": one_number(-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
+    "k_h": one_number(-1.0, 1.0, "between -1 and 1"),
 }
 
 

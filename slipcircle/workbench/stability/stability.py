@@ -10,14 +10,24 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from generated.effects import COHESION_LAWS
 from slipcircle.base.arrays import freeze
 from slipcircle.base.errors import InputError, complaint, raise_all
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
-from slipcircle.core import cohesion_mistakes, law_mistakes
+from slipcircle.core import present
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
-from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, friction_at_rest, growth_at_rest, layer_mistakes
-from slipcircle.workbench.stability.columns import BOUNDS, SlopeArrays, SoilArrays, level_line
+from slipcircle.layers import (
+    LayeredSection,
+    Soil,
+    cohesion_at_rest,
+    friction_at_rest,
+    growth_at_rest,
+    is_law,
+    law_mistakes,
+    layer_mistakes,
+)
+from slipcircle.workbench.stability.columns import SLOPE_NUMBERS, SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
@@ -143,28 +153,18 @@ class Slope:
             mistakes += [f"{name}: is given by the soils of the layers; leave it out" for name in excluded]
             mistakes += layer_mistakes(self.layers, self.surcharge)
         else:
-            if self.unit_weight is None:
-                mistakes.append("unit_weight is missing")
-            of_laws = self._law_mistakes()
+            mistakes += ["unit_weight is missing"] if self.unit_weight is None else []
+            of_laws = law_mistakes(self.friction) if is_law(self.friction) else []
+            of_laws += law_mistakes(self.cohesion, "cohesion", COHESION_LAWS) if is_law(self.cohesion) else []
             mistakes += of_laws
             fields |= {"cohesion": 0.0, "friction": 0.0} if of_laws else self._strength
-        mistakes += slope_errors(fields, BOUNDS)
+        numbers = {name: p for name, p in present(self, SLOPE_NUMBERS).items() if name in fields}
+        mistakes += slope_errors(fields, numbers)
         if self.level is not None and self.pore_ratio != 0.0:
             mistakes.append(
                 f"{{pore_ratio}} = {self.pore_ratio!r}: {{level}} gives the pore pressure, too; remove one of them"
             )
         return mistakes
-
-    def _law_mistakes(self) -> Texts:
-        """Return a message for each mistake in strengths that are laws; numbers are checked with the other fields."""
-        given = {"friction": self.friction, "cohesion": self.cohesion}
-        types = [name for name, value in given.items() if isinstance(value, type)]
-        found = [f"{{{x}}} = {given[x]!r}: must be a number, a law or a function of slip" for x in types]
-        if not types and (callable(self.friction) or isinstance(self.friction, Mapping)):
-            found += law_mistakes(self.friction)
-        if not types and (callable(self.cohesion) or isinstance(self.cohesion, Mapping)):
-            found += cohesion_mistakes(self.cohesion, "cohesion")
-        return found
 
     @property
     def _strength(self) -> ValueDict:
@@ -376,10 +376,8 @@ def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
 def soil(friction: Any, effects: Any, slipped: bool = False) -> ValueDict:
     """Return strength and pore pressure of a slope by name, from a scene's friction and effects at the start.
 
-    Strength is that before any slip, or after much.
-
-    Numbers, or arrays where the scene has arrays. Empty where nothing is known of a pressure that a record holds, or
-    where there is no strength.
+    Strength is that before any slip, or after much. Values are numbers, or arrays where the scene has arrays. The
+    result is empty where nothing is known of a pressure that a record holds, or where there is no strength.
     """
 
     def at_start(value: Any) -> Any:

@@ -9,8 +9,9 @@ from typing import IO, Any
 
 import numpy as np
 
+from generated.effects import Parameter
 from slipcircle.base import VERSION
-from slipcircle.base.arrays import INFINITY, array_of
+from slipcircle.base.arrays import array_of
 from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats, PathName, ValueDict, Values
 from slipcircle.base.progress import Progress
@@ -239,7 +240,7 @@ def varied_number(scene: Scene, path: str, values: Any) -> Key:
         has = listed([keys[name].key for name in scene.numbers])
         raise ValueError(f"{path}: the scene has no value of it to vary; it has {has}")
     array = array_of(values)
-    if array.ndim != 1 or mistakes({path: values}, {path: (-INFINITY, INFINITY, "")}) or not array.size:
+    if array.ndim != 1 or mistakes({path: values}, {path: Parameter(path)}) or not array.size:
         raise ValueError(f"{path}: must be a list of numbers")
     return number
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.base.arrays import plain, real_number
+from slipcircle.base.arrays import float_or_array, real_number
 from slipcircle.base.errors import abridged, raise_all
 from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
@@ -320,7 +320,7 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     """
     arc = scene.arc
     scales = (arc.static_normal_stress, arc.radius, arc.gravity)
-    stress, radius, gravity = map(plain, scales)
+    stress, radius, gravity = map(float_or_array, scales)
     to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
     by_scale = {
         "initial_velocity": 2 * math.sqrt(gravity * radius) * np.linspace(-1.0, 1.0, 241),
@@ -363,7 +363,7 @@ def _friction_range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     creeps = "speed" in depends_on(
         law_names(scene.friction)
     )  # with more friction the mass creeps, which takes long to solve
-    has_speed = plain(scene.initial_velocity) != 0.0
+    has_speed = float_or_array(scene.initial_velocity) != 0.0
     if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))
     if "shaking" in scene.called or not is_alone:  # shaking moves a mass that would stay at rest

@@ -12,7 +12,7 @@ import numpy as np
 
 from slipcircle.core import solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
-from slipcircle.workbench.common.quantities import OUTCOMES, in_words
+from slipcircle.workbench.common.quantities import OUTCOMES, spelt_out
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.statistics import Spread
 
@@ -84,4 +84,4 @@ def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) 
             differences.append(f"a {name} of {one:.4g} {unit}, the samples {other:.4g} +- {error:.2g}")
     if not differences:
         return ""
-    return f"{in_words(output)}: linear propagation gives {' and '.join(differences)}: use the samples"
+    return f"{spelt_out(output)}: linear propagation gives {' and '.join(differences)}: use the samples"

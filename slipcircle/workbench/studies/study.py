@@ -18,7 +18,7 @@ from slipcircle.base.kinds import ArrayDict, Columns, Flags, Floats, Integers, T
 from slipcircle.core import Motion, Status
 from slipcircle.messages import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, html_table, tag
-from slipcircle.workbench.common.quantities import OUTCOMES, in_words
+from slipcircle.workbench.common.quantities import OUTCOMES, spelt_out
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies import export
@@ -146,7 +146,7 @@ class Study(Shaken, Pictured):
         rows = [[s.words, str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
         for name, quantity in OUTCOMES.items() if self.design.records is None else ():
             low, median, high = (value_text(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
-            rows.append([in_words(name), f"{median} ({low} to {high}) {quantity.unit}"])
+            rows.append([spelt_out(name), f"{median} ({low} to {high}) {quantity.unit}"])
         return rows
 
     def __len__(self) -> int:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from slipcircle.base.arrays import INFINITY
-from slipcircle.base.errors import Bounds, mistakes, raise_all
+from slipcircle.base.errors import mistakes, one_number, raise_all
 from slipcircle.base.kinds import PathName
 from slipcircle.tables import Series
 from slipcircle.workbench.common import files
@@ -18,12 +18,12 @@ _SHAPE = 3.0  # of the gamma distribution of the intensity over time (Saragoni a
 _STEP = 0.01  # s
 _GROUND, _DAMPING = 2.5, 0.6  # Hz; of the soil that filters the noise (Kanai 1957, Tajimi 1960)
 _SLOWEST = 0.15  # Hz, below which the amplitudes fall
-_BOUNDS: dict[str, Bounds] = {
-    "count": (0.0, 1e4, "a number of records"),
-    "arias": (0.0, INFINITY, "a positive number in m/s"),
-    "duration": (0.1, 1e3, "a time in s"),
-    "gravity": (0.0, INFINITY, "a positive number in m/s^2"),
-    "seed": (-1.0, INFINITY, "a whole number of at least 0"),
+_ALLOWED = {
+    "count": one_number(0.0, 1e4, "a number of records"),
+    "arias": one_number(0.0, INFINITY, "a positive number in m/s"),
+    "duration": one_number(0.1, 1e3, "a time in s"),
+    "gravity": one_number(0.0, INFINITY, "a positive number in m/s^2"),
+    "seed": one_number(-1.0, INFINITY, "a whole number of at least 0"),
 }
 
 
@@ -66,7 +66,7 @@ def synthetic_records(
     (3, 2, 1, 1)
     """
     arguments = {"count": count, "arias": arias, "duration": duration, "gravity": gravity, "seed": seed}
-    raise_all("synthetic records", mistakes(arguments, _BOUNDS, one=arguments))
+    raise_all("synthetic records", mistakes(arguments, _ALLOWED))
     streams = np.random.SeedSequence(seed).spawn(count)
     noises = [_noise(np.random.default_rng(stream), duration) for stream in streams]
     scales = [math.sqrt(arias / intensities(noise, gravity).arias) for noise in noises]
