@@ -134,8 +134,8 @@ class StretchIntegrals:
         profile, _ = self._surfaces
         facing = self.section._facing
         met = self._joints_met(rotation)
-        joints, *_, circles = met.shape
-        directions = met.reshape(-1, circles)
+        joints, moments, circles = met.shape
+        directions = met.reshape(joints * moments, circles)
         whole = profile.to_ends[:count, :, None]
         to_the_right = facing * directions
         from_entry = profile.up_to(to_the_right, count)
