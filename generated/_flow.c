@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "38e1840dd78806b62ad5e601f2a44476a9d0a939e8fba1bb9f2cbcf36bcbcd58"
+#define DIGEST "50abdc53bce4a8602a3bc223830af7d26563f6664d3f3ea3f6f88d56483acbbf"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers;
+    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, soften_rate, soften_drive, soften_sine, soften_vers, soften_square;
 } Roles;
 
 typedef struct {
@@ -1143,6 +1143,12 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
 static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
 static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
+#define TO_PEAK 24
+#define FROM_PEAK 16
+static const double NODES[] = {0.00240639000148932, 0.012635722014345251, 0.030862723998633622, 0.056792236497799485, 0.08999900701304854, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.2831032461869774, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944197, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.005299532504175033, 0.02771248846338371, 0.06718439880608412, 0.12229779582249849, 0.19106187779867811, 0.2709916111713863, 0.35919822461037054, 0.4524937450811813, 0.5475062549188188, 0.6408017753896295, 0.7290083888286137, 0.8089381222013219, 0.8777022041775016, 0.9328156011939158, 0.9722875115366163, 0.994700467495825};
+static const double SHARES[] = {0.0061706148999936, 0.014265694314466832, 0.022138719408709904, 0.02964929245771839, 0.03667324070554015, 0.04309508076597664, 0.04880932605205694, 0.05372213505798282, 0.0577528340268628, 0.060835236463901696, 0.06291872817341415, 0.06396909767337608, 0.06396909767337608, 0.06291872817341415, 0.060835236463901696, 0.0577528340268628, 0.05372213505798282, 0.04880932605205694, 0.04309508076597664, 0.03667324070554015, 0.02964929245771839, 0.022138719408709904, 0.014265694314466832, 0.0061706148999936, 0.013576229705877048, 0.031126761969323947, 0.04757925584124639, 0.06231448562776694, 0.07479799440828837, 0.08457825969750127, 0.09130170752246179, 0.09472530522753425, 0.09472530522753425, 0.09130170752246179, 0.08457825969750127, 0.07479799440828837, 0.06231448562776694, 0.04757925584124639, 0.031126761969323947, 0.013576229705877048};
+static const double LAST_SHARES[] = {-0.015074422043108972, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497, -0.21465007688006033, 0.273384265122517, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966, 0.4584224693630116, -0.48216589541230115, 0.4942866471300963, -0.4942866471300963, 0.48216589541230115, -0.4584224693630116, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.273384265122517, 0.21465007688006033, -0.15608887413910497, 0.10078656328461252, -0.05225186613570152, 0.015074422043108972, -0.03278130486396174, 0.1122209124505884, -0.21159853063188444, 0.31691961779722083, -0.41664037702596135, 0.5008933497159644, -0.5617461448292791, 0.5936159289428018, -0.5936159289428018, 0.5617461448292791, -0.5008933497159644, 0.41664037702596135, -0.31691961779722083, 0.21159853063188444, -0.1122209124505884, 0.03278130486396174};
+static const double NEXT_SHARES[] = {0.029351489020715417, -0.09964836396246231, 0.18501939296171394, -0.2707035684056185, 0.34437421825650083, -0.395879298679761, 0.41779665729859544, -0.4059832229947917, 0.3598916075978801, -0.282566041006413, 0.18029543451965438, -0.06194830460601351, -0.06194830460601351, 0.18029543451965438, -0.282566041006413, 0.3598916075978801, -0.4059832229947917, 0.41779665729859544, -0.395879298679761, 0.34437421825650083, -0.2707035684056185, 0.18501939296171394, -0.09964836396246231, 0.029351489020715417, 0.06270545045312347, -0.20493540387013992, 0.3541214949557947, -0.46284478766452636, 0.49770223675171826, -0.4435406121078921, 0.305833437439604, -0.10904181595768207, -0.10904181595768207, 0.305833437439604, -0.4435406121078921, 0.49770223675171826, -0.46284478766452636, 0.3541214949557947, -0.20493540387013992, 0.06270545045312347};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
@@ -1163,6 +1169,22 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
 #define MOST_CORRECTIONS 12
 #define CONVERGED 0x1.0000000000000p-22
+#define FINEST 0x1.2000000000000p+4
+#define TERMS 8
+#define GREATEST 0x1.0000000000000p-4
+#define DRIVEN 0x1.0000000000000p+10
+#define ALIKE 0x1.0000000000000p-17
+#define SMOOTH 0x1.0000000000000p-22
+static const double GROWTH[] = {1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889, 0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06};
+#define OFFSET 0x1.ff80000000000p+49
+#define TO_LOG 0x1.62e42fefa39efp-41
+#define SLOPE 5
+#define SHIFT 6
+#define CONSTANT 8
+#define SINE 16
+#define VERS 24
+#define NET 32
+#define LOAD 36
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -2973,17 +2995,11 @@ INLINE V time_of_peak(V *e, V peak)
     return (2.0 * sqrt_of(peak)) * total;
 }
 
-/* Bring lanes to the end of their phase. */
-static void finish(Batch *b, M here, V *e, V end, V duration)
+/* Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``. */
+INLINE void finish(Batch *b, M here, V end, V duration, V peak, V before, V speed, V rate)
 {
     V *const c = b->c;
-    V peak = peak_of_swing(e, end, here);
-    V f[STRIDE];
-    functions(f, peak, e[4]);
-    V speed = sqrt_of(energy(e, f));
-    V rate = 0.5 * slope_of(e, f);
-    V time = c[TIME] + time_of_peak(e, peak);
-    keep_faster(b, here, speed, time, peak, rate);
+    keep_faster(b, here, speed, c[TIME] + before, peak, rate);
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
@@ -3022,7 +3038,242 @@ static M swing(Batch *b, M which)
         V duration = duration_change.one, change = duration_change.other;
         fits = fits & (change <= CONVERGED) & ((c[TIME] + duration) < c[END_TIME]);
         if (bits(fits)) {
-            finish(b, fits, e, end, duration);
+            V peak = peak_of_swing(e, end, fits);
+            functions(f, peak, q);
+            V speed = sqrt_of(energy(e, f));
+            finish(b, fits, end, duration, peak, time_of_peak(e, peak), speed, 0.5 * slope_of(e, f));
+        }
+    }
+    return fits;
+}
+
+/* Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction. */
+INLINE void term(V *part, V drive, V sine, V vers, V decay)
+{
+    V share = 2.0 / (1.0 + (decay * decay));
+    part[1] = share * ((decay * sine) - vers);
+    part[2] = share * (sine + (decay * vers));
+    part[0] = ((2.0 * drive) - part[1]) / decay;
+}
+
+/* Compute the factors of E from the factors of the net moment, which are stored from `NET` and from `LOAD` on.
+ * Both are factors of 1, sin(x), 1 - cos(x) and omega^2, the second ones with exp(-slope x) - 1. */
+INLINE void softening_factors(V *e, V slope)
+{
+    V drive = e[NET] - e[LOAD];
+    V sine = e[NET + 1] - e[LOAD + 1];
+    V vers = e[NET + 2] - e[LOAD + 2];
+    V q = 2.0 * (e[LOAD + 3] - e[NET + 3]);
+    V shift = ((-2.0) * e[LOAD + 3]) / slope;
+    factors(e, drive, sine, vers, q);
+    e[SLOPE] = slope;
+    e[SHIFT] = shift;
+    V part[STRIDE];
+    V weight = broadcast(1.0);
+    for (int j = 1; j <= TERMS; j++) {
+        V before = weight;
+        weight = (weight * shift) / (double)(-j);
+        V of_drive = (weight * drive) + (before * e[LOAD]);
+        V of_sine = (weight * sine) + (before * e[LOAD + 1]);
+        V of_vers = (weight * vers) + (before * e[LOAD + 2]);
+        term(part, of_drive, of_sine, of_vers, q - ((double)j * slope));
+        e[(CONSTANT + j) - 1] = part[0];
+        e[(SINE + j) - 1] = part[1];
+        e[(VERS + j) - 1] = part[2];
+    }
+    for (int j = TERMS - 2; j >= 0; j--) {
+        e[CONSTANT + j] = e[CONSTANT + j] + e[(CONSTANT + j) + 1];
+    }
+}
+
+/* Compute the functions of which E is the sum, the last one exp(-slope x) - 1. */
+INLINE void softening_functions(V *f, V x, V *e)
+{
+    functions(f, x, e[4]);
+    f[4] = expm1_of((-e[SLOPE]) * x);
+}
+
+/* Return E from its factors and its functions. */
+INLINE V softening_energy(V *e, V *f)
+{
+    V left = 1.0 + f[4];
+    V constant = e[(CONSTANT + TERMS) - 1];
+    V of_sine = e[(SINE + TERMS) - 1];
+    V of_vers = e[(VERS + TERMS) - 1];
+    for (int j = TERMS - 2; j >= 0; j--) {
+        constant = (constant * left) + e[CONSTANT + j];
+        of_sine = (of_sine * left) + e[SINE + j];
+        of_vers = (of_vers * left) + e[VERS + j];
+    }
+    V lost = f[0] - (e[4] * f[1]);
+    V terms = (f[4] * constant) + (left * ((of_sine * (f[0] - f[3])) + (of_vers * f[2])));
+    terms = terms + ((e[4] * e[CONSTANT]) * lost);
+    V shift = e[SHIFT] * left;
+    V grown = broadcast(GROWTH[9]);
+    for (int k = 8; k >= 0; k--) {
+        grown = (grown * shift) + GROWTH[k];
+    }
+    return grown * (energy(e, f) + terms);
+}
+
+/* Return the first two derivatives of E from the equation of motion. */
+INLINE Pair slope_and_bend(V *e, V *f, V energy)
+{
+    V sine = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V load = e[LOAD] + ((e[LOAD + 1] * sine) + ((e[LOAD + 2] * f[2]) + (e[LOAD + 3] * energy)));
+    V net = e[NET] + ((e[NET + 1] * sine) + ((e[NET + 2] * f[2]) + (e[NET + 3] * energy)));
+    V slope = 2.0 * (net + (f[4] * load));
+    V load_slope = (e[LOAD + 1] * cosine) + ((e[LOAD + 2] * sine) + (e[LOAD + 3] * slope));
+    V net_slope = (e[NET + 1] * cosine) + ((e[NET + 2] * sine) + (e[NET + 3] * slope));
+    V bend = 2.0 * (net_slope + ((f[4] * load_slope) - ((e[SLOPE] * (1.0 + f[4])) * load)));
+    return (Pair){slope, bend};
+}
+
+/* Return a zero of E, by Halley's method from the zero under residual friction, or a rotation beyond the farthest.
+ * It is the first zero if E rises to a single peak and falls to the zero. */
+static V end_of_softening(V *e, M which)
+{
+    V x = end_of_swing(e, e[NET + 1] - e[LOAD + 1], which);
+    V f[STRIDE];
+    int count = 0;
+    while (bits(which) && (count < MOST_CORRECTIONS)) {
+        M inside = (x > 0.0) & (x < FARTHEST);
+        x = pick(inside, x, broadcast(FARTHEST));
+        softening_functions(f, x, e);
+        V at = softening_energy(e, f);
+        const Pair slope_bend = slope_and_bend(e, f, at);
+        V slope = slope_bend.one, bend = slope_bend.other;
+        V change = ((2.0 * at) * slope) / (((2.0 * slope) * slope) - (at * bend));
+        x = pick(which, x - change, x);
+        which = which & (magnitude(change) > (LAST_OF_HALLEY * x));
+        count = count + 1;
+    }
+    return pick(which, broadcast(2.0 * FARTHEST), x);
+}
+
+/* Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest. */
+static V peak_of_softening(V *e, V end, M which)
+{
+    V x = 0.5 * end;
+    V f[STRIDE];
+    V low = broadcast(0.0);
+    V high = end;
+    int count = 0;
+    while (bits(which) && (count < (2 * MOST_CORRECTIONS))) {
+        softening_functions(f, x, e);
+        const Pair slope_bend = slope_and_bend(e, f, softening_energy(e, f));
+        V slope = slope_bend.one, bend = slope_bend.other;
+        low = pick(slope > 0.0, x, low);
+        high = pick(slope > 0.0, high, x);
+        V following = inside_or_middle(x - (slope / bend), low, high);
+        V change = magnitude(following - x);
+        x = pick(which, following, x);
+        which = which & (change > (LAST_STEP * x));
+        count = count + 1;
+    }
+    return x;
+}
+
+/* Return the time from rest to the greatest speed, and the size of the last coefficients of its integrand. They
+ * are infinite if E does not rise from node to node. ``factor`` is the step over the radius of convergence in
+ * other phases. Like these, the rule changes with it, so that error estimates compare different rules. */
+INLINE Pair time_to_peak(V *e, V peak, V factor)
+{
+    V scale = (0.5 * TO_LOG) * (log2_of(2.0 + ((peak * e[SLOPE]) / factor)) - OFFSET);
+    V grown = expm1_of(scale);
+    V whole = grown + (grown / (1.0 + grown));
+    V total = broadcast(0.0);
+    V last = broadcast(0.0);
+    V last_but_one = broadcast(0.0);
+    V before = broadcast(0.0);
+    M rises = peak > 0.0;
+    V f[STRIDE];
+    for (int k = 0; k <= TO_PEAK - 1; k++) {
+        grown = expm1_of(scale * NODES[k]);
+        V fallen = 1.0 / (1.0 + grown);
+        V place = (grown + (grown * fallen)) / whole;
+        softening_functions(f, (peak * place) * place, e);
+        V at = softening_energy(e, f);
+        rises = rises & (at > before);
+        before = at;
+        V slowness = (place * ((1.0 + grown) + fallen)) / sqrt_of(at);
+        total = total + (SHARES[k] * slowness);
+        last = last + (LAST_SHARES[k] * slowness);
+        last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
+    }
+    return (Pair){((((2.0 * peak) * scale) / whole) * total), pick(rises, (magnitude(last) + magnitude(last_but_one)) / total, broadcast(INFINITY))};
+}
+
+/* Return the time from the greatest speed to rest, and the size of the last coefficients of its integrand. They
+ * are infinite if E does not fall from node to node. */
+INLINE Pair time_from_peak(V *e, V peak, V end)
+{
+    V way = end - peak;
+    V total = broadcast(0.0);
+    V last = broadcast(0.0);
+    V last_but_one = broadcast(0.0);
+    V before = broadcast(0.0);
+    M falls = way > 0.0;
+    V f[STRIDE];
+    for (int k = TO_PEAK; k <= (TO_PEAK + FROM_PEAK) - 1; k++) {
+        softening_functions(f, end - (way * (NODES[k] * NODES[k])), e);
+        V at = softening_energy(e, f);
+        falls = falls & (at > before);
+        before = at;
+        V slowness = NODES[k] / sqrt_of(at);
+        total = total + (SHARES[k] * slowness);
+        last = last + (LAST_SHARES[k] * slowness);
+        last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
+    }
+    return (Pair){((2.0 * way) * total), pick(falls, (magnitude(last) + magnitude(last_but_one)) / total, broadcast(INFINITY))};
+}
+
+/* Complete the phases that begin at rest and in contact, where the series suffices, and return these lanes. */
+static M soften(Batch *b, M which)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
+    M fits = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
+    fits = fits & (c[ORDER] <= FINEST) & (c[job->role->soften_rate] < 0.0);
+    fits = fits & (magnitude(c[job->role->soften_drive]) <= (DRIVEN * c[job->role->drive]));
+    if (!bits(fits)) {
+        return fits;
+    }
+    V e[STRIDE];
+    e[NET] = c[job->role->drive];
+    e[NET + 1] = c[job->role->net_sine];
+    e[NET + 2] = c[job->role->net_vers];
+    e[NET + 3] = c[job->role->net_square];
+    e[LOAD] = c[job->role->soften_drive];
+    e[LOAD + 1] = c[job->role->soften_sine];
+    e[LOAD + 2] = c[job->role->soften_vers];
+    e[LOAD + 3] = c[job->role->soften_square];
+    softening_factors(e, -c[job->role->soften_rate]);
+    fits = fits & (e[4] >= 0.0) & ((2.0 * e[4]) <= e[SLOPE]) & (magnitude(e[SHIFT]) <= GREATEST);
+    if (!bits(fits)) {
+        return fits;
+    }
+    V end = end_of_softening(e, fits);
+    V f[STRIDE];
+    functions(f, minimum(end, broadcast(FARTHEST)), e[4]);
+    fits = fits & (end < FARTHEST) & ((e[4] * end) < FADED) & (c[job->role->normal_square] >= 0.0);
+    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
+    fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    if (bits(fits)) {
+        V peak = peak_of_softening(e, end, fits);
+        const Pair before_first = time_to_peak(e, peak, c[FACTOR]);
+        V before = before_first.one, first = before_first.other;
+        const Pair after_second = time_from_peak(e, peak, end);
+        V after = after_second.one, second = after_second.other;
+        fits = fits & (first <= ALIKE) & (second <= SMOOTH) & ((c[TIME] + (before + after)) < c[END_TIME]);
+        if (bits(fits)) {
+            softening_functions(f, peak, e);
+            V at = softening_energy(e, f);
+            const Pair slope_bend = slope_and_bend(e, f, at);
+            V slope = slope_bend.one, bend = slope_bend.other;
+            finish(b, fits, end, before + after, peak, before, sqrt_of(at), 0.5 * slope);
         }
     }
     return fits;
@@ -3212,7 +3463,11 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if ((job->role->net_sine >= 0) && !(job->samples > 0)) {
+    int closed = (job->role->net_sine >= 0) && !(job->samples > 0);
+    if (closed && (job->role->soften_rate >= 0)) {
+        moving = moving & ~soften(b, moving);
+    }
+    if (closed && !(job->role->soften_rate >= 0)) {
         moving = moving & ~swing(b, moving);
     }
     if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {

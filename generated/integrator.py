@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3126a21c3be363ac6fce332ba35323dbc1c8540bedc5fd1eb04982e941dc4e41
+# sha256 of the text below: 67b8979e1c30b83919b0f6fb09cb35162800ac91b9ba24e2b16ecd2f6fed037a
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -245,6 +245,42 @@ PLACES = (0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.188
 WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
     0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
     0.028531388628933663, 0.0123412297999872)
+TO_PEAK = 24
+FROM_PEAK = 16
+NODES = (0.00240639000148932, 0.012635722014345251, 0.030862723998633622, 0.056792236497799485, 0.08999900701304854,
+    0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.2831032461869774, 0.3424786601519183,
+    0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817,
+    0.7168967538130225, 0.7727107356944197, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515,
+    0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.005299532504175033,
+    0.02771248846338371, 0.06718439880608412, 0.12229779582249849, 0.19106187779867811, 0.2709916111713863,
+    0.35919822461037054, 0.4524937450811813, 0.5475062549188188, 0.6408017753896295, 0.7290083888286137,
+    0.8089381222013219, 0.8777022041775016, 0.9328156011939158, 0.9722875115366163, 0.994700467495825)
+SHARES = (0.0061706148999936, 0.014265694314466832, 0.022138719408709904, 0.02964929245771839, 0.03667324070554015,
+    0.04309508076597664, 0.04880932605205694, 0.05372213505798282, 0.0577528340268628, 0.060835236463901696,
+    0.06291872817341415, 0.06396909767337608, 0.06396909767337608, 0.06291872817341415, 0.060835236463901696,
+    0.0577528340268628, 0.05372213505798282, 0.04880932605205694, 0.04309508076597664, 0.03667324070554015,
+    0.02964929245771839, 0.022138719408709904, 0.014265694314466832, 0.0061706148999936, 0.013576229705877048,
+    0.031126761969323947, 0.04757925584124639, 0.06231448562776694, 0.07479799440828837, 0.08457825969750127,
+    0.09130170752246179, 0.09472530522753425, 0.09472530522753425, 0.09130170752246179, 0.08457825969750127,
+    0.07479799440828837, 0.06231448562776694, 0.04757925584124639, 0.031126761969323947, 0.013576229705877048)
+LAST_SHARES = (-0.015074422043108972, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497,
+    -0.21465007688006033, 0.273384265122517, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966,
+    0.4584224693630116, -0.48216589541230115, 0.4942866471300963, -0.4942866471300963, 0.48216589541230115,
+    -0.4584224693630116, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.273384265122517,
+    0.21465007688006033, -0.15608887413910497, 0.10078656328461252, -0.05225186613570152, 0.015074422043108972,
+    -0.03278130486396174, 0.1122209124505884, -0.21159853063188444, 0.31691961779722083, -0.41664037702596135,
+    0.5008933497159644, -0.5617461448292791, 0.5936159289428018, -0.5936159289428018, 0.5617461448292791,
+    -0.5008933497159644, 0.41664037702596135, -0.31691961779722083, 0.21159853063188444, -0.1122209124505884,
+    0.03278130486396174)
+NEXT_SHARES = (0.029351489020715417, -0.09964836396246231, 0.18501939296171394, -0.2707035684056185,
+    0.34437421825650083, -0.395879298679761, 0.41779665729859544, -0.4059832229947917, 0.3598916075978801,
+    -0.282566041006413, 0.18029543451965438, -0.06194830460601351, -0.06194830460601351, 0.18029543451965438,
+    -0.282566041006413, 0.3598916075978801, -0.4059832229947917, 0.41779665729859544, -0.395879298679761,
+    0.34437421825650083, -0.2707035684056185, 0.18501939296171394, -0.09964836396246231, 0.029351489020715417,
+    0.06270545045312347, -0.20493540387013992, 0.3541214949557947, -0.46284478766452636, 0.49770223675171826,
+    -0.4435406121078921, 0.305833437439604, -0.10904181595768207, -0.10904181595768207, 0.305833437439604,
+    -0.4435406121078921, 0.49770223675171826, -0.46284478766452636, 0.3541214949557947, -0.20493540387013992,
+    0.06270545045312347)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -270,6 +306,23 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
 LAST_OF_HALLEY = 3.814697265625e-06
 MOST_CORRECTIONS = 12
 CONVERGED = 2.384185791015625e-07
+FINEST = 18.0
+TERMS = 8
+GREATEST = 0.0625
+DRIVEN = 1024.0
+ALIKE = 7.62939453125e-06
+SMOOTH = 2.384185791015625e-07
+GROWTH = (1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889,
+    0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06)
+OFFSET = 1124800395214848.0
+TO_LOG = 6.304136882681135e-13
+SLOPE = 5
+SHIFT = 6
+CONSTANT = 8
+SINE = 16
+VERS = 24
+NET = 32
+LOAD = 36
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -1946,16 +1999,11 @@ def time_of_peak(e: Floats, peak: Floats) -> Floats:
     return 2.0 * np.sqrt(peak) * total
 
 
-def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> None:
-    """Bring lanes to the end of their phase."""
+def finish(s: Lanes, here: Mask, end: Floats, duration: Floats, peak: Floats, before: Floats, speed: Floats,
+        rate: Floats) -> None:
+    """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
     c = s.cells
-    peak = peak_of_swing(e, end, here)
-    f = np.zeros_like(e)
-    functions(f, peak, e[4])
-    speed = np.sqrt(energy(e, f))
-    rate = 0.5 * slope_of(e, f)
-    time = c[ix.TIME] + time_of_peak(e, peak)
-    keep_faster(s, here, speed, time, peak, rate)
+    keep_faster(s, here, speed, c[ix.TIME] + before, peak, rate)
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
@@ -1990,7 +2038,210 @@ def swing(s: Lanes, which: Mask) -> Mask:
         duration, change = duration_of_swing(e, back, end, fits)
         fits = fits & (change <= CONVERGED) & (c[ix.TIME] + duration < c[ix.END_TIME])
         if np.any(fits):
-            finish(s, fits, e, end, duration)
+            peak = peak_of_swing(e, end, fits)
+            functions(f, peak, q)
+            speed = np.sqrt(energy(e, f))
+            finish(s, fits, end, duration, peak, time_of_peak(e, peak), speed, 0.5 * slope_of(e, f))
+    return fits
+
+
+def term(part: Floats, drive: Floats, sine: Floats, vers: Floats, decay: Floats) -> None:
+    """Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction."""
+    share = 2.0 / (1.0 + decay * decay)
+    part[1] = share * (decay * sine - vers)
+    part[2] = share * (sine + decay * vers)
+    part[0] = (2.0 * drive - part[1]) / decay
+
+
+def softening_factors(e: Floats, slope: Floats) -> None:
+    """Compute the factors of E from the factors of the net moment, which are stored from `NET` and from `LOAD` on."""
+    drive = e[NET] - e[LOAD]
+    sine = e[NET + 1] - e[LOAD + 1]
+    vers = e[NET + 2] - e[LOAD + 2]
+    q = 2.0 * (e[LOAD + 3] - e[NET + 3])
+    shift = -2.0 * e[LOAD + 3] / slope
+    factors(e, drive, sine, vers, q)
+    e[SLOPE] = slope
+    e[SHIFT] = shift
+    part = np.zeros_like(e)
+    weight: Floats = 1.0
+    for j in range(1, TERMS + 1):
+        before = weight
+        weight = weight * shift / float(-j)
+        of_drive = weight * drive + before * e[LOAD]
+        of_sine = weight * sine + before * e[LOAD + 1]
+        of_vers = weight * vers + before * e[LOAD + 2]
+        term(part, of_drive, of_sine, of_vers, q - float(j) * slope)
+        e[CONSTANT + j - 1] = part[0]
+        e[SINE + j - 1] = part[1]
+        e[VERS + j - 1] = part[2]
+    for j in range(TERMS - 2, 0 - 1, -1):
+        e[CONSTANT + j] = e[CONSTANT + j] + e[CONSTANT + j + 1]
+
+
+def softening_functions(f: Floats, x: Floats, e: Floats) -> None:
+    """Compute the functions of which E is the sum, the last one exp(-slope x) - 1."""
+    functions(f, x, e[4])
+    f[4] = np.expm1(-e[SLOPE] * x)
+
+
+def softening_energy(e: Floats, f: Floats) -> Floats:
+    """Return E from its factors and its functions."""
+    left = 1.0 + f[4]
+    constant = e[CONSTANT + TERMS - 1]
+    of_sine = e[SINE + TERMS - 1]
+    of_vers = e[VERS + TERMS - 1]
+    for j in range(TERMS - 2, 0 - 1, -1):
+        constant = constant * left + e[CONSTANT + j]
+        of_sine = of_sine * left + e[SINE + j]
+        of_vers = of_vers * left + e[VERS + j]
+    lost = f[0] - e[4] * f[1]
+    terms = f[4] * constant + left * (of_sine * (f[0] - f[3]) + of_vers * f[2])
+    terms = terms + e[4] * e[CONSTANT] * lost
+    shift = e[SHIFT] * left
+    grown: Floats = GROWTH[9]
+    for k in range(8, 0 - 1, -1):
+        grown = grown * shift + GROWTH[k]
+    return grown * (energy(e, f) + terms)
+
+
+def slope_and_bend(e: Floats, f: Floats, energy: Floats) -> tuple[Floats, Floats]:
+    """Return the first two derivatives of E from the equation of motion."""
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    load = e[LOAD] + (e[LOAD + 1] * sine + (e[LOAD + 2] * f[2] + e[LOAD + 3] * energy))
+    net = e[NET] + (e[NET + 1] * sine + (e[NET + 2] * f[2] + e[NET + 3] * energy))
+    slope = 2.0 * (net + f[4] * load)
+    load_slope = e[LOAD + 1] * cosine + (e[LOAD + 2] * sine + e[LOAD + 3] * slope)
+    net_slope = e[NET + 1] * cosine + (e[NET + 2] * sine + e[NET + 3] * slope)
+    bend = 2.0 * (net_slope + (f[4] * load_slope - e[SLOPE] * (1.0 + f[4]) * load))
+    return (slope, bend)
+
+
+def end_of_softening(e: Floats, which: Mask) -> Floats:
+    """Return a zero of E, by Halley's method from the zero under residual friction, or a rotation beyond the farthest."""
+    x = end_of_swing(e, e[NET + 1] - e[LOAD + 1], which)
+    f = np.zeros_like(e)
+    count = 0
+    while np.any(which) and count < MOST_CORRECTIONS:
+        inside = (x > 0.0) & (x < FARTHEST)
+        x = np.where(inside, x, FARTHEST)
+        softening_functions(f, x, e)
+        at = softening_energy(e, f)
+        slope, bend = slope_and_bend(e, f, at)
+        change = 2.0 * at * slope / (2.0 * slope * slope - at * bend)
+        x = np.where(which, x - change, x)
+        which = which & (np.abs(change) > LAST_OF_HALLEY * x)
+        count = count + 1
+    return np.where(which, 2.0 * FARTHEST, x)
+
+
+def peak_of_softening(e: Floats, end: Floats, which: Mask) -> Floats:
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
+    x = 0.5 * end
+    f = np.zeros_like(e)
+    low: Floats = 0.0
+    high = end
+    count = 0
+    while np.any(which) and count < 2 * MOST_CORRECTIONS:
+        softening_functions(f, x, e)
+        slope, bend = slope_and_bend(e, f, softening_energy(e, f))
+        low = np.where(slope > 0.0, x, low)
+        high = np.where(slope > 0.0, high, x)
+        following = inside_or_middle(x - slope / bend, low, high)
+        change = np.abs(following - x)
+        x = np.where(which, following, x)
+        which = which & (change > LAST_STEP * x)
+        count = count + 1
+    return x
+
+
+def time_to_peak(e: Floats, peak: Floats, factor: Floats) -> tuple[Floats, Floats]:
+    """Return the time from rest to the greatest speed, and the size of the last coefficients of its integrand."""
+    scale = 0.5 * TO_LOG * (log2_of(2.0 + peak * e[SLOPE] / factor) - OFFSET)
+    grown = np.expm1(scale)
+    whole = grown + grown / (1.0 + grown)
+    total: Floats = 0.0
+    last: Floats = 0.0
+    last_but_one: Floats = 0.0
+    before: Floats = 0.0
+    rises = peak > 0.0
+    f = np.zeros_like(e)
+    for k in range(TO_PEAK - 1 + 1):
+        grown = np.expm1(scale * NODES[k])
+        fallen = 1.0 / (1.0 + grown)
+        place = (grown + grown * fallen) / whole
+        softening_functions(f, peak * place * place, e)
+        at = softening_energy(e, f)
+        rises = rises & (at > before)
+        before = at
+        slowness = place * (1.0 + grown + fallen) / np.sqrt(at)
+        total = total + SHARES[k] * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    return (2.0 * peak * scale / whole * total, np.where(rises, (np.abs(last) + np.abs(last_but_one)) / total,
+        INFINITY))
+
+
+def time_from_peak(e: Floats, peak: Floats, end: Floats) -> tuple[Floats, Floats]:
+    """Return the time from the greatest speed to rest, and the size of the last coefficients of its integrand."""
+    way = end - peak
+    total: Floats = 0.0
+    last: Floats = 0.0
+    last_but_one: Floats = 0.0
+    before: Floats = 0.0
+    falls = way > 0.0
+    f = np.zeros_like(e)
+    for k in range(TO_PEAK, TO_PEAK + FROM_PEAK - 1 + 1):
+        softening_functions(f, end - way * (NODES[k] * NODES[k]), e)
+        at = softening_energy(e, f)
+        falls = falls & (at > before)
+        before = at
+        slowness = NODES[k] / np.sqrt(at)
+        total = total + SHARES[k] * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    return (2.0 * way * total, np.where(falls, (np.abs(last) + np.abs(last_but_one)) / total, INFINITY))
+
+
+def soften(s: Lanes, which: Mask) -> Mask:
+    """Complete the phases that begin at rest and in contact, where the series suffices, and return these lanes."""
+    c = s.cells
+    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
+    fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    fits = fits & (c[ix.ORDER] <= FINEST) & (c[s.roles.soften_rate] < 0.0)
+    fits = fits & (np.abs(c[s.roles.soften_drive]) <= DRIVEN * c[s.roles.drive])
+    if not np.any(fits):
+        return fits
+    e = np.zeros_like(s.registers[0])
+    e[NET] = c[s.roles.drive]
+    e[NET + 1] = c[s.roles.net_sine]
+    e[NET + 2] = c[s.roles.net_vers]
+    e[NET + 3] = c[s.roles.net_square]
+    e[LOAD] = c[s.roles.soften_drive]
+    e[LOAD + 1] = c[s.roles.soften_sine]
+    e[LOAD + 2] = c[s.roles.soften_vers]
+    e[LOAD + 3] = c[s.roles.soften_square]
+    softening_factors(e, -c[s.roles.soften_rate])
+    fits = fits & (e[4] >= 0.0) & (2.0 * e[4] <= e[SLOPE]) & (np.abs(e[SHIFT]) <= GREATEST)
+    if not np.any(fits):
+        return fits
+    end = end_of_softening(e, fits)
+    f = np.zeros_like(s.registers[0])
+    functions(f, np.minimum(end, FARTHEST), e[4])
+    fits = fits & (end < FARTHEST) & (e[4] * end < FADED) & (c[s.roles.normal_square] >= 0.0)
+    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
+    fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    if np.any(fits):
+        peak = peak_of_softening(e, end, fits)
+        before, first = time_to_peak(e, peak, c[ix.FACTOR])
+        after, second = time_from_peak(e, peak, end)
+        fits = fits & (first <= ALIKE) & (second <= SMOOTH) & (c[ix.TIME] + (before + after) < c[ix.END_TIME])
+        if np.any(fits):
+            softening_functions(f, peak, e)
+            at = softening_energy(e, f)
+            slope, bend = slope_and_bend(e, f, at)
+            finish(s, fits, end, before + after, peak, before, np.sqrt(at), 0.5 * slope)
     return fits
 
 
@@ -2169,7 +2420,10 @@ def advance(s: Lanes, here: Mask) -> None:
     c = s.cells
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
-    if s.roles.net_sine >= 0 and (not s.samples):
+    closed = s.roles.net_sine >= 0 and (not s.samples)
+    if closed and s.roles.soften_rate >= 0:
+        moving = moving & np.logical_not(soften(s, moving))
+    if closed and (not s.roles.soften_rate >= 0):
         moving = moving & np.logical_not(swing(s, moving))
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)

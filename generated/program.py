@@ -1,11 +1,11 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0ba1cf14ec55cee751436612d7bb1a3a46d85eff04e5536dc361dcd23199456f
+# sha256 of the text below: a6be88b6d7a7479bcc73ca5f2bd13d60661b917f33011ffd4575908117b57f80
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import chain
+from itertools import chain, product
 from typing import Any, NamedTuple, Self
 
 from generated.flow import INPUTS, QUANTITIES, RESULTS, Fragment
@@ -261,7 +261,7 @@ OUTPUT_CELLS = {
 }
 # Sums of which phases have a closed form: the roles of their constants, and of the factors of their registers.
 CONSTANTS = {"net": "cell_drive", "normal": "cell_normal0", "upright": "cell_normal_load"}
-FACTORS = {"sin(x)": "sine", "vers(x)": "vers", "omega*omega": "square"}
+FACTORS = {("sin(x)",): "sine", ("vers(x)",): "vers", ("omega*omega",): "square"}
 
 
 class Linked(NamedTuple):
@@ -405,19 +405,58 @@ class Linker:
     def closed_form(self, registers: Mapping[str, str | None], outputs: Mapping[str, str]) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
-        There are none if other registers occur in these sums, or no sine.
+        If the net moment also contains products with exp(rate x) - 1, the rate and their factors are included. There
+        are no factors if other products of registers occur in these sums, or no sine.
         """
-        sums = {results[0]: operation for operation, results in self.series.items() if operation.kind == "lin"}
         cells = dict[str, str]()
         for name, constant in CONSTANTS.items():
-            operation = sums.get(str(registers[name]), OnSeries("", (), ("",)))
-            start, *factors = operation.cells
-            known = dict(zip(operation.registers, factors, strict=True))
-            if start != outputs[constant] or "sin(x)" not in known or known.keys() - FACTORS:
+            terms = self._expanded(str(registers[name]))
+            if terms.pop((), ZERO) != outputs[constant] or ("sin(x)",) not in terms:
                 return {}
-            for register, factor in FACTORS.items():
-                cells[f"cell_{name}_{factor}"] = known.get(register, ZERO)
+            for names, factor in FACTORS.items():
+                cells[f"cell_{name}_{factor}"] = terms.pop(names, ZERO)
+            if name == "net" and terms:
+                cells |= self._softening(terms)
+            if terms:
+                return {}
         return cells
+
+    def _softening(self, terms: dict[Names, str]) -> dict[str, str]:
+        """Take the products with exp(rate x) - 1 from the terms of a sum, and return rate and factors by role."""
+        for operation, results in self.series.items():
+            if operation.kind == "exp":
+                argument = self._made_by(operation.registers[1])
+                falling = results[1]
+                if argument[:2] == ("lin", ("x",)) and (falling,) in terms:
+                    cells = {"cell_soften_rate": argument.cells[1], "cell_soften_drive": terms.pop((falling,))}
+                    for names, factor in FACTORS.items():
+                        both = tuple(sorted((*names, falling)))
+                        cells[f"cell_soften_{factor}"] = terms.pop(both, ZERO)
+                    return cells
+        return {}
+
+    def _made_by(self, register: str) -> OnSeries:
+        """Return the operation that computes a register; a state is an operation without operands."""
+        return next((made for made, results in self.series.items() if register in results), OnSeries("", (), ()))
+
+    def _expanded(self, register: str) -> dict[Names, str]:
+        """Return the cells of a register as a sum of products of registers that are not sums or products."""
+        operation = self._made_by(register)
+        if operation.kind == "mul":
+            one, other = map(self._expanded, operation.registers)
+            factors = [(a + b, self._result("mul", [one[a], other[b]])) for a, b in product(one, other)]
+        elif operation.kind == "lin":
+            factors = [((), operation.cells[0])]
+            for register, cell in zip(operation.registers, operation.cells[1:], strict=True):
+                inner = self._expanded(register)
+                factors += [(names, self._result("mul", [cell, inner[names]])) for names in inner]
+        else:
+            factors = [((register,), ONE)]
+        terms = dict[Names, str]()
+        for names, cell in factors:
+            in_order = tuple(sorted(names))
+            terms[in_order] = self._result("add", [terms.get(in_order, ZERO), cell])
+        return {names: cell for names, cell in terms.items() if cell != ZERO or not names}
 
     def zero(self, name: str) -> str:
         """Return a register that contains zero; it is called ``name`` if there is none yet."""

@@ -72,6 +72,7 @@ FORMS = {
     "abs": "fabs",
     "abs.V": "magnitude",
     "sqrt.V": "sqrt_of",
+    "expm1.V": "expm1_of",
     "minimum": "fmin",
     "minimum.V": "minimum",
     "minimum.I": "({a} < {b} ? {a} : {b})",

@@ -77,6 +77,7 @@ FORMS = {
     "sin": "np.sin",
     "cos": "np.cos",
     "log": "np.log",
+    "expm1": "np.expm1",
     "sqrt": "np.sqrt",
     "hypot": "np.hypot",
     "isnan": "np.isnan",

@@ -32,6 +32,34 @@ SINES = tuple(float(mpmath.sin(mpmath.pi * k / 64) ** 2) for k in _ORDER)
 PLACES, WEIGHTS = zip(*sorted((float(x * x), float(weight)) for x, weight in _GAUSS if x > 0), strict=True)
 
 
+def legendre(count: int, x: Any) -> list[Any]:
+    """Return Legendre's polynomials of degrees 0 to ``count`` at a number of mpmath."""
+    values = [mpmath.mpf(1), x]
+    for n in range(1, count):
+        values.append(((2 * n + 1) * x * values[n] - n * values[n - 1]) / (n + 1))
+    return values
+
+
+def gauss(count: int) -> list[tuple[float, ...]]:
+    """Return Gauss's rule on [0, 1]: nodes, weights, and weights of the last two coefficients of Legendre's series."""
+    rows = []
+    for k in range(count):
+        with mpmath.workdps(30):
+            x = mpmath.cos(mpmath.pi * (k + 0.75) / (count + 0.5))
+            for _ in range(6):  # of Newton's method
+                *_, before, last, value = legendre(count, x)
+                x -= value * (1 - x * x) / (count * (last - x * value))
+            weight = (1 - x * x) / (count * last) ** 2
+            of_last = ((2 * count - 1) * last * weight, (2 * count - 3) * before * weight)
+            rows.append(tuple(map(float, ((1 + x) / 2, weight, *of_last))))
+    return sorted(rows)
+
+
+# Rules of `derive.flow.integrator.softening`, one after the other: before the peak and after it.
+TO_PEAK, FROM_PEAK = 24, 16
+NODES, SHARES, LAST_SHARES, NEXT_SHARES = zip(*gauss(TO_PEAK), *gauss(FROM_PEAK), strict=True)
+
+
 def _codes(name: str) -> Any:
     """Return the members of an enumeration of the layout."""
     row = layout.NUMBERED[name]
@@ -68,14 +96,20 @@ def generated(*_: Any) -> Any:
     raise NotImplementedError
 
 
+def log2_of(x: V) -> V:
+    """Return log2 |x| in units of 2^-40, with the offset of an exponent."""
+    return (math.log2(abs(x)) + 1023.0) * 2.0**40
+
+
 any_lane: Any = bool
 number: Any = float
 minimum: Any = min
 sqrt = math.sqrt
+expm1 = math.expm1
 numbers = tail = generated
 maximum = greatest = least = integer = generated
 all_lanes = none_of = lanes_in = generated
-log2_of = power_of_two = generated
+power_of_two = generated
 sin = cos = log = hypot = isnan = generated
 break_of = jump_of = constant_of = coefficients_of = generated
 prologue = operate = operate_later = generated

@@ -237,15 +237,9 @@ def time_of_peak(e: S, peak: V) -> V:
     return 2.0 * sqrt(peak) * total
 
 
-def finish(s: Lanes, here: M, e: S, end: V, duration: V) -> None:
-    """Bring lanes to the end of their phase."""
-    peak = peak_of_swing(e, end, here)
-    f = new_series()
-    functions(f, peak, e[4])
-    speed = sqrt(energy(e, f))
-    rate = 0.5 * slope_of(e, f)
-    time = s.time + time_of_peak(e, peak)
-    keep_faster(s, here, speed, time, peak, rate)
+def finish(s: Lanes, here: M, end: V, duration: V, peak: V, before: V, speed: V, rate: V) -> None:
+    """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
+    keep_faster(s, here, speed, s.time + before, peak, rate)
     s.x = end
     s.omega = 0.0
     s.time = s.time + duration
@@ -278,5 +272,8 @@ def swing(s: Lanes, which: M) -> M:
         duration, change = duration_of_swing(e, back, end, fits)
         fits = fits and change <= CONVERGED and s.time + duration < s.end_time
         if any_lane(fits):
-            finish(s, fits, e, end, duration)
+            peak = peak_of_swing(e, end, fits)
+            functions(f, peak, q)
+            speed = sqrt(energy(e, f))
+            finish(s, fits, end, duration, peak, time_of_peak(e, peak), speed, 0.5 * slope_of(e, f))
     return fits
