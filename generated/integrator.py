@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 67b8979e1c30b83919b0f6fb09cb35162800ac91b9ba24e2b16ecd2f6fed037a
+# sha256 of the text below: ce8c7136e6409bb5516e563dbc848f4f7c142ca8ac13e7e4fd845fe050886e83
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -246,41 +246,39 @@ WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.11550
     0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
     0.028531388628933663, 0.0123412297999872)
 TO_PEAK = 24
-FROM_PEAK = 16
+FROM_PEAK = 12
 NODES = (0.00240639000148932, 0.012635722014345251, 0.030862723998633622, 0.056792236497799485, 0.08999900701304854,
     0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.2831032461869774, 0.3424786601519183,
     0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817,
     0.7168967538130225, 0.7727107356944197, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515,
-    0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.005299532504175033,
-    0.02771248846338371, 0.06718439880608412, 0.12229779582249849, 0.19106187779867811, 0.2709916111713863,
-    0.35919822461037054, 0.4524937450811813, 0.5475062549188188, 0.6408017753896295, 0.7290083888286137,
-    0.8089381222013219, 0.8777022041775016, 0.9328156011939158, 0.9722875115366163, 0.994700467495825)
+    0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640375,
+    0.04794137181476257, 0.11504866290284765, 0.2063410228566913, 0.3160842505009099, 0.43738329574426554,
+    0.5626167042557345, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375,
+    0.9907803171233597)
 SHARES = (0.0061706148999936, 0.014265694314466832, 0.022138719408709904, 0.02964929245771839, 0.03667324070554015,
     0.04309508076597664, 0.04880932605205694, 0.05372213505798282, 0.0577528340268628, 0.060835236463901696,
     0.06291872817341415, 0.06396909767337608, 0.06396909767337608, 0.06291872817341415, 0.060835236463901696,
     0.0577528340268628, 0.05372213505798282, 0.04880932605205694, 0.04309508076597664, 0.03667324070554015,
-    0.02964929245771839, 0.022138719408709904, 0.014265694314466832, 0.0061706148999936, 0.013576229705877048,
-    0.031126761969323947, 0.04757925584124639, 0.06231448562776694, 0.07479799440828837, 0.08457825969750127,
-    0.09130170752246179, 0.09472530522753425, 0.09472530522753425, 0.09130170752246179, 0.08457825969750127,
-    0.07479799440828837, 0.06231448562776694, 0.04757925584124639, 0.031126761969323947, 0.013576229705877048)
+    0.02964929245771839, 0.022138719408709904, 0.014265694314466832, 0.0061706148999936, 0.023587668193255914,
+    0.05346966299765921, 0.08003916427167311, 0.10158371336153296, 0.1167462682691774, 0.12457352290670139,
+    0.12457352290670139, 0.1167462682691774, 0.10158371336153296, 0.08003916427167311, 0.05346966299765921,
+    0.023587668193255914)
 LAST_SHARES = (-0.015074422043108972, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497,
     -0.21465007688006033, 0.273384265122517, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966,
     0.4584224693630116, -0.48216589541230115, 0.4942866471300963, -0.4942866471300963, 0.48216589541230115,
     -0.4584224693630116, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.273384265122517,
     0.21465007688006033, -0.15608887413910497, 0.10078656328461252, -0.05225186613570152, 0.015074422043108972,
-    -0.03278130486396174, 0.1122209124505884, -0.21159853063188444, 0.31691961779722083, -0.41664037702596135,
-    0.5008933497159644, -0.5617461448292791, 0.5936159289428018, -0.5936159289428018, 0.5617461448292791,
-    -0.5008933497159644, 0.41664037702596135, -0.31691961779722083, 0.21159853063188444, -0.1122209124505884,
-    0.03278130486396174)
+    -0.05626855563529156, 0.18937270565563258, -0.34604162358432194, 0.49442267934928263, -0.608976901663329,
+    0.6711612378327249, -0.6711612378327249, 0.608976901663329, -0.49442267934928263, 0.34604162358432194,
+    -0.18937270565563258, 0.05626855563529156)
 NEXT_SHARES = (0.029351489020715417, -0.09964836396246231, 0.18501939296171394, -0.2707035684056185,
     0.34437421825650083, -0.395879298679761, 0.41779665729859544, -0.4059832229947917, 0.3598916075978801,
     -0.282566041006413, 0.18029543451965438, -0.06194830460601351, -0.06194830460601351, 0.18029543451965438,
     -0.282566041006413, 0.3598916075978801, -0.4059832229947917, 0.41779665729859544, -0.395879298679761,
     0.34437421825650083, -0.2707035684056185, 0.18501939296171394, -0.09964836396246231, 0.029351489020715417,
-    0.06270545045312347, -0.20493540387013992, 0.3541214949557947, -0.46284478766452636, 0.49770223675171826,
-    -0.4435406121078921, 0.305833437439604, -0.10904181595768207, -0.10904181595768207, 0.305833437439604,
-    -0.4435406121078921, 0.49770223675171826, -0.46284478766452636, 0.3541214949557947, -0.20493540387013992,
-    0.06270545045312347)
+    0.10544099839163595, -0.3268652502223004, 0.5086168908165707, -0.554368149850446, 0.4276380562250802,
+    -0.1604625453605404, -0.1604625453605404, 0.4276380562250802, -0.554368149850446, 0.5086168908165707,
+    -0.3268652502223004, 0.10544099839163595)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -310,12 +308,10 @@ FINEST = 18.0
 TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
-ALIKE = 7.62939453125e-06
-SMOOTH = 2.384185791015625e-07
+ALIKE = 3.814697265625e-06
 GROWTH = (1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889,
     0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06)
-OFFSET = 1124800395214848.0
-TO_LOG = 6.304136882681135e-13
+BENT = 0.33
 SLOPE = 5
 SHIFT = 6
 CONSTANT = 8
@@ -389,7 +385,7 @@ def first_root(p: Floats, n: int, h: Floats, which: Mask) -> Floats:
     crosses = which & ((last < 0.0) | (last == 0.0) & (p[0] > 0.0))
     dips = which & np.logical_not(crosses) & (p[1] < 0.0) & (slope > 0.0)
     if np.any(dips):
-        rates = np.zeros_like(p)
+        rates = np.zeros((ix.STRIDE, p.shape[1]))
         differentiate(rates, p, n)
         lowest = bracketed_root(rates, n - 1, 0.0, rates[0], h, slope, dips)
         least = value(p, n, lowest)
@@ -429,7 +425,7 @@ def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here
     touches = p[0] == 0.0
     positive = (p[0] > 0.0) | touches & (p[1] > 0.0)
     falls = here & positive & ((last < 0.0) | (p[1] < 0.0) & (slope > 0.0))
-    e = np.zeros_like(p)
+    e = np.zeros((ix.STRIDE, p.shape[1]))
     root: Floats = INFINITY
     if np.any(falls):
         margin_of(e, p, n, 1.0, 0.0, touches)
@@ -835,7 +831,7 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
 
 def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Floats:
     """Return the least radius suggested by the last four coefficients, each with the largest of the first five."""
-    first = np.zeros_like(p)
+    first = np.zeros((ix.STRIDE, p.shape[1]))
     comparable = p[0] != 0.0
     for k in range(4 + 1):
         first[k] = log2_of(p[k])
@@ -1682,7 +1678,7 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     falls_from_rest = from_rest & (decelerates | (net[0] == 0.0) & (net[1] <= 0.0))
     asked = here & ((last <= 0.0) | decelerates & (slope > 0.0) | falls_from_rest)
     if np.any(asked):
-        e = np.zeros_like(s.registers[0])
+        e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
         margin_of(e, omega, top, 1.0, 0.0, from_rest)
         margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
         margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
@@ -1697,7 +1693,7 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
     c = s.cells
     asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
     if np.any(asked):
-        e = np.zeros_like(p)
+        e = np.zeros((ix.STRIDE, p.shape[1]))
         margin_of(e, p, n, sign, constant, passed)
         consider(s, here, first_root(e, n, c[ix.STEP], asked), event)
 
@@ -1908,7 +1904,7 @@ def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
     """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
     falls_by = 0.5 * (e[4] * e[0]) - sine
     x = e[0] / falls_by
-    f = np.zeros_like(e)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
     count = 0
     while np.any(which) and count < MOST_CORRECTIONS:
         inside = (x > 0.0) & (x < FARTHEST)
@@ -1928,7 +1924,7 @@ def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
 def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
     """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
     x = 0.5 * end
-    f = np.zeros_like(e)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
     low: Floats = 0.0
     high = end
     count = 0
@@ -1958,7 +1954,7 @@ def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask
 def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
     """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
     x = end * SINES[k]
-    f = np.zeros_like(e)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
     functions(f, x, e[4])
     room = x * (end - x)
     here = np.sqrt(room / energy(e, f))
@@ -1992,7 +1988,7 @@ def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tupl
 def time_of_peak(e: Floats, peak: Floats) -> Floats:
     """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
     total: Floats = 0.0
-    f = np.zeros_like(e)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
     for k in range(11 + 1):
         functions(f, peak * PLACES[k], e[4])
         total = total + WEIGHTS[k] * np.sqrt(f[0] / energy(e, f))
@@ -2021,9 +2017,9 @@ def swing(s: Lanes, which: Mask) -> Mask:
     fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
     if not np.any(fits):
         return fits
-    e = np.zeros_like(s.registers[0])
-    back = np.zeros_like(s.registers[0])
-    f = np.zeros_like(s.registers[0])
+    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    back = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     q = -2.0 * c[s.roles.net_square]
     factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
     end = end_of_swing(e, c[s.roles.net_sine], fits)
@@ -2063,7 +2059,7 @@ def softening_factors(e: Floats, slope: Floats) -> None:
     factors(e, drive, sine, vers, q)
     e[SLOPE] = slope
     e[SHIFT] = shift
-    part = np.zeros_like(e)
+    part = np.zeros((ix.STRIDE, e.shape[1]))
     weight: Floats = 1.0
     for j in range(1, TERMS + 1):
         before = weight
@@ -2121,7 +2117,7 @@ def slope_and_bend(e: Floats, f: Floats, energy: Floats) -> tuple[Floats, Floats
 def end_of_softening(e: Floats, which: Mask) -> Floats:
     """Return a zero of E, by Halley's method from the zero under residual friction, or a rotation beyond the farthest."""
     x = end_of_swing(e, e[NET + 1] - e[LOAD + 1], which)
-    f = np.zeros_like(e)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
     count = 0
     while np.any(which) and count < MOST_CORRECTIONS:
         inside = (x > 0.0) & (x < FARTHEST)
@@ -2139,7 +2135,7 @@ def end_of_softening(e: Floats, which: Mask) -> Floats:
 def peak_of_softening(e: Floats, end: Floats, which: Mask) -> Floats:
     """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
     x = 0.5 * end
-    f = np.zeros_like(e)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
     low: Floats = 0.0
     high = end
     count = 0
@@ -2156,52 +2152,30 @@ def peak_of_softening(e: Floats, end: Floats, which: Mask) -> Floats:
     return x
 
 
-def time_to_peak(e: Floats, peak: Floats, factor: Floats) -> tuple[Floats, Floats]:
-    """Return the time from rest to the greatest speed, and the size of the last coefficients of its integrand."""
-    scale = 0.5 * TO_LOG * (log2_of(2.0 + peak * e[SLOPE] / factor) - OFFSET)
-    grown = np.expm1(scale)
-    whole = grown + grown / (1.0 + grown)
+def part_of_duration(e: Floats, start: Floats, end: Floats, unit: Floats, bend: Floats, first: int,
+        last: int) -> tuple[Floats, Floats]:
+    """Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand."""
+    way = np.where(start > 0.0, -end, end)
     total: Floats = 0.0
-    last: Floats = 0.0
-    last_but_one: Floats = 0.0
+    of_last: Floats = 0.0
+    of_next: Floats = 0.0
     before: Floats = 0.0
-    rises = peak > 0.0
-    f = np.zeros_like(e)
-    for k in range(TO_PEAK - 1 + 1):
-        grown = np.expm1(scale * NODES[k])
-        fallen = 1.0 / (1.0 + grown)
-        place = (grown + grown * fallen) / whole
-        softening_functions(f, peak * place * place, e)
+    rises = unit > 0.0
+    f = np.zeros((ix.STRIDE, e.shape[1]))
+    for k in range(first, last + 1):
+        here = unit * (NODES[k] * NODES[k])
+        other = 1.0 + bend * (1.0 - NODES[k])
+        share = 1.0 / (here + other * other)
+        softening_functions(f, start + way * (here * share), e)
         at = softening_energy(e, f)
         rises = rises & (at > before)
         before = at
-        slowness = place * (1.0 + grown + fallen) / np.sqrt(at)
+        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
         total = total + SHARES[k] * slowness
-        last = last + LAST_SHARES[k] * slowness
-        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    return (2.0 * peak * scale / whole * total, np.where(rises, (np.abs(last) + np.abs(last_but_one)) / total,
-        INFINITY))
-
-
-def time_from_peak(e: Floats, peak: Floats, end: Floats) -> tuple[Floats, Floats]:
-    """Return the time from the greatest speed to rest, and the size of the last coefficients of its integrand."""
-    way = end - peak
-    total: Floats = 0.0
-    last: Floats = 0.0
-    last_but_one: Floats = 0.0
-    before: Floats = 0.0
-    falls = way > 0.0
-    f = np.zeros_like(e)
-    for k in range(TO_PEAK, TO_PEAK + FROM_PEAK - 1 + 1):
-        softening_functions(f, end - way * (NODES[k] * NODES[k]), e)
-        at = softening_energy(e, f)
-        falls = falls & (at > before)
-        before = at
-        slowness = NODES[k] / np.sqrt(at)
-        total = total + SHARES[k] * slowness
-        last = last + LAST_SHARES[k] * slowness
-        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    return (2.0 * way * total, np.where(falls, (np.abs(last) + np.abs(last_but_one)) / total, INFINITY))
+        of_last = of_last + LAST_SHARES[k] * slowness
+        of_next = of_next + NEXT_SHARES[k] * slowness
+    size = np.where(rises, (np.abs(of_last) + np.abs(of_next)) / total, INFINITY)
+    return (2.0 * end * unit * (1.0 + bend) * total, size)
 
 
 def soften(s: Lanes, which: Mask) -> Mask:
@@ -2213,7 +2187,7 @@ def soften(s: Lanes, which: Mask) -> Mask:
     fits = fits & (np.abs(c[s.roles.soften_drive]) <= DRIVEN * c[s.roles.drive])
     if not np.any(fits):
         return fits
-    e = np.zeros_like(s.registers[0])
+    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     e[NET] = c[s.roles.drive]
     e[NET + 1] = c[s.roles.net_sine]
     e[NET + 2] = c[s.roles.net_vers]
@@ -2227,16 +2201,20 @@ def soften(s: Lanes, which: Mask) -> Mask:
     if not np.any(fits):
         return fits
     end = end_of_softening(e, fits)
-    f = np.zeros_like(s.registers[0])
+    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     functions(f, np.minimum(end, FARTHEST), e[4])
     fits = fits & (end < FARTHEST) & (e[4] * end < FADED) & (c[s.roles.normal_square] >= 0.0)
     fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
     fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):
         peak = peak_of_softening(e, end, fits)
-        before, first = time_to_peak(e, peak, c[ix.FACTOR])
-        after, second = time_from_peak(e, peak, end)
-        fits = fits & (first <= ALIKE) & (second <= SMOOTH) & (c[ix.TIME] + (before + after) < c[ix.END_TIME])
+        none: Floats = 0.0
+        past = end - peak
+        ratio = 4.0 * c[ix.FACTOR]
+        bend = ratio * BENT * np.sqrt(1.0 + peak * e[SLOPE])
+        before, first = part_of_duration(e, none, end, peak / past, bend, 0, TO_PEAK - 1)
+        after, second = part_of_duration(e, end, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
+        fits = fits & (first <= ALIKE) & (second <= ALIKE) & (c[ix.TIME] + (before + after) < c[ix.END_TIME])
         if np.any(fits):
             softening_functions(f, peak, e)
             at = softening_energy(e, f)
@@ -2253,7 +2231,7 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
     passed = c[ix.PASSED] == float(ix.LIFT)
     asked = here & may_cross(normal, top - 1, c[ix.STRETCH], sign, 0.0, passed)
     if np.any(asked):
-        e = np.zeros_like(s.registers[0])
+        e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
         margin_of(e, normal, top - 1, sign, 0.0, passed)
         at = first_root(e, top - 1, c[ix.STRETCH], asked)
         c[ix.LIFT_AHEAD] = np.where(here, np.minimum(at, c[ix.LIFT_AHEAD]), c[ix.LIFT_AHEAD])
@@ -2273,7 +2251,7 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
         radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
         reach = np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), room)
     c[ix.STRETCH] = np.where(here, np.minimum(reach, c[ix.STRETCH]), c[ix.STRETCH])
-    e = np.zeros_like(s.registers[0])
+    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     margin_of(e, net, top - 1, -1.0, 0.0, touches)
     at: Floats = INFINITY
     asked = here & np.logical_not(jumps) & may_cross(net, top - 1, c[ix.STRETCH], -1.0, 0.0, touches)

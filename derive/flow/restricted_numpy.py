@@ -83,7 +83,7 @@ FORMS = {
     "isnan": "np.isnan",
     "number": "float",
     "number.F": "{a}",
-    "new_series": "np.zeros_like({series})",
+    "new_series": "np.zeros((ix.STRIDE, {series}.shape[1]))",
     "numbers": "np.zeros(({s}.terms, i.size))",
     "tail": "{0}[1:]",
     # Statements.

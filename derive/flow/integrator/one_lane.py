@@ -56,7 +56,7 @@ def gauss(count: int) -> list[tuple[float, ...]]:
 
 
 # Rules of `derive.flow.integrator.softening`, one after the other: before the peak and after it.
-TO_PEAK, FROM_PEAK = 24, 16
+TO_PEAK, FROM_PEAK = 24, 12
 NODES, SHARES, LAST_SHARES, NEXT_SHARES = zip(*gauss(TO_PEAK), *gauss(FROM_PEAK), strict=True)
 
 
@@ -96,11 +96,6 @@ def generated(*_: Any) -> Any:
     raise NotImplementedError
 
 
-def log2_of(x: V) -> V:
-    """Return log2 |x| in units of 2^-40, with the offset of an exponent."""
-    return (math.log2(abs(x)) + 1023.0) * 2.0**40
-
-
 any_lane: Any = bool
 number: Any = float
 minimum: Any = min
@@ -109,7 +104,7 @@ expm1 = math.expm1
 numbers = tail = generated
 maximum = greatest = least = integer = generated
 all_lanes = none_of = lanes_in = generated
-power_of_two = generated
+log2_of = power_of_two = generated
 sin = cos = log = hypot = isnan = generated
 break_of = jump_of = constant_of = coefficients_of = generated
 prologue = operate = operate_later = generated

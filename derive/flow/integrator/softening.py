@@ -33,7 +33,6 @@ from derive.flow.integrator.one_lane import (
     any_lane,
     down,
     expm1,
-    log2_of,
     minimum,
     new_series,
     number,
@@ -59,11 +58,9 @@ FINEST = 18.0  # order of the series in time for a relative error of 1e-9
 TERMS = 8  # of the series
 GREATEST = 0.0625  # brake/slope, of which powers above the last term are below rounding
 DRIVEN = 1024.0  # most that friction loses by softening over the drive, with which the digits lost by the sum increase
-ALIKE = 2.0**-17  # last coefficients of an integrand up to which its integral is accurate to their square
-SMOOTH = 2.0**-22  # the same, with a square below rounding
+ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate to their square
 GROWTH = tuple(1 / factorial(k) for k in range(10))
-OFFSET = 1023.0 * 2.0**40  # log2 of 1 in the units of `log2_of`
-TO_LOG = 0.6931471805599453 * 2.0**-40  # natural logarithm of a number over its log2 in these units
+BENT = 0.33
 # Places of numbers in the factors of E, after the five factors under constant friction: slope, brake/slope, the three
 # factors of the terms, those of the constant summed from the last, and the factors of the net moment.
 SLOPE = 5
@@ -192,58 +189,34 @@ def peak_of_softening(e: S, end: V, which: M) -> V:
     return x
 
 
-def time_to_peak(e: S, peak: V, factor: V) -> tuple[V, V]:
-    """Return the time from rest to the greatest speed, and the size of the last coefficients of its integrand.
+def part_of_duration(e: S, start: V, end: V, unit: V, bend: V, first: N, last: N) -> tuple[V, V]:
+    """Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand.
 
-    They are infinite if E does not rise from node to node. ``factor`` is the step over the radius of convergence in
-    other phases. Like these, the rule changes with it, so that error estimates compare different rules.
+    The variable v of the rule is 0 at rest and 1 at the peak: y = unit v^2/(1 + bend (1 - v))^2 is the ratio of the
+    distances to both rests. Coefficients are infinite if E does not rise from node to node. ``first`` and ``last`` are
+    the numbers of the nodes.
     """
-    scale = 0.5 * TO_LOG * (log2_of(2.0 + peak * e[SLOPE] / factor) - OFFSET)
-    grown = expm1(scale)
-    whole = grown + grown / (1.0 + grown)
+    way = where(start > 0.0, -end, end)
     total: V = 0.0
-    last: V = 0.0
-    last_but_one: V = 0.0
+    of_last: V = 0.0
+    of_next: V = 0.0
     before: V = 0.0
-    rises = peak > 0.0
+    rises = unit > 0.0
     f = new_series()
-    for k in up(0, TO_PEAK - 1):
-        grown = expm1(scale * NODES[k])
-        fallen = 1.0 / (1.0 + grown)
-        place = (grown + grown * fallen) / whole
-        softening_functions(f, peak * place * place, e)
+    for k in up(first, last):
+        here = unit * (NODES[k] * NODES[k])
+        other = 1.0 + bend * (1.0 - NODES[k])
+        share = 1.0 / (here + other * other)
+        softening_functions(f, start + way * (here * share), e)
         at = softening_energy(e, f)
         rises = rises and at > before
         before = at
-        slowness = place * (1.0 + grown + fallen) / sqrt(at)
+        slowness = share * share * (other * NODES[k]) / sqrt(at)
         total = total + SHARES[k] * slowness
-        last = last + LAST_SHARES[k] * slowness
-        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    return 2.0 * peak * scale / whole * total, where(rises, (abs(last) + abs(last_but_one)) / total, INFINITY)
-
-
-def time_from_peak(e: S, peak: V, end: V) -> tuple[V, V]:
-    """Return the time from the greatest speed to rest, and the size of the last coefficients of its integrand.
-
-    They are infinite if E does not fall from node to node.
-    """
-    way = end - peak
-    total: V = 0.0
-    last: V = 0.0
-    last_but_one: V = 0.0
-    before: V = 0.0
-    falls = way > 0.0
-    f = new_series()
-    for k in up(TO_PEAK, TO_PEAK + FROM_PEAK - 1):
-        softening_functions(f, end - way * (NODES[k] * NODES[k]), e)
-        at = softening_energy(e, f)
-        falls = falls and at > before
-        before = at
-        slowness = NODES[k] / sqrt(at)
-        total = total + SHARES[k] * slowness
-        last = last + LAST_SHARES[k] * slowness
-        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    return 2.0 * way * total, where(falls, (abs(last) + abs(last_but_one)) / total, INFINITY)
+        of_last = of_last + LAST_SHARES[k] * slowness
+        of_next = of_next + NEXT_SHARES[k] * slowness
+    size = where(rises, (abs(of_last) + abs(of_next)) / total, INFINITY)
+    return 2.0 * end * unit * (1.0 + bend) * total, size
 
 
 def soften(s: Lanes, which: M) -> M:
@@ -275,9 +248,13 @@ def soften(s: Lanes, which: M) -> M:
     fits = fits and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
     if any_lane(fits):
         peak = peak_of_softening(e, end, fits)
-        before, first = time_to_peak(e, peak, s.factor)
-        after, second = time_from_peak(e, peak, end)
-        fits = fits and first <= ALIKE and second <= SMOOTH and s.time + (before + after) < s.end_time
+        none: V = 0.0
+        past = end - peak
+        ratio = 4.0 * s.factor  # 1 in ensembles; error estimates change it and compare different rules
+        bend = ratio * BENT * sqrt(1.0 + peak * e[SLOPE])
+        before, first = part_of_duration(e, none, end, peak / past, bend, 0, TO_PEAK - 1)
+        after, second = part_of_duration(e, end, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
+        fits = fits and first <= ALIKE and second <= ALIKE and s.time + (before + after) < s.end_time
         if any_lane(fits):
             softening_functions(f, peak, e)
             at = softening_energy(e, f)
