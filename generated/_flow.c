@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a67f649ffd987f9abf031a8be88b93ebc7dd78b873eb312353c9b94775c73327"
+#define DIGEST "ea20442a7b51368ec57d4bb0499c57a37a0be69fca12386d961299e12d0f3935"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, soften_rate, soften_drive, soften_sine, soften_vers, soften_square;
+    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
 } Roles;
 
 typedef struct {
@@ -1145,10 +1145,10 @@ static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09
 static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
 #define TO_PEAK 24
 #define FROM_PEAK 12
-static const double NODES[] = {0.00240639000148932, 0.012635722014345251, 0.030862723998633622, 0.056792236497799485, 0.08999900701304854, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.2831032461869774, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944197, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640375, 0.04794137181476257, 0.11504866290284765, 0.2063410228566913, 0.3160842505009099, 0.43738329574426554, 0.5626167042557345, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233597};
+static const double NODES[] = {0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596};
 static const double SHARES[] = {0.0061706148999936, 0.014265694314466832, 0.022138719408709904, 0.02964929245771839, 0.03667324070554015, 0.04309508076597664, 0.04880932605205694, 0.05372213505798282, 0.0577528340268628, 0.060835236463901696, 0.06291872817341415, 0.06396909767337608, 0.06396909767337608, 0.06291872817341415, 0.060835236463901696, 0.0577528340268628, 0.05372213505798282, 0.04880932605205694, 0.04309508076597664, 0.03667324070554015, 0.02964929245771839, 0.022138719408709904, 0.014265694314466832, 0.0061706148999936, 0.023587668193255914, 0.05346966299765921, 0.08003916427167311, 0.10158371336153296, 0.1167462682691774, 0.12457352290670139, 0.12457352290670139, 0.1167462682691774, 0.10158371336153296, 0.08003916427167311, 0.05346966299765921, 0.023587668193255914};
-static const double LAST_SHARES[] = {-0.015074422043108972, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497, -0.21465007688006033, 0.273384265122517, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966, 0.4584224693630116, -0.48216589541230115, 0.4942866471300963, -0.4942866471300963, 0.48216589541230115, -0.4584224693630116, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.273384265122517, 0.21465007688006033, -0.15608887413910497, 0.10078656328461252, -0.05225186613570152, 0.015074422043108972, -0.05626855563529156, 0.18937270565563258, -0.34604162358432194, 0.49442267934928263, -0.608976901663329, 0.6711612378327249, -0.6711612378327249, 0.608976901663329, -0.49442267934928263, 0.34604162358432194, -0.18937270565563258, 0.05626855563529156};
-static const double NEXT_SHARES[] = {0.029351489020715417, -0.09964836396246231, 0.18501939296171394, -0.2707035684056185, 0.34437421825650083, -0.395879298679761, 0.41779665729859544, -0.4059832229947917, 0.3598916075978801, -0.282566041006413, 0.18029543451965438, -0.06194830460601351, -0.06194830460601351, 0.18029543451965438, -0.282566041006413, 0.3598916075978801, -0.4059832229947917, 0.41779665729859544, -0.395879298679761, 0.34437421825650083, -0.2707035684056185, 0.18501939296171394, -0.09964836396246231, 0.029351489020715417, 0.10544099839163595, -0.3268652502223004, 0.5086168908165707, -0.554368149850446, 0.4276380562250802, -0.1604625453605404, -0.1604625453605404, 0.4276380562250802, -0.554368149850446, 0.5086168908165707, -0.3268652502223004, 0.10544099839163595};
+static const double LAST_SHARES[] = {-0.015074422043108968, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497, -0.21465007688006033, 0.27338426512251696, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966, 0.4584224693630117, -0.4821658954123011, 0.4942866471300963, -0.4942866471300963, 0.4821658954123011, -0.4584224693630117, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.27338426512251696, 0.21465007688006033, -0.15608887413910497, 0.10078656328461252, -0.05225186613570152, 0.015074422043108972, -0.05626855563529157, 0.18937270565563255, -0.34604162358432194, 0.49442267934928263, -0.608976901663329, 0.6711612378327247, -0.6711612378327247, 0.608976901663329, -0.49442267934928263, 0.34604162358432194, -0.18937270565563255, 0.05626855563529157};
+static const double NEXT_SHARES[] = {0.029351489020715413, -0.0996483639624623, 0.1850193929617139, -0.27070356840561854, 0.34437421825650083, -0.395879298679761, 0.4177966572985954, -0.4059832229947917, 0.3598916075978801, -0.282566041006413, 0.18029543451965438, -0.061948304606013506, -0.061948304606013506, 0.18029543451965438, -0.282566041006413, 0.3598916075978801, -0.4059832229947917, 0.4177966572985954, -0.395879298679761, 0.34437421825650083, -0.27070356840561854, 0.1850193929617139, -0.0996483639624623, 0.029351489020715417, 0.10544099839163595, -0.3268652502223004, 0.5086168908165707, -0.554368149850446, 0.4276380562250803, -0.1604625453605404, -0.1604625453605404, 0.4276380562250803, -0.554368149850446, 0.5086168908165707, -0.3268652502223004, 0.10544099839163595};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
@@ -1159,30 +1159,27 @@ static const double NEXT_SHARES[] = {0.029351489020715417, -0.09964836396246231,
 #define SIXTH 0x1.5555555555555p-3
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
-#define PI 0x1.921fb54442d18p+1
-#define FARTHEST 0x1.91eb851eb851fp+1
-#define FADED 0x1.0000000000000p+1
 #define LAST 7
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
-#define LAST_OF_HALLEY 0x1.0000000000000p-18
-#define MOST_CORRECTIONS 12
-#define CONVERGED 0x1.0000000000000p-22
 #define FINEST 0x1.2000000000000p+4
 #define TERMS 8
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
-static const double GROWTH[] = {1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889, 0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06};
 #define BENT 0x1.51eb851eb851fp-2
-#define SLOPE 5
-#define SHIFT 6
+static const double GROWTH[] = {1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889, 0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06};
+#define SHIFT 5
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
-#define NET 32
-#define LOAD 36
+#define PI 0x1.921fb54442d18p+1
+#define FARTHEST 0x1.91eb851eb851fp+1
+#define FADED 0x1.0000000000000p+1
+#define LAST_OF_HALLEY 0x1.0000000000000p-18
+#define MOST_CORRECTIONS 12
+#define CONVERGED 0x1.0000000000000p-22
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -2886,8 +2883,146 @@ INLINE void reverse(V *f, V q)
     f[1] = (((f[0] * f[0]) - f[1]) - (y * f[1])) / faded_by;
 }
 
+/* Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction. */
+INLINE void term(V *part, V drive, V sine, V vers, V decay)
+{
+    V share = 2.0 / (1.0 + (decay * decay));
+    part[1] = share * ((decay * sine) - vers);
+    part[2] = share * (sine + (decay * vers));
+    part[0] = ((2.0 * drive) - part[1]) / decay;
+}
+
+/* Compute the factors of E. */
+INLINE void softening_factors(Batch *b, V *e)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V drive = c[job->role->drive] - c[job->role->net_loss];
+    V sine = c[job->role->net_sine] - c[job->role->net_loss_sine];
+    V vers = c[job->role->net_vers] - c[job->role->net_loss_vers];
+    V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
+    factors(e, drive, sine, vers, q);
+    V shift = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
+    e[SHIFT] = shift;
+    V part[STRIDE];
+    V weight = broadcast(1.0);
+    for (int j = 1; j <= TERMS; j++) {
+        V before = weight;
+        weight = (weight * shift) / (double)(-j);
+        V of_drive = (weight * drive) + (before * c[job->role->net_loss]);
+        V of_sine = (weight * sine) + (before * c[job->role->net_loss_sine]);
+        V of_vers = (weight * vers) + (before * c[job->role->net_loss_vers]);
+        term(part, of_drive, of_sine, of_vers, q + ((double)j * c[job->role->loss_rate]));
+        e[CONSTANT + j] = part[0];
+        e[SINE + j] = part[1];
+        e[VERS + j] = part[2];
+    }
+    for (int j = TERMS - 1; j >= 1; j--) {
+        e[CONSTANT + j] = e[CONSTANT + j] + e[(CONSTANT + j) + 1];
+    }
+}
+
+/* Return whether the series is as accurate as the order of a lane requires, and no term is in resonance. */
+INLINE M series_suffices(Batch *b, V *e)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V slope = -c[job->role->loss_rate];
+    M driven = (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]));
+    return driven & (e[4] >= 0.0) & ((2.0 * e[4]) <= slope) & (magnitude(e[SHIFT]) <= GREATEST);
+}
+
+/* Return E from its factors, and store exp(-slope x) - 1 behind the functions of which it consists. */
+INLINE V softening_energy(Batch *b, V *e, V *f)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V fallen = expm1_of(c[job->role->loss_rate] * f[0]);
+    f[4] = fallen;
+    V left = 1.0 + fallen;
+    V constant = broadcast(0.0);
+    V of_sine = broadcast(0.0);
+    V of_vers = broadcast(0.0);
+    for (int j = TERMS; j >= 1; j--) {
+        constant = (constant * left) + e[CONSTANT + j];
+        of_sine = (of_sine + e[SINE + j]) * left;
+        of_vers = (of_vers + e[VERS + j]) * left;
+    }
+    V lost = f[0] - (e[4] * f[1]);
+    V terms = (fallen * constant) + ((of_sine * (f[0] - f[3])) + (of_vers * f[2]));
+    terms = terms + ((e[4] * e[CONSTANT + 1]) * lost);
+    V shift = e[SHIFT] * left;
+    V grown = broadcast(0.0);
+    for (int k = 9; k >= 0; k--) {
+        grown = (grown * shift) + GROWTH[k];
+    }
+    return grown * (energy(e, f) + terms);
+}
+
+/* Compute E and its first two derivatives behind the functions of which it consists. */
+INLINE void soften(Batch *b, V *e, V *f)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V at = softening_energy(b, e, f);
+    V sine = f[0] - f[3];
+    V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
+    V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
+    V of_square = c[job->role->net_square] + (f[4] * c[job->role->net_loss_square]);
+    V load = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + ((c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at)));
+    V net = (c[job->role->drive] + (f[4] * c[job->role->net_loss])) + ((of_sine * sine) + ((of_vers * f[2]) + (of_square * at)));
+    V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * (2.0 * net)));
+    f[5] = at;
+    f[6] = 2.0 * net;
+    f[7] = 2.0 * (turns + ((c[job->role->loss_rate] * (1.0 + f[4])) * load));
+}
+
+/* Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand.
+ * The variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
+ * distances to both rests. Coefficients are infinite if E does not rise from node to node. ``first`` and ``last``
+ * are the numbers of the nodes. */
+INLINE Pair part_of_duration(Batch *b, V *e, V start, V end, V unit, V bend, int first, int last)
+{
+    V way = pick(start > 0.0, -end, end);
+    V total = broadcast(0.0);
+    V of_last = broadcast(0.0);
+    V of_next = broadcast(0.0);
+    V before = broadcast(0.0);
+    M rises = unit > 0.0;
+    V f[STRIDE];
+    for (int k = first; k <= last; k++) {
+        V here = unit * (NODES[k] * NODES[k]);
+        V other = 1.0 + (bend * (1.0 - NODES[k]));
+        V share = 1.0 / (here + (other * other));
+        functions(f, start + (way * (here * share)), e[4]);
+        V at = softening_energy(b, e, f);
+        rises = rises & (at > before);
+        before = at;
+        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
+        total = total + (SHARES[k] * slowness);
+        of_last = of_last + (LAST_SHARES[k] * slowness);
+        of_next = of_next + (NEXT_SHARES[k] * slowness);
+    }
+    V size = pick(rises, (magnitude(of_last) + magnitude(of_next)) / total, broadcast(INFINITY));
+    return (Pair){((((2.0 * end) * unit) * (1.0 + bend)) * total), size};
+}
+
+/* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. */
+INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
+{
+    const Job *const job = b->job;
+    functions(f, x, e[4]);
+    if (job->role->loss_rate >= 0) {
+        soften(b, e, f);
+        return;
+    }
+    f[5] = energy(e, f);
+    f[6] = slope_of(e, f);
+    f[7] = bend_of(e, f);
+}
+
 /* Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest. */
-static V end_of_swing(V *e, V sine, M which)
+static V end_of_swing(Batch *b, V *e, V sine, M which)
 {
     V falls_by = (0.5 * (e[4] * e[0])) - sine;
     V x = e[0] / falls_by;
@@ -2896,10 +3031,10 @@ static V end_of_swing(V *e, V sine, M which)
     while (bits(which) && (count < MOST_CORRECTIONS)) {
         M inside = (x > 0.0) & (x < FARTHEST);
         x = pick(inside, x, broadcast(FARTHEST));
-        functions(f, x, e[4]);
-        V at = energy(e, f);
-        V falls = (slope_of(e, f) * x) - at;
-        V bends = (bend_of(e, f) * (x * x)) - (2.0 * falls);
+        evaluate_at(b, e, f, x);
+        V at = f[5];
+        V falls = (f[6] * x) - at;
+        V bends = (f[7] * (x * x)) - (2.0 * falls);
         V steepness = ((2.0 * falls) * falls) - (at * bends);
         V change = (((2.0 * at) * falls) * x) / steepness;
         x = pick(which, x - change, x);
@@ -2910,7 +3045,7 @@ static V end_of_swing(V *e, V sine, M which)
 }
 
 /* Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest. */
-static V peak_of_swing(V *e, V end, M which)
+static V peak_of_swing(Batch *b, V *e, V end, M which)
 {
     V x = 0.5 * end;
     V f[STRIDE];
@@ -2918,11 +3053,11 @@ static V peak_of_swing(V *e, V end, M which)
     V high = end;
     int count = 0;
     while (bits(which) && (count < (2 * MOST_CORRECTIONS))) {
-        functions(f, x, e[4]);
-        V slope = slope_of(e, f);
+        evaluate_at(b, e, f, x);
+        V slope = f[6];
         low = pick(slope > 0.0, x, low);
         high = pick(slope > 0.0, high, x);
-        V following = x - (slope / bend_of(e, f));
+        V following = x - (slope / f[7]);
         following = inside_or_middle(following, low, high);
         V change = magnitude(following - x);
         x = pick(which, following, x);
@@ -2994,10 +3129,15 @@ INLINE V time_of_peak(V *e, V peak)
 }
 
 /* Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``. */
-INLINE void finish(Batch *b, M here, V end, V duration, V peak, V before, V speed, V rate)
+INLINE void finish(Batch *b, M here, V *e, V end, V duration, V peak, V before)
 {
     V *const c = b->c;
-    keep_faster(b, here, speed, c[TIME] + before, peak, rate);
+    V f[STRIDE];
+    evaluate_at(b, e, f, peak);
+    V speed = sqrt_of(f[5]);
+    V rate = 0.5 * f[6];
+    V time = c[TIME] + before;
+    keep_faster(b, here, speed, time, peak, rate);
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
@@ -3006,6 +3146,24 @@ INLINE void finish(Batch *b, M here, V end, V duration, V peak, V before, V spee
     EACH(lane, bits(here)) {
         on_standstill(b, lane);
     }
+}
+
+/* Return the times before and after the greatest speed under softening friction, infinite where they are unsure.
+ * Error estimates change the step over the radius of convergence, on which the rules depend, and compare their
+ * times. */
+INLINE Pair soft_parts(Batch *b, V *e, V end, V peak)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V none = broadcast(0.0);
+    V past = end - peak;
+    V ratio = 4.0 * c[FACTOR];
+    V bend = (ratio * BENT) * sqrt_of(1.0 - (peak * c[job->role->loss_rate]));
+    const Pair before_first = part_of_duration(b, e, none, end, peak / past, bend, 0, TO_PEAK - 1);
+    V before = before_first.one, first = before_first.other;
+    const Pair after_second = part_of_duration(b, e, end, end, past / peak, ratio - 1.0, TO_PEAK, (TO_PEAK + FROM_PEAK) - 1);
+    V after = after_second.one, second = after_second.other;
+    return (Pair){before, pick((first <= ALIKE) & (second <= ALIKE), after, broadcast(INFINITY))};
 }
 
 /* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
@@ -3018,240 +3176,54 @@ static M swing(Batch *b, M which)
     if (!bits(fits)) {
         return fits;
     }
+    int softens = job->role->loss_rate >= 0;
     V e[STRIDE];
     V back[STRIDE];
     V f[STRIDE];
-    V q = (-2.0) * c[job->role->net_square];
-    factors(e, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q);
-    V end = end_of_swing(e, c[job->role->net_sine], fits);
+    V sine = c[job->role->net_sine];
+    if (softens) {
+        softening_factors(b, e);
+        fits = fits & series_suffices(b, e);
+        sine = c[job->role->net_sine] - c[job->role->net_loss_sine];
+    }
+    V q = e[4];
+    if (!softens) {
+        q = (-2.0) * c[job->role->net_square];
+        factors(e, c[job->role->drive], sine, c[job->role->net_vers], q);
+    }
+    V end = end_of_swing(b, e, sine, fits);
     functions(f, minimum(end, broadcast(FARTHEST)), q);
-    mirror(back, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q, f);
-    fits = fits & (end < FARTHEST) & (back[0] > 0.0);
+    if (!softens) {
+        mirror(back, c[job->role->drive], sine, c[job->role->net_vers], q, f);
+        fits = fits & (back[0] > 0.0);
+    }
+    fits = fits & (end < FARTHEST);
     fits = fits & (q >= 0.0) & ((q * end) < FADED);
     fits = fits & (c[job->role->normal_square] >= 0.0);
     fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
     fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     if (bits(fits)) {
-        const Pair duration_change = duration_of_swing(e, back, end, fits);
-        V duration = duration_change.one, change = duration_change.other;
-        fits = fits & (change <= CONVERGED) & ((c[TIME] + duration) < c[END_TIME]);
-        if (bits(fits)) {
-            V peak = peak_of_swing(e, end, fits);
-            functions(f, peak, q);
-            V speed = sqrt_of(energy(e, f));
-            finish(b, fits, end, duration, peak, time_of_peak(e, peak), speed, 0.5 * slope_of(e, f));
+        V peak = peak_of_swing(b, e, end, fits);
+        V before = broadcast(0.0);
+        V duration = broadcast(0.0);
+        if (softens) {
+            const Pair first_last = soft_parts(b, e, end, peak);
+            V first = first_last.one, last = first_last.other;
+            before = first;
+            duration = first + last;
         }
-    }
-    return fits;
-}
-
-/* Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction. */
-INLINE void term(V *part, V drive, V sine, V vers, V decay)
-{
-    V share = 2.0 / (1.0 + (decay * decay));
-    part[1] = share * ((decay * sine) - vers);
-    part[2] = share * (sine + (decay * vers));
-    part[0] = ((2.0 * drive) - part[1]) / decay;
-}
-
-/* Compute the factors of E from the factors of the net moment, which are stored from `NET` and from `LOAD` on.
- * Both are factors of 1, sin(x), 1 - cos(x) and omega^2, the second ones with exp(-slope x) - 1. */
-INLINE void softening_factors(V *e, V slope)
-{
-    V drive = e[NET] - e[LOAD];
-    V sine = e[NET + 1] - e[LOAD + 1];
-    V vers = e[NET + 2] - e[LOAD + 2];
-    V q = 2.0 * (e[LOAD + 3] - e[NET + 3]);
-    V shift = ((-2.0) * e[LOAD + 3]) / slope;
-    factors(e, drive, sine, vers, q);
-    e[SLOPE] = slope;
-    e[SHIFT] = shift;
-    V part[STRIDE];
-    V weight = broadcast(1.0);
-    for (int j = 1; j <= TERMS; j++) {
-        V before = weight;
-        weight = (weight * shift) / (double)(-j);
-        V of_drive = (weight * drive) + (before * e[LOAD]);
-        V of_sine = (weight * sine) + (before * e[LOAD + 1]);
-        V of_vers = (weight * vers) + (before * e[LOAD + 2]);
-        term(part, of_drive, of_sine, of_vers, q - ((double)j * slope));
-        e[(CONSTANT + j) - 1] = part[0];
-        e[(SINE + j) - 1] = part[1];
-        e[(VERS + j) - 1] = part[2];
-    }
-    for (int j = TERMS - 2; j >= 0; j--) {
-        e[CONSTANT + j] = e[CONSTANT + j] + e[(CONSTANT + j) + 1];
-    }
-}
-
-/* Compute the functions of which E is the sum, the last one exp(-slope x) - 1. */
-INLINE void softening_functions(V *f, V x, V *e)
-{
-    functions(f, x, e[4]);
-    f[4] = expm1_of((-e[SLOPE]) * x);
-}
-
-/* Return E from its factors and its functions. */
-INLINE V softening_energy(V *e, V *f)
-{
-    V left = 1.0 + f[4];
-    V constant = e[(CONSTANT + TERMS) - 1];
-    V of_sine = e[(SINE + TERMS) - 1];
-    V of_vers = e[(VERS + TERMS) - 1];
-    for (int j = TERMS - 2; j >= 0; j--) {
-        constant = (constant * left) + e[CONSTANT + j];
-        of_sine = (of_sine * left) + e[SINE + j];
-        of_vers = (of_vers * left) + e[VERS + j];
-    }
-    V lost = f[0] - (e[4] * f[1]);
-    V terms = (f[4] * constant) + (left * ((of_sine * (f[0] - f[3])) + (of_vers * f[2])));
-    terms = terms + ((e[4] * e[CONSTANT]) * lost);
-    V shift = e[SHIFT] * left;
-    V grown = broadcast(GROWTH[9]);
-    for (int k = 8; k >= 0; k--) {
-        grown = (grown * shift) + GROWTH[k];
-    }
-    return grown * (energy(e, f) + terms);
-}
-
-/* Return the first two derivatives of E from the equation of motion. */
-INLINE Pair slope_and_bend(V *e, V *f, V energy)
-{
-    V sine = f[0] - f[3];
-    V cosine = 1.0 - f[2];
-    V load = e[LOAD] + ((e[LOAD + 1] * sine) + ((e[LOAD + 2] * f[2]) + (e[LOAD + 3] * energy)));
-    V net = e[NET] + ((e[NET + 1] * sine) + ((e[NET + 2] * f[2]) + (e[NET + 3] * energy)));
-    V slope = 2.0 * (net + (f[4] * load));
-    V load_slope = (e[LOAD + 1] * cosine) + ((e[LOAD + 2] * sine) + (e[LOAD + 3] * slope));
-    V net_slope = (e[NET + 1] * cosine) + ((e[NET + 2] * sine) + (e[NET + 3] * slope));
-    V bend = 2.0 * (net_slope + ((f[4] * load_slope) - ((e[SLOPE] * (1.0 + f[4])) * load)));
-    return (Pair){slope, bend};
-}
-
-/* Return a zero of E, by Halley's method from the zero under residual friction, or a rotation beyond the farthest.
- * It is the first zero if E rises to a single peak and falls to the zero. */
-static V end_of_softening(V *e, M which)
-{
-    V x = end_of_swing(e, e[NET + 1] - e[LOAD + 1], which);
-    V f[STRIDE];
-    int count = 0;
-    while (bits(which) && (count < MOST_CORRECTIONS)) {
-        M inside = (x > 0.0) & (x < FARTHEST);
-        x = pick(inside, x, broadcast(FARTHEST));
-        softening_functions(f, x, e);
-        V at = softening_energy(e, f);
-        const Pair slope_bend = slope_and_bend(e, f, at);
-        V slope = slope_bend.one, bend = slope_bend.other;
-        V change = ((2.0 * at) * slope) / (((2.0 * slope) * slope) - (at * bend));
-        x = pick(which, x - change, x);
-        which = which & (magnitude(change) > (LAST_OF_HALLEY * x));
-        count = count + 1;
-    }
-    return pick(which, broadcast(2.0 * FARTHEST), x);
-}
-
-/* Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest. */
-static V peak_of_softening(V *e, V end, M which)
-{
-    V x = 0.5 * end;
-    V f[STRIDE];
-    V low = broadcast(0.0);
-    V high = end;
-    int count = 0;
-    while (bits(which) && (count < (2 * MOST_CORRECTIONS))) {
-        softening_functions(f, x, e);
-        const Pair slope_bend = slope_and_bend(e, f, softening_energy(e, f));
-        V slope = slope_bend.one, bend = slope_bend.other;
-        low = pick(slope > 0.0, x, low);
-        high = pick(slope > 0.0, high, x);
-        V following = inside_or_middle(x - (slope / bend), low, high);
-        V change = magnitude(following - x);
-        x = pick(which, following, x);
-        which = which & (change > (LAST_STEP * x));
-        count = count + 1;
-    }
-    return x;
-}
-
-/* Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand.
- * The variable v of the rule is 0 at rest and 1 at the peak: y = unit v^2/(1 + bend (1 - v))^2 is the ratio of the
- * distances to both rests. Coefficients are infinite if E does not rise from node to node. ``first`` and ``last``
- * are the numbers of the nodes. */
-INLINE Pair part_of_duration(V *e, V start, V end, V unit, V bend, int first, int last)
-{
-    V way = pick(start > 0.0, -end, end);
-    V total = broadcast(0.0);
-    V of_last = broadcast(0.0);
-    V of_next = broadcast(0.0);
-    V before = broadcast(0.0);
-    M rises = unit > 0.0;
-    V f[STRIDE];
-    for (int k = first; k <= last; k++) {
-        V here = unit * (NODES[k] * NODES[k]);
-        V other = 1.0 + (bend * (1.0 - NODES[k]));
-        V share = 1.0 / (here + (other * other));
-        softening_functions(f, start + (way * (here * share)), e);
-        V at = softening_energy(e, f);
-        rises = rises & (at > before);
-        before = at;
-        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
-        total = total + (SHARES[k] * slowness);
-        of_last = of_last + (LAST_SHARES[k] * slowness);
-        of_next = of_next + (NEXT_SHARES[k] * slowness);
-    }
-    V size = pick(rises, (magnitude(of_last) + magnitude(of_next)) / total, broadcast(INFINITY));
-    return (Pair){((((2.0 * end) * unit) * (1.0 + bend)) * total), size};
-}
-
-/* Complete the phases that begin at rest and in contact, where the series suffices, and return these lanes. */
-static M soften(Batch *b, M which)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
-    M fits = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
-    fits = fits & (c[ORDER] <= FINEST) & (c[job->role->soften_rate] < 0.0);
-    fits = fits & (magnitude(c[job->role->soften_drive]) <= (DRIVEN * c[job->role->drive]));
-    if (!bits(fits)) {
-        return fits;
-    }
-    V e[STRIDE];
-    e[NET] = c[job->role->drive];
-    e[NET + 1] = c[job->role->net_sine];
-    e[NET + 2] = c[job->role->net_vers];
-    e[NET + 3] = c[job->role->net_square];
-    e[LOAD] = c[job->role->soften_drive];
-    e[LOAD + 1] = c[job->role->soften_sine];
-    e[LOAD + 2] = c[job->role->soften_vers];
-    e[LOAD + 3] = c[job->role->soften_square];
-    softening_factors(e, -c[job->role->soften_rate]);
-    fits = fits & (e[4] >= 0.0) & ((2.0 * e[4]) <= e[SLOPE]) & (magnitude(e[SHIFT]) <= GREATEST);
-    if (!bits(fits)) {
-        return fits;
-    }
-    V end = end_of_softening(e, fits);
-    V f[STRIDE];
-    functions(f, minimum(end, broadcast(FARTHEST)), e[4]);
-    fits = fits & (end < FARTHEST) & ((e[4] * end) < FADED) & (c[job->role->normal_square] >= 0.0);
-    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
-    fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
-    if (bits(fits)) {
-        V peak = peak_of_softening(e, end, fits);
-        V none = broadcast(0.0);
-        V past = end - peak;
-        V ratio = 4.0 * c[FACTOR];
-        V bend = (ratio * BENT) * sqrt_of(1.0 + (peak * e[SLOPE]));
-        const Pair before_first = part_of_duration(e, none, end, peak / past, bend, 0, TO_PEAK - 1);
-        V before = before_first.one, first = before_first.other;
-        const Pair after_second = part_of_duration(e, end, end, past / peak, ratio - 1.0, TO_PEAK, (TO_PEAK + FROM_PEAK) - 1);
-        V after = after_second.one, second = after_second.other;
-        fits = fits & (first <= ALIKE) & (second <= ALIKE) & ((c[TIME] + (before + after)) < c[END_TIME]);
+        if (!softens) {
+            const Pair total_change = duration_of_swing(e, back, end, fits);
+            V total = total_change.one, change = total_change.other;
+            fits = fits & (change <= CONVERGED);
+            duration = total;
+        }
+        fits = fits & ((c[TIME] + duration) < c[END_TIME]);
         if (bits(fits)) {
-            softening_functions(f, peak, e);
-            V at = softening_energy(e, f);
-            const Pair slope_bend = slope_and_bend(e, f, at);
-            V slope = slope_bend.one, bend = slope_bend.other;
-            finish(b, fits, end, before + after, peak, before, sqrt_of(at), 0.5 * slope);
+            if (!softens) {
+                before = time_of_peak(e, peak);
+            }
+            finish(b, fits, e, end, duration, peak, before);
         }
     }
     return fits;
@@ -3441,11 +3413,7 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    int closed = (job->role->net_sine >= 0) && !(job->samples > 0);
-    if (closed && (job->role->soften_rate >= 0)) {
-        moving = moving & ~soften(b, moving);
-    }
-    if (closed && !(job->role->soften_rate >= 0)) {
+    if ((job->role->net_sine >= 0) && !(job->samples > 0)) {
         moving = moving & ~swing(b, moving);
     }
     if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {

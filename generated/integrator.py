@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ce8c7136e6409bb5516e563dbc848f4f7c142ca8ac13e7e4fd845fe050886e83
+# sha256 of the text below: acbf6572bfb5ce8b40491a4b62673206ec93d8bf7352895dc976bf878e0c98cf
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -247,14 +247,14 @@ WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.11550
     0.028531388628933663, 0.0123412297999872)
 TO_PEAK = 24
 FROM_PEAK = 12
-NODES = (0.00240639000148932, 0.012635722014345251, 0.030862723998633622, 0.056792236497799485, 0.08999900701304854,
-    0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.2831032461869774, 0.3424786601519183,
+NODES = (0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853,
+    0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183,
     0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817,
-    0.7168967538130225, 0.7727107356944197, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515,
-    0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640375,
-    0.04794137181476257, 0.11504866290284765, 0.2063410228566913, 0.3160842505009099, 0.43738329574426554,
-    0.5626167042557345, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375,
-    0.9907803171233597)
+    0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515,
+    0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378,
+    0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554,
+    0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375,
+    0.9907803171233596)
 SHARES = (0.0061706148999936, 0.014265694314466832, 0.022138719408709904, 0.02964929245771839, 0.03667324070554015,
     0.04309508076597664, 0.04880932605205694, 0.05372213505798282, 0.0577528340268628, 0.060835236463901696,
     0.06291872817341415, 0.06396909767337608, 0.06396909767337608, 0.06291872817341415, 0.060835236463901696,
@@ -263,22 +263,22 @@ SHARES = (0.0061706148999936, 0.014265694314466832, 0.022138719408709904, 0.0296
     0.05346966299765921, 0.08003916427167311, 0.10158371336153296, 0.1167462682691774, 0.12457352290670139,
     0.12457352290670139, 0.1167462682691774, 0.10158371336153296, 0.08003916427167311, 0.05346966299765921,
     0.023587668193255914)
-LAST_SHARES = (-0.015074422043108972, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497,
-    -0.21465007688006033, 0.273384265122517, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966,
-    0.4584224693630116, -0.48216589541230115, 0.4942866471300963, -0.4942866471300963, 0.48216589541230115,
-    -0.4584224693630116, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.273384265122517,
+LAST_SHARES = (-0.015074422043108968, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497,
+    -0.21465007688006033, 0.27338426512251696, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966,
+    0.4584224693630117, -0.4821658954123011, 0.4942866471300963, -0.4942866471300963, 0.4821658954123011,
+    -0.4584224693630117, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.27338426512251696,
     0.21465007688006033, -0.15608887413910497, 0.10078656328461252, -0.05225186613570152, 0.015074422043108972,
-    -0.05626855563529156, 0.18937270565563258, -0.34604162358432194, 0.49442267934928263, -0.608976901663329,
-    0.6711612378327249, -0.6711612378327249, 0.608976901663329, -0.49442267934928263, 0.34604162358432194,
-    -0.18937270565563258, 0.05626855563529156)
-NEXT_SHARES = (0.029351489020715417, -0.09964836396246231, 0.18501939296171394, -0.2707035684056185,
-    0.34437421825650083, -0.395879298679761, 0.41779665729859544, -0.4059832229947917, 0.3598916075978801,
-    -0.282566041006413, 0.18029543451965438, -0.06194830460601351, -0.06194830460601351, 0.18029543451965438,
-    -0.282566041006413, 0.3598916075978801, -0.4059832229947917, 0.41779665729859544, -0.395879298679761,
-    0.34437421825650083, -0.2707035684056185, 0.18501939296171394, -0.09964836396246231, 0.029351489020715417,
-    0.10544099839163595, -0.3268652502223004, 0.5086168908165707, -0.554368149850446, 0.4276380562250802,
-    -0.1604625453605404, -0.1604625453605404, 0.4276380562250802, -0.554368149850446, 0.5086168908165707,
-    -0.3268652502223004, 0.10544099839163595)
+    -0.05626855563529157, 0.18937270565563255, -0.34604162358432194, 0.49442267934928263, -0.608976901663329,
+    0.6711612378327247, -0.6711612378327247, 0.608976901663329, -0.49442267934928263, 0.34604162358432194,
+    -0.18937270565563255, 0.05626855563529157)
+NEXT_SHARES = (0.029351489020715413, -0.0996483639624623, 0.1850193929617139, -0.27070356840561854, 0.34437421825650083,
+    -0.395879298679761, 0.4177966572985954, -0.4059832229947917, 0.3598916075978801, -0.282566041006413,
+    0.18029543451965438, -0.061948304606013506, -0.061948304606013506, 0.18029543451965438, -0.282566041006413,
+    0.3598916075978801, -0.4059832229947917, 0.4177966572985954, -0.395879298679761, 0.34437421825650083,
+    -0.27070356840561854, 0.1850193929617139, -0.0996483639624623, 0.029351489020715417, 0.10544099839163595,
+    -0.3268652502223004, 0.5086168908165707, -0.554368149850446, 0.4276380562250803, -0.1604625453605404,
+    -0.1604625453605404, 0.4276380562250803, -0.554368149850446, 0.5086168908165707, -0.3268652502223004,
+    0.10544099839163595)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -289,9 +289,6 @@ SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
 ROUNDINGS = 134217728.0
 FAR = 1e+300
-PI = 3.141592653589793
-FARTHEST = 3.14
-FADED = 2.0
 LAST = 7
 VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
     -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
@@ -301,24 +298,24 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
     -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
     -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
     -7.647163731819816e-13, 4.779477332387385e-14)
-LAST_OF_HALLEY = 3.814697265625e-06
-MOST_CORRECTIONS = 12
-CONVERGED = 2.384185791015625e-07
 FINEST = 18.0
 TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
 ALIKE = 3.814697265625e-06
+BENT = 0.33
 GROWTH = (1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889,
     0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06)
-BENT = 0.33
-SLOPE = 5
-SHIFT = 6
+SHIFT = 5
 CONSTANT = 8
 SINE = 16
 VERS = 24
-NET = 32
-LOAD = 36
+PI = 3.141592653589793
+FARTHEST = 3.14
+FADED = 2.0
+LAST_OF_HALLEY = 3.814697265625e-06
+MOST_CORRECTIONS = 12
+CONVERGED = 2.384185791015625e-07
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -1900,7 +1897,126 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
 
 
-def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
+def term(part: Floats, drive: Floats, sine: Floats, vers: Floats, decay: Floats) -> None:
+    """Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction."""
+    share = 2.0 / (1.0 + decay * decay)
+    part[1] = share * (decay * sine - vers)
+    part[2] = share * (sine + decay * vers)
+    part[0] = (2.0 * drive - part[1]) / decay
+
+
+def softening_factors(s: Lanes, e: Floats) -> None:
+    """Compute the factors of E."""
+    c = s.cells
+    drive = c[s.roles.drive] - c[s.roles.net_loss]
+    sine = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
+    vers = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
+    q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
+    factors(e, drive, sine, vers, q)
+    shift = 2.0 * c[s.roles.net_loss_square] / c[s.roles.loss_rate]
+    e[SHIFT] = shift
+    part = np.zeros((ix.STRIDE, e.shape[1]))
+    weight: Floats = 1.0
+    for j in range(1, TERMS + 1):
+        before = weight
+        weight = weight * shift / float(-j)
+        of_drive = weight * drive + before * c[s.roles.net_loss]
+        of_sine = weight * sine + before * c[s.roles.net_loss_sine]
+        of_vers = weight * vers + before * c[s.roles.net_loss_vers]
+        term(part, of_drive, of_sine, of_vers, q + float(j) * c[s.roles.loss_rate])
+        e[CONSTANT + j] = part[0]
+        e[SINE + j] = part[1]
+        e[VERS + j] = part[2]
+    for j in range(TERMS - 1, 1 - 1, -1):
+        e[CONSTANT + j] = e[CONSTANT + j] + e[CONSTANT + j + 1]
+
+
+def series_suffices(s: Lanes, e: Floats) -> Mask:
+    """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
+    c = s.cells
+    slope = -c[s.roles.loss_rate]
+    driven = (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive])
+    return driven & (e[4] >= 0.0) & (2.0 * e[4] <= slope) & (np.abs(e[SHIFT]) <= GREATEST)
+
+
+def softening_energy(s: Lanes, e: Floats, f: Floats) -> Floats:
+    """Return E from its factors, and store exp(-slope x) - 1 behind the functions of which it consists."""
+    c = s.cells
+    fallen = np.expm1(c[s.roles.loss_rate] * f[0])
+    f[4] = fallen
+    left = 1.0 + fallen
+    constant: Floats = 0.0
+    of_sine: Floats = 0.0
+    of_vers: Floats = 0.0
+    for j in range(TERMS, 1 - 1, -1):
+        constant = constant * left + e[CONSTANT + j]
+        of_sine = (of_sine + e[SINE + j]) * left
+        of_vers = (of_vers + e[VERS + j]) * left
+    lost = f[0] - e[4] * f[1]
+    terms = fallen * constant + (of_sine * (f[0] - f[3]) + of_vers * f[2])
+    terms = terms + e[4] * e[CONSTANT + 1] * lost
+    shift = e[SHIFT] * left
+    grown: Floats = 0.0
+    for k in range(9, 0 - 1, -1):
+        grown = grown * shift + GROWTH[k]
+    return grown * (energy(e, f) + terms)
+
+
+def soften(s: Lanes, e: Floats, f: Floats) -> None:
+    """Compute E and its first two derivatives behind the functions of which it consists."""
+    c = s.cells
+    at = softening_energy(s, e, f)
+    sine = f[0] - f[3]
+    of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
+    of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
+    of_square = c[s.roles.net_square] + f[4] * c[s.roles.net_loss_square]
+    load = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + (c[s.roles.net_loss_vers] *
+         f[2] + c[s.roles.net_loss_square] * at))
+    net = c[s.roles.drive] + f[4] * c[s.roles.net_loss] + (of_sine * sine + (of_vers * f[2] + of_square * at))
+    turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * (2.0 * net))
+    f[5] = at
+    f[6] = 2.0 * net
+    f[7] = 2.0 * (turns + c[s.roles.loss_rate] * (1.0 + f[4]) * load)
+
+
+def part_of_duration(s: Lanes, e: Floats, start: Floats, end: Floats, unit: Floats, bend: Floats, first: int,
+        last: int) -> tuple[Floats, Floats]:
+    """Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand."""
+    way = np.where(start > 0.0, -end, end)
+    total: Floats = 0.0
+    of_last: Floats = 0.0
+    of_next: Floats = 0.0
+    before: Floats = 0.0
+    rises = unit > 0.0
+    f = np.zeros((ix.STRIDE, e.shape[1]))
+    for k in range(first, last + 1):
+        here = unit * (NODES[k] * NODES[k])
+        other = 1.0 + bend * (1.0 - NODES[k])
+        share = 1.0 / (here + other * other)
+        functions(f, start + way * (here * share), e[4])
+        at = softening_energy(s, e, f)
+        rises = rises & (at > before)
+        before = at
+        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
+        total = total + SHARES[k] * slowness
+        of_last = of_last + LAST_SHARES[k] * slowness
+        of_next = of_next + NEXT_SHARES[k] * slowness
+    size = np.where(rises, (np.abs(of_last) + np.abs(of_next)) / total, INFINITY)
+    return (2.0 * end * unit * (1.0 + bend) * total, size)
+
+
+def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
+    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
+    functions(f, x, e[4])
+    if s.roles.loss_rate >= 0:
+        soften(s, e, f)
+        return
+    f[5] = energy(e, f)
+    f[6] = slope_of(e, f)
+    f[7] = bend_of(e, f)
+
+
+def end_of_swing(s: Lanes, e: Floats, sine: Floats, which: Mask) -> Floats:
     """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
     falls_by = 0.5 * (e[4] * e[0]) - sine
     x = e[0] / falls_by
@@ -1909,10 +2025,10 @@ def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
     while np.any(which) and count < MOST_CORRECTIONS:
         inside = (x > 0.0) & (x < FARTHEST)
         x = np.where(inside, x, FARTHEST)
-        functions(f, x, e[4])
-        at = energy(e, f)
-        falls = slope_of(e, f) * x - at
-        bends = bend_of(e, f) * (x * x) - 2.0 * falls
+        evaluate_at(s, e, f, x)
+        at = f[5]
+        falls = f[6] * x - at
+        bends = f[7] * (x * x) - 2.0 * falls
         steepness = 2.0 * falls * falls - at * bends
         change = 2.0 * at * falls * x / steepness
         x = np.where(which, x - change, x)
@@ -1921,7 +2037,7 @@ def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
     return np.where(which, 2.0 * FARTHEST, x)
 
 
-def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
+def peak_of_swing(s: Lanes, e: Floats, end: Floats, which: Mask) -> Floats:
     """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
     x = 0.5 * end
     f = np.zeros((ix.STRIDE, e.shape[1]))
@@ -1929,11 +2045,11 @@ def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
     high = end
     count = 0
     while np.any(which) and count < 2 * MOST_CORRECTIONS:
-        functions(f, x, e[4])
-        slope = slope_of(e, f)
+        evaluate_at(s, e, f, x)
+        slope = f[6]
         low = np.where(slope > 0.0, x, low)
         high = np.where(slope > 0.0, high, x)
-        following = x - slope / bend_of(e, f)
+        following = x - slope / f[7]
         following = inside_or_middle(following, low, high)
         change = np.abs(following - x)
         x = np.where(which, following, x)
@@ -1995,11 +2111,15 @@ def time_of_peak(e: Floats, peak: Floats) -> Floats:
     return 2.0 * np.sqrt(peak) * total
 
 
-def finish(s: Lanes, here: Mask, end: Floats, duration: Floats, peak: Floats, before: Floats, speed: Floats,
-        rate: Floats) -> None:
+def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak: Floats, before: Floats) -> None:
     """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
     c = s.cells
-    keep_faster(s, here, speed, c[ix.TIME] + before, peak, rate)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
+    evaluate_at(s, e, f, peak)
+    speed = np.sqrt(f[5])
+    rate = 0.5 * f[6]
+    time = c[ix.TIME] + before
+    keep_faster(s, here, speed, time, peak, rate)
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
@@ -2010,6 +2130,18 @@ def finish(s: Lanes, here: Mask, end: Floats, duration: Floats, peak: Floats, be
         on_standstill(s, i)
 
 
+def soft_parts(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
+    """Return the times before and after the greatest speed under softening friction, infinite where they are unsure."""
+    c = s.cells
+    none: Floats = 0.0
+    past = end - peak
+    ratio = 4.0 * c[ix.FACTOR]
+    bend = ratio * BENT * np.sqrt(1.0 - peak * c[s.roles.loss_rate])
+    before, first = part_of_duration(s, e, none, end, peak / past, bend, 0, TO_PEAK - 1)
+    after, second = part_of_duration(s, e, end, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
+    return (before, np.where((first <= ALIKE) & (second <= ALIKE), after, INFINITY))
+
+
 def swing(s: Lanes, which: Mask) -> Mask:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
     c = s.cells
@@ -2017,209 +2149,46 @@ def swing(s: Lanes, which: Mask) -> Mask:
     fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
     if not np.any(fits):
         return fits
+    softens = s.roles.loss_rate >= 0
     e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     back = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    q = -2.0 * c[s.roles.net_square]
-    factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
-    end = end_of_swing(e, c[s.roles.net_sine], fits)
+    sine = c[s.roles.net_sine].copy()
+    if softens:
+        softening_factors(s, e)
+        fits = fits & series_suffices(s, e)
+        sine = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
+    q = e[4]
+    if not softens:
+        q = -2.0 * c[s.roles.net_square]
+        factors(e, c[s.roles.drive], sine, c[s.roles.net_vers], q)
+    end = end_of_swing(s, e, sine, fits)
     functions(f, np.minimum(end, FARTHEST), q)
-    mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, f)
-    fits = fits & (end < FARTHEST) & (back[0] > 0.0)
+    if not softens:
+        mirror(back, c[s.roles.drive], sine, c[s.roles.net_vers], q, f)
+        fits = fits & (back[0] > 0.0)
+    fits = fits & (end < FARTHEST)
     fits = fits & (q >= 0.0) & (q * end < FADED)
     fits = fits & (c[s.roles.normal_square] >= 0.0)
     fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
     fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):
-        duration, change = duration_of_swing(e, back, end, fits)
-        fits = fits & (change <= CONVERGED) & (c[ix.TIME] + duration < c[ix.END_TIME])
+        peak = peak_of_swing(s, e, end, fits)
+        before: Floats = 0.0
+        duration: Floats = 0.0
+        if softens:
+            first, last = soft_parts(s, e, end, peak)
+            before = first
+            duration = first + last
+        if not softens:
+            total, change = duration_of_swing(e, back, end, fits)
+            fits = fits & (change <= CONVERGED)
+            duration = total
+        fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
         if np.any(fits):
-            peak = peak_of_swing(e, end, fits)
-            functions(f, peak, q)
-            speed = np.sqrt(energy(e, f))
-            finish(s, fits, end, duration, peak, time_of_peak(e, peak), speed, 0.5 * slope_of(e, f))
-    return fits
-
-
-def term(part: Floats, drive: Floats, sine: Floats, vers: Floats, decay: Floats) -> None:
-    """Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction."""
-    share = 2.0 / (1.0 + decay * decay)
-    part[1] = share * (decay * sine - vers)
-    part[2] = share * (sine + decay * vers)
-    part[0] = (2.0 * drive - part[1]) / decay
-
-
-def softening_factors(e: Floats, slope: Floats) -> None:
-    """Compute the factors of E from the factors of the net moment, which are stored from `NET` and from `LOAD` on."""
-    drive = e[NET] - e[LOAD]
-    sine = e[NET + 1] - e[LOAD + 1]
-    vers = e[NET + 2] - e[LOAD + 2]
-    q = 2.0 * (e[LOAD + 3] - e[NET + 3])
-    shift = -2.0 * e[LOAD + 3] / slope
-    factors(e, drive, sine, vers, q)
-    e[SLOPE] = slope
-    e[SHIFT] = shift
-    part = np.zeros((ix.STRIDE, e.shape[1]))
-    weight: Floats = 1.0
-    for j in range(1, TERMS + 1):
-        before = weight
-        weight = weight * shift / float(-j)
-        of_drive = weight * drive + before * e[LOAD]
-        of_sine = weight * sine + before * e[LOAD + 1]
-        of_vers = weight * vers + before * e[LOAD + 2]
-        term(part, of_drive, of_sine, of_vers, q - float(j) * slope)
-        e[CONSTANT + j - 1] = part[0]
-        e[SINE + j - 1] = part[1]
-        e[VERS + j - 1] = part[2]
-    for j in range(TERMS - 2, 0 - 1, -1):
-        e[CONSTANT + j] = e[CONSTANT + j] + e[CONSTANT + j + 1]
-
-
-def softening_functions(f: Floats, x: Floats, e: Floats) -> None:
-    """Compute the functions of which E is the sum, the last one exp(-slope x) - 1."""
-    functions(f, x, e[4])
-    f[4] = np.expm1(-e[SLOPE] * x)
-
-
-def softening_energy(e: Floats, f: Floats) -> Floats:
-    """Return E from its factors and its functions."""
-    left = 1.0 + f[4]
-    constant = e[CONSTANT + TERMS - 1]
-    of_sine = e[SINE + TERMS - 1]
-    of_vers = e[VERS + TERMS - 1]
-    for j in range(TERMS - 2, 0 - 1, -1):
-        constant = constant * left + e[CONSTANT + j]
-        of_sine = of_sine * left + e[SINE + j]
-        of_vers = of_vers * left + e[VERS + j]
-    lost = f[0] - e[4] * f[1]
-    terms = f[4] * constant + left * (of_sine * (f[0] - f[3]) + of_vers * f[2])
-    terms = terms + e[4] * e[CONSTANT] * lost
-    shift = e[SHIFT] * left
-    grown: Floats = GROWTH[9]
-    for k in range(8, 0 - 1, -1):
-        grown = grown * shift + GROWTH[k]
-    return grown * (energy(e, f) + terms)
-
-
-def slope_and_bend(e: Floats, f: Floats, energy: Floats) -> tuple[Floats, Floats]:
-    """Return the first two derivatives of E from the equation of motion."""
-    sine = f[0] - f[3]
-    cosine = 1.0 - f[2]
-    load = e[LOAD] + (e[LOAD + 1] * sine + (e[LOAD + 2] * f[2] + e[LOAD + 3] * energy))
-    net = e[NET] + (e[NET + 1] * sine + (e[NET + 2] * f[2] + e[NET + 3] * energy))
-    slope = 2.0 * (net + f[4] * load)
-    load_slope = e[LOAD + 1] * cosine + (e[LOAD + 2] * sine + e[LOAD + 3] * slope)
-    net_slope = e[NET + 1] * cosine + (e[NET + 2] * sine + e[NET + 3] * slope)
-    bend = 2.0 * (net_slope + (f[4] * load_slope - e[SLOPE] * (1.0 + f[4]) * load))
-    return (slope, bend)
-
-
-def end_of_softening(e: Floats, which: Mask) -> Floats:
-    """Return a zero of E, by Halley's method from the zero under residual friction, or a rotation beyond the farthest."""
-    x = end_of_swing(e, e[NET + 1] - e[LOAD + 1], which)
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    count = 0
-    while np.any(which) and count < MOST_CORRECTIONS:
-        inside = (x > 0.0) & (x < FARTHEST)
-        x = np.where(inside, x, FARTHEST)
-        softening_functions(f, x, e)
-        at = softening_energy(e, f)
-        slope, bend = slope_and_bend(e, f, at)
-        change = 2.0 * at * slope / (2.0 * slope * slope - at * bend)
-        x = np.where(which, x - change, x)
-        which = which & (np.abs(change) > LAST_OF_HALLEY * x)
-        count = count + 1
-    return np.where(which, 2.0 * FARTHEST, x)
-
-
-def peak_of_softening(e: Floats, end: Floats, which: Mask) -> Floats:
-    """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
-    x = 0.5 * end
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    low: Floats = 0.0
-    high = end
-    count = 0
-    while np.any(which) and count < 2 * MOST_CORRECTIONS:
-        softening_functions(f, x, e)
-        slope, bend = slope_and_bend(e, f, softening_energy(e, f))
-        low = np.where(slope > 0.0, x, low)
-        high = np.where(slope > 0.0, high, x)
-        following = inside_or_middle(x - slope / bend, low, high)
-        change = np.abs(following - x)
-        x = np.where(which, following, x)
-        which = which & (change > LAST_STEP * x)
-        count = count + 1
-    return x
-
-
-def part_of_duration(e: Floats, start: Floats, end: Floats, unit: Floats, bend: Floats, first: int,
-        last: int) -> tuple[Floats, Floats]:
-    """Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand."""
-    way = np.where(start > 0.0, -end, end)
-    total: Floats = 0.0
-    of_last: Floats = 0.0
-    of_next: Floats = 0.0
-    before: Floats = 0.0
-    rises = unit > 0.0
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    for k in range(first, last + 1):
-        here = unit * (NODES[k] * NODES[k])
-        other = 1.0 + bend * (1.0 - NODES[k])
-        share = 1.0 / (here + other * other)
-        softening_functions(f, start + way * (here * share), e)
-        at = softening_energy(e, f)
-        rises = rises & (at > before)
-        before = at
-        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
-        total = total + SHARES[k] * slowness
-        of_last = of_last + LAST_SHARES[k] * slowness
-        of_next = of_next + NEXT_SHARES[k] * slowness
-    size = np.where(rises, (np.abs(of_last) + np.abs(of_next)) / total, INFINITY)
-    return (2.0 * end * unit * (1.0 + bend) * total, size)
-
-
-def soften(s: Lanes, which: Mask) -> Mask:
-    """Complete the phases that begin at rest and in contact, where the series suffices, and return these lanes."""
-    c = s.cells
-    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
-    fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
-    fits = fits & (c[ix.ORDER] <= FINEST) & (c[s.roles.soften_rate] < 0.0)
-    fits = fits & (np.abs(c[s.roles.soften_drive]) <= DRIVEN * c[s.roles.drive])
-    if not np.any(fits):
-        return fits
-    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    e[NET] = c[s.roles.drive]
-    e[NET + 1] = c[s.roles.net_sine]
-    e[NET + 2] = c[s.roles.net_vers]
-    e[NET + 3] = c[s.roles.net_square]
-    e[LOAD] = c[s.roles.soften_drive]
-    e[LOAD + 1] = c[s.roles.soften_sine]
-    e[LOAD + 2] = c[s.roles.soften_vers]
-    e[LOAD + 3] = c[s.roles.soften_square]
-    softening_factors(e, -c[s.roles.soften_rate])
-    fits = fits & (e[4] >= 0.0) & (2.0 * e[4] <= e[SLOPE]) & (np.abs(e[SHIFT]) <= GREATEST)
-    if not np.any(fits):
-        return fits
-    end = end_of_softening(e, fits)
-    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    functions(f, np.minimum(end, FARTHEST), e[4])
-    fits = fits & (end < FARTHEST) & (e[4] * end < FADED) & (c[s.roles.normal_square] >= 0.0)
-    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
-    fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
-    if np.any(fits):
-        peak = peak_of_softening(e, end, fits)
-        none: Floats = 0.0
-        past = end - peak
-        ratio = 4.0 * c[ix.FACTOR]
-        bend = ratio * BENT * np.sqrt(1.0 + peak * e[SLOPE])
-        before, first = part_of_duration(e, none, end, peak / past, bend, 0, TO_PEAK - 1)
-        after, second = part_of_duration(e, end, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
-        fits = fits & (first <= ALIKE) & (second <= ALIKE) & (c[ix.TIME] + (before + after) < c[ix.END_TIME])
-        if np.any(fits):
-            softening_functions(f, peak, e)
-            at = softening_energy(e, f)
-            slope, bend = slope_and_bend(e, f, at)
-            finish(s, fits, end, before + after, peak, before, np.sqrt(at), 0.5 * slope)
+            if not softens:
+                before = time_of_peak(e, peak)
+            finish(s, fits, e, end, duration, peak, before)
     return fits
 
 
@@ -2398,10 +2367,7 @@ def advance(s: Lanes, here: Mask) -> None:
     c = s.cells
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
-    closed = s.roles.net_sine >= 0 and (not s.samples)
-    if closed and s.roles.soften_rate >= 0:
-        moving = moving & np.logical_not(soften(s, moving))
-    if closed and (not s.roles.soften_rate >= 0):
+    if s.roles.net_sine >= 0 and (not s.samples):
         moving = moving & np.logical_not(swing(s, moving))
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)

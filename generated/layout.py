@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 186f58764750fda047f17d04864546f8ee985281b1b9f01dfef84027a15a917e
+# sha256 of the text below: 13bfe78e1b52db79ad3e70c649714f2f36813ec80afe05ca6276209084ab09f1
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -125,8 +125,8 @@ KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu',
     'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers', 'cell_normal_square',
-    'cell_upright_sine', 'cell_upright_vers', 'cell_soften_rate', 'cell_soften_drive', 'cell_soften_sine',
-    'cell_soften_vers', 'cell_soften_square')
+    'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine', 'cell_net_loss_vers',
+    'cell_net_loss_square', 'cell_loss_rate')
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

@@ -111,7 +111,7 @@ PENDING = {
 NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
 KINDS = ("slip", "speed", "time", "rotation")  # arguments of tables
 # Registers and cells of a program that the integrator reads, the last ones where phases have a closed form: factors of
-# sin(x), 1 - cos(x) and omega^2, and where friction softens, a rate and the factors of exp(rate x) - 1 and its products.
+# sin(x), 1 - cos(x) and omega^2, then of exp(rate x) - 1 and its products with these, and the rate.
 ROLES = (
     "x",
     "omega",
@@ -135,11 +135,11 @@ ROLES = (
     "cell_normal_square",
     "cell_upright_sine",
     "cell_upright_vers",
-    "cell_soften_rate",
-    "cell_soften_drive",
-    "cell_soften_sine",
-    "cell_soften_vers",
-    "cell_soften_square",
+    "cell_net_loss",
+    "cell_net_loss_sine",
+    "cell_net_loss_vers",
+    "cell_net_loss_square",
+    "cell_loss_rate",
 )
 HIGHEST = 40  # order of a series
 STRIDE = HIGHEST + 2  # distance of registers: states have one more coefficient, followed by zero

@@ -17,8 +17,9 @@ Taylor series in time, as long as its radius of convergence allows. Events are r
 
 step       steps of moving lanes to the first event, and the consequences of events: standstill, an upright chord,
            lift-off and landing, edges of tables, the end time
-swing      phases from rest that have a closed form in the rotation
+energy     closed form of omega^2 in the rotation
 softening  the same under exponentially softening friction
+swing      phases from rest that have a closed form
 rest       lanes at rest, until the next break of a function of time or the root of the net moment
 phases     stick or slip at a standstill; the numbers of the phase that begins; greatest speed and rotation
 records    samples that a resting or gliding mass passes without series
@@ -34,4 +35,4 @@ to cells apply to these lanes.
 """
 
 # Modules, each uses only earlier modules.
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "swing", "softening", "rest")
+TEXT = ("roots", "tables", "series", "phases", "records", "step", "energy", "softening", "swing", "rest")

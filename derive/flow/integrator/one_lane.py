@@ -30,34 +30,15 @@ _ORDER = (16, 8, *range(4, 16, 8), *range(2, 16, 4), *range(1, 16, 2))
 _GAUSS = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes(4, 120)
 SINES = tuple(float(mpmath.sin(mpmath.pi * k / 64) ** 2) for k in _ORDER)
 PLACES, WEIGHTS = zip(*sorted((float(x * x), float(weight)) for x, weight in _GAUSS if x > 0), strict=True)
-
-
-def legendre(count: int, x: Any) -> list[Any]:
-    """Return Legendre's polynomials of degrees 0 to ``count`` at a number of mpmath."""
-    values = [mpmath.mpf(1), x]
-    for n in range(1, count):
-        values.append(((2 * n + 1) * x * values[n] - n * values[n - 1]) / (n + 1))
-    return values
-
-
-def gauss(count: int) -> list[tuple[float, ...]]:
-    """Return Gauss's rule on [0, 1]: nodes, weights, and weights of the last two coefficients of Legendre's series."""
-    rows = []
-    for k in range(count):
-        with mpmath.workdps(30):
-            x = mpmath.cos(mpmath.pi * (k + 0.75) / (count + 0.5))
-            for _ in range(6):  # of Newton's method
-                *_, before, last, value = legendre(count, x)
-                x -= value * (1 - x * x) / (count * (last - x * value))
-            weight = (1 - x * x) / (count * last) ** 2
-            of_last = ((2 * count - 1) * last * weight, (2 * count - 3) * before * weight)
-            rows.append(tuple(map(float, ((1 + x) / 2, weight, *of_last))))
-    return sorted(rows)
-
-
-# Rules of `derive.flow.integrator.softening`, one after the other: before the peak and after it.
+# Gauss's rules on [0, 1] of `derive.flow.integrator.softening`, one after the other, before the peak and after it. The
+# last columns are weights of the last two coefficients of Legendre's series.
 TO_PEAK, FROM_PEAK = 24, 12
-NODES, SHARES, LAST_SHARES, NEXT_SHARES = zip(*gauss(TO_PEAK), *gauss(FROM_PEAK), strict=True)
+_RULES = [
+    (0.5 + x / 2, weight / 2, *((2 * n + 1) * mpmath.legendre(n, x) * weight / 2 for n in (count - 1, count - 2)))
+    for count, degree in ((TO_PEAK, 4), (FROM_PEAK, 3))
+    for x, weight in sorted(mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes(degree, 120))
+]
+NODES, SHARES, LAST_SHARES, NEXT_SHARES = (tuple(map(float, column)) for column in zip(*_RULES, strict=True))
 
 
 def _codes(name: str) -> Any:

@@ -25,7 +25,6 @@ from derive.flow.integrator.phases import begin_phases, face, note_lift_off, sta
 from derive.flow.integrator.records import look_for_quiet, rest_through, slide_together
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.series import expand, radius_of_convergence
-from derive.flow.integrator.softening import soften
 from derive.flow.integrator.step import make_step
 from derive.flow.integrator.swing import swing
 from derive.flow.integrator.tables import next_break, pass_breaks
@@ -184,10 +183,7 @@ def advance(s: Lanes, here: M) -> None:
     """
     moving = here and s.status == number(Status.MOVING)
     resting = here and s.status == number(Status.RESTING)
-    closed: N = s.has.net_sine and not s.samples
-    if closed and s.has.soften_rate:
-        moving = moving and not soften(s, moving)
-    if closed and not s.has.soften_rate:
+    if s.has.net_sine and not s.samples:
         moving = moving and not swing(s, moving)
     if any_lane(moving) and lanes_in(moving) >= lanes_in(resting):
         make_step(s, moving)

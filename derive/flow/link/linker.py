@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 from typing import Any, NamedTuple
 
+from derive.flow.layout import ROLES
 from derive.flow.link.definitions import ONE, ZERO, Computed, Definitions, Names, OnCells, OnSeries
 
 EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and an upright chord
@@ -23,9 +24,9 @@ OUTPUT_CELLS = {
     "cell_mu": "mu_0",
     "cell_limit": "limit",
 }
-# Sums of which phases have a closed form: the roles of their constants, and of the factors of their registers.
+# Sums of which phases have a closed form, with the roles of their constants, and registers by their names in roles.
 CONSTANTS = {"net": "cell_drive", "normal": "cell_normal0", "upright": "cell_normal_load"}
-FACTORS = {("sin(x)",): "sine", ("vers(x)",): "vers", ("omega*omega",): "square"}
+FACTORS = {"sin(x)": "sine", "vers(x)": "vers", "omega*omega": "square"}
 
 
 class Linked(NamedTuple):
@@ -169,58 +170,49 @@ class Linker:
     def closed_form(self, registers: Mapping[str, str | None], outputs: Mapping[str, str]) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
-        If the net moment also contains products with exp(rate x) - 1, the rate and their factors are included. There
-        are no factors if other products of registers occur in these sums, or no sine.
+        The net moment may also contain exp(rate x) - 1, called loss, and its products with these. There are no factors
+        if other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
+        names = dict(FACTORS)
+        for operation, results in self.series.items():
+            if operation.kind == "exp" and len(names) == len(FACTORS):
+                argument = self._made_by(operation.registers[1])
+                if argument.registers == ("x",):
+                    names[results[1]] = "loss"
+                    cells["cell_loss_rate"] = argument.cells[1]
         for name, constant in CONSTANTS.items():
-            terms = self._expanded(str(registers[name]))
-            if terms.pop((), ZERO) != outputs[constant] or ("sin(x)",) not in terms:
+            terms = self._expanded(str(registers[name]), names)
+            factors = {"_".join(("cell", name, *factor)): cell for factor, cell in terms.items()}
+            start = factors.pop(f"cell_{name}", ZERO)
+            if start != outputs[constant] or f"cell_{name}_sine" not in factors or factors.keys() - {*ROLES}:
                 return {}
-            for names, factor in FACTORS.items():
-                cells[f"cell_{name}_{factor}"] = terms.pop(names, ZERO)
-            if name == "net" and terms:
-                cells |= self._softening(terms)
-            if terms:
-                return {}
+            for role in ROLES:
+                if role.startswith(f"cell_{name}_") and role not in outputs:
+                    cells[role] = factors.get(role, ZERO)
         return cells
 
-    def _softening(self, terms: dict[Names, str]) -> dict[str, str]:
-        """Take the products with exp(rate x) - 1 from the terms of a sum, and return rate and factors by role."""
-        for operation, results in self.series.items():
-            if operation.kind == "exp":
-                argument = self._made_by(operation.registers[1])
-                falling = results[1]
-                if argument[:2] == ("lin", ("x",)) and (falling,) in terms:
-                    cells = {"cell_soften_rate": argument.cells[1], "cell_soften_drive": terms.pop((falling,))}
-                    for names, factor in FACTORS.items():
-                        both = tuple(sorted((*names, falling)))
-                        cells[f"cell_soften_{factor}"] = terms.pop(both, ZERO)
-                    return cells
-        return {}
-
     def _made_by(self, register: str) -> OnSeries:
-        """Return the operation that computes a register; a state is an operation without operands."""
+        """Return the operation that computes a register. The operation of a state has no operands."""
         return next((made for made, results in self.series.items() if register in results), OnSeries("", (), ()))
 
-    def _expanded(self, register: str) -> dict[Names, str]:
-        """Return the cells of a register as a sum of products of registers that are not sums or products."""
+    def _expanded(self, register: str, names: Mapping[str, str]) -> dict[Names, str]:
+        """Return a register as a sum of products of ``names`` of registers: the cell of each product's factor."""
         operation = self._made_by(register)
+        factors: list[tuple[Names, str]] = [((names.get(register, register),), ONE)]
         if operation.kind == "mul":
-            one, other = map(self._expanded, operation.registers)
+            one, other = (self._expanded(operand, names) for operand in operation.registers)
             factors = [(a + b, self._result("mul", [one[a], other[b]])) for a, b in product(one, other)]
-        elif operation.kind == "lin":
+        if operation.kind == "lin":
             factors = [((), operation.cells[0])]
-            for register, cell in zip(operation.registers, operation.cells[1:], strict=True):
-                inner = self._expanded(register)
-                factors += [(names, self._result("mul", [cell, inner[names]])) for names in inner]
-        else:
-            factors = [((register,), ONE)]
+            for operand, cell in zip(operation.registers, operation.cells[1:], strict=True):
+                inner = self._expanded(operand, names)
+                factors += [(a, self._result("mul", [cell, inner[a]])) for a in inner]
         terms = dict[Names, str]()
-        for names, cell in factors:
-            in_order = tuple(sorted(names))
+        for factor, cell in factors:
+            in_order = tuple(sorted(factor))
             terms[in_order] = self._result("add", [terms.get(in_order, ZERO), cell])
-        return {names: cell for names, cell in terms.items() if cell != ZERO or not names}
+        return {factor: cell for factor, cell in terms.items() if cell != ZERO}
 
     def zero(self, name: str) -> str:
         """Return a register that contains zero; it is called ``name`` if there is none yet."""

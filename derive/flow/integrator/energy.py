@@ -1,0 +1,108 @@
+"""E = omega^2 of a phase from rest as a function of the rotation x since it began, in closed form.
+
+Where forces depend on the rotation and on omega^2 alone, net = drive + sine sin(x) + vers (1 - cos(x)) + square omega^2
+with constant factors. The equation of motion is then linear in E = omega^2, E' + q E = 2 (net - square E) with
+q = -2 square, and E is a sum of four functions that neither cancel for small x nor divide by q:
+
+    E = e0 x + e1 w + e2 (1 - cos(x)) + e3 (x - sin(x)),    w = (q x - 1 + exp(-q x))/q^2
+
+`derive.algebra.phase_plane` derives the factors e, here and about the end of the motion, where x is counted backwards,
+and proves that the functions of this module are this solution.
+"""
+
+from math import factorial
+
+from derive.flow.integrator.one_lane import S, V, down, up
+
+LAST = 7  # of the terms of these series
+VERSINE = tuple((-1) ** k / factorial(2 * k + 2) for k in range(LAST + 1))
+LAG = tuple((-1) ** k / factorial(2 * k + 3) for k in range(LAST + 1))
+FADING = tuple((-1) ** k / factorial(k + 2) for k in range(2 * LAST + 1))
+
+
+def turned(x: V) -> tuple[V, V]:
+    """Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice."""
+    h = 0.25 * x
+    square = h * h
+    lag: V = LAG[LAST]
+    versine: V = VERSINE[LAST]
+    for k in down(LAST - 1, 0):
+        lag = lag * square + LAG[k]
+        versine = versine * square + VERSINE[k]
+    lag = lag * square * h
+    versine = versine * square
+    for _ in up(1, 2):
+        sine = h - lag
+        lag = 2.0 * (lag + sine * versine)
+        versine = 2.0 * (sine * sine)
+        h = 2.0 * h
+    return lag, versine
+
+
+def faded(y: V) -> V:
+    """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
+    h = 0.25 * y
+    part: V = FADING[2 * LAST]
+    for k in down(2 * LAST - 1, 0):
+        part = part * h + FADING[k]
+    for _ in up(1, 2):
+        lost = 1.0 - h * part
+        part = 0.5 * part + 0.25 * (lost * lost)
+        h = 2.0 * h
+    return part
+
+
+def factors(e: S, drive: V, sine: V, vers: V, q: V) -> None:
+    """Compute the factors of E, followed by q."""
+    share = 2.0 / (1.0 + q * q)
+    e[0] = 2.0 * drive
+    e[3] = share * (vers - sine * q)
+    e[2] = share * (sine + vers * q)
+    e[1] = -q * (e[3] + e[0])
+    e[4] = q
+
+
+def functions(f: S, x: V, q: V) -> None:
+    """Compute the four functions of which E is the sum."""
+    lag, versine = turned(x)
+    f[0] = x
+    f[1] = x * x * faded(q * x)
+    f[2] = versine
+    f[3] = lag
+
+
+def energy(e: S, f: S) -> V:
+    """Return E from its factors and its functions."""
+    return e[0] * f[0] + (e[1] * f[1] + (e[2] * f[2] + e[3] * f[3]))
+
+
+def slope_of(e: S, f: S) -> V:
+    """Return the derivative of E."""
+    sine = f[0] - f[3]
+    lost = f[0] - e[4] * f[1]
+    return e[0] + (e[1] * lost + (e[2] * sine + e[3] * f[2]))
+
+
+def bend_of(e: S, f: S) -> V:
+    """Return the second derivative of E."""
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    lost = f[0] - e[4] * f[1]
+    return e[1] * (1.0 - e[4] * lost) + (e[2] * cosine + e[3] * sine)
+
+
+def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    sine_end = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    at_end = drive + (sine * sine_end + vers * f[2])
+    sine_back = sine * cosine + vers * sine_end
+    vers_back = sine * sine_end - vers * cosine
+    factors(back, -at_end, sine_back, vers_back, -q)
+
+
+def reverse(f: S, q: V) -> None:
+    """Replace the functions for q by those for -q."""
+    y = q * f[0]
+    faded_by = 1.0 - y + q * q * f[1]
+    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
