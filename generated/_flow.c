@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ea20442a7b51368ec57d4bb0499c57a37a0be69fca12386d961299e12d0f3935"
+#define DIGEST "87a910574815dbb17cc5869cdaa40c8b7aed2d5ad50c93ef2a245c8c033a9d0c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2883,15 +2883,6 @@ INLINE void reverse(V *f, V q)
     f[1] = (((f[0] * f[0]) - f[1]) - (y * f[1])) / faded_by;
 }
 
-/* Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction. */
-INLINE void term(V *part, V drive, V sine, V vers, V decay)
-{
-    V share = 2.0 / (1.0 + (decay * decay));
-    part[1] = share * ((decay * sine) - vers);
-    part[2] = share * (sine + (decay * vers));
-    part[0] = ((2.0 * drive) - part[1]) / decay;
-}
-
 /* Compute the factors of E. */
 INLINE void softening_factors(Batch *b, V *e)
 {
@@ -2902,20 +2893,18 @@ INLINE void softening_factors(Batch *b, V *e)
     V vers = c[job->role->net_vers] - c[job->role->net_loss_vers];
     V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
     factors(e, drive, sine, vers, q);
-    V shift = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
-    e[SHIFT] = shift;
-    V part[STRIDE];
+    e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
     V weight = broadcast(1.0);
     for (int j = 1; j <= TERMS; j++) {
         V before = weight;
-        weight = (weight * shift) / (double)(-j);
-        V of_drive = (weight * drive) + (before * c[job->role->net_loss]);
+        weight = (weight * e[SHIFT]) / (double)(-j);
+        V decay = q + ((double)j * c[job->role->loss_rate]);
+        V share = 2.0 / (1.0 + (decay * decay));
         V of_sine = (weight * sine) + (before * c[job->role->net_loss_sine]);
         V of_vers = (weight * vers) + (before * c[job->role->net_loss_vers]);
-        term(part, of_drive, of_sine, of_vers, q + ((double)j * c[job->role->loss_rate]));
-        e[CONSTANT + j] = part[0];
-        e[SINE + j] = part[1];
-        e[VERS + j] = part[2];
+        e[SINE + j] = share * ((decay * of_sine) - of_vers);
+        e[VERS + j] = share * (of_sine + (decay * of_vers));
+        e[CONSTANT + j] = ((2.0 * ((weight * drive) + (before * c[job->role->net_loss]))) - e[SINE + j]) / decay;
     }
     for (int j = TERMS - 1; j >= 1; j--) {
         e[CONSTANT + j] = e[CONSTANT + j] + e[(CONSTANT + j) + 1];
@@ -2927,19 +2916,23 @@ INLINE M series_suffices(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V slope = -c[job->role->loss_rate];
     M driven = (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]));
-    return driven & (e[4] >= 0.0) & ((2.0 * e[4]) <= slope) & (magnitude(e[SHIFT]) <= GREATEST);
+    return driven & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0) & (magnitude(e[SHIFT]) <= GREATEST);
 }
 
-/* Return E from its factors, and store exp(-slope x) - 1 behind the functions of which it consists. */
-INLINE V softening_energy(Batch *b, V *e, V *f)
+/* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
+INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V fallen = expm1_of(c[job->role->loss_rate] * f[0]);
-    f[4] = fallen;
-    V left = 1.0 + fallen;
+    functions(f, x, e[4]);
+    f[4] = expm1_of(c[job->role->loss_rate] * x);
+}
+
+/* Return E from its factors and its functions. */
+INLINE V softening_energy(V *e, V *f)
+{
+    V left = 1.0 + f[4];
     V constant = broadcast(0.0);
     V of_sine = broadcast(0.0);
     V of_vers = broadcast(0.0);
@@ -2949,7 +2942,7 @@ INLINE V softening_energy(Batch *b, V *e, V *f)
         of_vers = (of_vers + e[VERS + j]) * left;
     }
     V lost = f[0] - (e[4] * f[1]);
-    V terms = (fallen * constant) + ((of_sine * (f[0] - f[3])) + (of_vers * f[2]));
+    V terms = (f[4] * constant) + ((of_sine * (f[0] - f[3])) + (of_vers * f[2]));
     terms = terms + ((e[4] * e[CONSTANT + 1]) * lost);
     V shift = e[SHIFT] * left;
     V grown = broadcast(0.0);
@@ -2960,30 +2953,32 @@ INLINE V softening_energy(Batch *b, V *e, V *f)
 }
 
 /* Compute E and its first two derivatives behind the functions of which it consists. */
-INLINE void soften(Batch *b, V *e, V *f)
+INLINE void soften(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V at = softening_energy(b, e, f);
+    softening_functions(b, e, f, x);
+    V at = softening_energy(e, f);
     V sine = f[0] - f[3];
     V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
     V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
     V of_square = c[job->role->net_square] + (f[4] * c[job->role->net_loss_square]);
-    V load = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + ((c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at)));
-    V net = (c[job->role->drive] + (f[4] * c[job->role->net_loss])) + ((of_sine * sine) + ((of_vers * f[2]) + (of_square * at)));
-    V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * (2.0 * net)));
+    V loss = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + ((c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at)));
+    V slope = 2.0 * ((c[job->role->drive] + (f[4] * c[job->role->net_loss])) + ((of_sine * sine) + ((of_vers * f[2]) + (of_square * at))));
+    V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
     f[5] = at;
-    f[6] = 2.0 * net;
-    f[7] = 2.0 * (turns + ((c[job->role->loss_rate] * (1.0 + f[4])) * load));
+    f[6] = slope;
+    f[7] = 2.0 * (turns + ((c[job->role->loss_rate] * (1.0 + f[4])) * loss));
 }
 
-/* Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand.
- * The variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
+/* Return the time between rest and the greatest speed, and the size of the last coefficients of its integrand. The
+ * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
  * distances to both rests. Coefficients are infinite if E does not rise from node to node. ``first`` and ``last``
- * are the numbers of the nodes. */
-INLINE Pair part_of_duration(Batch *b, V *e, V start, V end, V unit, V bend, int first, int last)
+ * are the numbers of the nodes; the phase begins at the first of all. */
+INLINE Pair part_of_duration(Batch *b, V *e, V end, V unit, V bend, int first, int last)
 {
-    V way = pick(start > 0.0, -end, end);
+    V at_rest = (first == 0) ? broadcast(0.0) : end;
+    V way = (first == 0) ? end : -end;
     V total = broadcast(0.0);
     V of_last = broadcast(0.0);
     V of_next = broadcast(0.0);
@@ -2994,8 +2989,8 @@ INLINE Pair part_of_duration(Batch *b, V *e, V start, V end, V unit, V bend, int
         V here = unit * (NODES[k] * NODES[k]);
         V other = 1.0 + (bend * (1.0 - NODES[k]));
         V share = 1.0 / (here + (other * other));
-        functions(f, start + (way * (here * share)), e[4]);
-        V at = softening_energy(b, e, f);
+        softening_functions(b, e, f, at_rest + (way * (here * share)));
+        V at = softening_energy(e, f);
         rises = rises & (at > before);
         before = at;
         V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
@@ -3011,11 +3006,11 @@ INLINE Pair part_of_duration(Batch *b, V *e, V start, V end, V unit, V bend, int
 INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
-    functions(f, x, e[4]);
     if (job->role->loss_rate >= 0) {
-        soften(b, e, f);
+        soften(b, e, f, x);
         return;
     }
+    functions(f, x, e[4]);
     f[5] = energy(e, f);
     f[6] = slope_of(e, f);
     f[7] = bend_of(e, f);
@@ -3155,13 +3150,12 @@ INLINE Pair soft_parts(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V none = broadcast(0.0);
     V past = end - peak;
     V ratio = 4.0 * c[FACTOR];
     V bend = (ratio * BENT) * sqrt_of(1.0 - (peak * c[job->role->loss_rate]));
-    const Pair before_first = part_of_duration(b, e, none, end, peak / past, bend, 0, TO_PEAK - 1);
+    const Pair before_first = part_of_duration(b, e, end, peak / past, bend, 0, TO_PEAK - 1);
     V before = before_first.one, first = before_first.other;
-    const Pair after_second = part_of_duration(b, e, end, end, past / peak, ratio - 1.0, TO_PEAK, (TO_PEAK + FROM_PEAK) - 1);
+    const Pair after_second = part_of_duration(b, e, end, past / peak, ratio - 1.0, TO_PEAK, (TO_PEAK + FROM_PEAK) - 1);
     V after = after_second.one, second = after_second.other;
     return (Pair){before, pick((first <= ALIKE) & (second <= ALIKE), after, broadcast(INFINITY))};
 }

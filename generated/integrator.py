@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: acbf6572bfb5ce8b40491a4b62673206ec93d8bf7352895dc976bf878e0c98cf
+# sha256 of the text below: 88fb78b9959d5efda31846fec4f012a1adf7d6a33739d1626fb31b4e3d70cc31
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1897,14 +1897,6 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
 
 
-def term(part: Floats, drive: Floats, sine: Floats, vers: Floats, decay: Floats) -> None:
-    """Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction."""
-    share = 2.0 / (1.0 + decay * decay)
-    part[1] = share * (decay * sine - vers)
-    part[2] = share * (sine + decay * vers)
-    part[0] = (2.0 * drive - part[1]) / decay
-
-
 def softening_factors(s: Lanes, e: Floats) -> None:
     """Compute the factors of E."""
     c = s.cells
@@ -1913,20 +1905,18 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     vers = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
     factors(e, drive, sine, vers, q)
-    shift = 2.0 * c[s.roles.net_loss_square] / c[s.roles.loss_rate]
-    e[SHIFT] = shift
-    part = np.zeros((ix.STRIDE, e.shape[1]))
+    e[SHIFT] = 2.0 * c[s.roles.net_loss_square] / c[s.roles.loss_rate]
     weight: Floats = 1.0
     for j in range(1, TERMS + 1):
         before = weight
-        weight = weight * shift / float(-j)
-        of_drive = weight * drive + before * c[s.roles.net_loss]
+        weight = weight * e[SHIFT] / float(-j)
+        decay = q + float(j) * c[s.roles.loss_rate]
+        share = 2.0 / (1.0 + decay * decay)
         of_sine = weight * sine + before * c[s.roles.net_loss_sine]
         of_vers = weight * vers + before * c[s.roles.net_loss_vers]
-        term(part, of_drive, of_sine, of_vers, q + float(j) * c[s.roles.loss_rate])
-        e[CONSTANT + j] = part[0]
-        e[SINE + j] = part[1]
-        e[VERS + j] = part[2]
+        e[SINE + j] = share * (decay * of_sine - of_vers)
+        e[VERS + j] = share * (of_sine + decay * of_vers)
+        e[CONSTANT + j] = (2.0 * (weight * drive + before * c[s.roles.net_loss]) - e[SINE + j]) / decay
     for j in range(TERMS - 1, 1 - 1, -1):
         e[CONSTANT + j] = e[CONSTANT + j] + e[CONSTANT + j + 1]
 
@@ -1934,17 +1924,20 @@ def softening_factors(s: Lanes, e: Floats) -> None:
 def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
-    slope = -c[s.roles.loss_rate]
     driven = (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive])
-    return driven & (e[4] >= 0.0) & (2.0 * e[4] <= slope) & (np.abs(e[SHIFT]) <= GREATEST)
+    return driven & (2.0 * e[4] + c[s.roles.loss_rate] < 0.0) & (np.abs(e[SHIFT]) <= GREATEST)
 
 
-def softening_energy(s: Lanes, e: Floats, f: Floats) -> Floats:
-    """Return E from its factors, and store exp(-slope x) - 1 behind the functions of which it consists."""
+def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
+    """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
     c = s.cells
-    fallen = np.expm1(c[s.roles.loss_rate] * f[0])
-    f[4] = fallen
-    left = 1.0 + fallen
+    functions(f, x, e[4])
+    f[4] = np.expm1(c[s.roles.loss_rate] * x)
+
+
+def softening_energy(e: Floats, f: Floats) -> Floats:
+    """Return E from its factors and its functions."""
+    left = 1.0 + f[4]
     constant: Floats = 0.0
     of_sine: Floats = 0.0
     of_vers: Floats = 0.0
@@ -1953,7 +1946,7 @@ def softening_energy(s: Lanes, e: Floats, f: Floats) -> Floats:
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
     lost = f[0] - e[4] * f[1]
-    terms = fallen * constant + (of_sine * (f[0] - f[3]) + of_vers * f[2])
+    terms = f[4] * constant + (of_sine * (f[0] - f[3]) + of_vers * f[2])
     terms = terms + e[4] * e[CONSTANT + 1] * lost
     shift = e[SHIFT] * left
     grown: Floats = 0.0
@@ -1962,27 +1955,29 @@ def softening_energy(s: Lanes, e: Floats, f: Floats) -> Floats:
     return grown * (energy(e, f) + terms)
 
 
-def soften(s: Lanes, e: Floats, f: Floats) -> None:
+def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
     c = s.cells
-    at = softening_energy(s, e, f)
+    softening_functions(s, e, f, x)
+    at = softening_energy(e, f)
     sine = f[0] - f[3]
     of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
     of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
     of_square = c[s.roles.net_square] + f[4] * c[s.roles.net_loss_square]
-    load = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + (c[s.roles.net_loss_vers] *
+    loss = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + (c[s.roles.net_loss_vers] *
          f[2] + c[s.roles.net_loss_square] * at))
-    net = c[s.roles.drive] + f[4] * c[s.roles.net_loss] + (of_sine * sine + (of_vers * f[2] + of_square * at))
-    turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * (2.0 * net))
+    slope = 2.0 * (c[s.roles.drive] + f[4] * c[s.roles.net_loss] + (of_sine * sine + (of_vers * f[2] + of_square * at)))
+    turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
-    f[6] = 2.0 * net
-    f[7] = 2.0 * (turns + c[s.roles.loss_rate] * (1.0 + f[4]) * load)
+    f[6] = slope
+    f[7] = 2.0 * (turns + c[s.roles.loss_rate] * (1.0 + f[4]) * loss)
 
 
-def part_of_duration(s: Lanes, e: Floats, start: Floats, end: Floats, unit: Floats, bend: Floats, first: int,
+def part_of_duration(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, first: int,
         last: int) -> tuple[Floats, Floats]:
-    """Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand."""
-    way = np.where(start > 0.0, -end, end)
+    """Return the time between rest and the greatest speed, and the size of the last coefficients of its integrand."""
+    at_rest = 0.0 if first == 0 else end
+    way = end if first == 0 else -end
     total: Floats = 0.0
     of_last: Floats = 0.0
     of_next: Floats = 0.0
@@ -1993,8 +1988,8 @@ def part_of_duration(s: Lanes, e: Floats, start: Floats, end: Floats, unit: Floa
         here = unit * (NODES[k] * NODES[k])
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
-        functions(f, start + way * (here * share), e[4])
-        at = softening_energy(s, e, f)
+        softening_functions(s, e, f, at_rest + way * (here * share))
+        at = softening_energy(e, f)
         rises = rises & (at > before)
         before = at
         slowness = share * share * (other * NODES[k]) / np.sqrt(at)
@@ -2007,10 +2002,10 @@ def part_of_duration(s: Lanes, e: Floats, start: Floats, end: Floats, unit: Floa
 
 def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
-    functions(f, x, e[4])
     if s.roles.loss_rate >= 0:
-        soften(s, e, f)
+        soften(s, e, f, x)
         return
+    functions(f, x, e[4])
     f[5] = energy(e, f)
     f[6] = slope_of(e, f)
     f[7] = bend_of(e, f)
@@ -2133,12 +2128,11 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak:
 def soft_parts(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
     """Return the times before and after the greatest speed under softening friction, infinite where they are unsure."""
     c = s.cells
-    none: Floats = 0.0
     past = end - peak
     ratio = 4.0 * c[ix.FACTOR]
     bend = ratio * BENT * np.sqrt(1.0 - peak * c[s.roles.loss_rate])
-    before, first = part_of_duration(s, e, none, end, peak / past, bend, 0, TO_PEAK - 1)
-    after, second = part_of_duration(s, e, end, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
+    before, first = part_of_duration(s, e, end, peak / past, bend, 0, TO_PEAK - 1)
+    after, second = part_of_duration(s, e, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
     return (before, np.where((first <= ALIKE) & (second <= ALIKE), after, INFINITY))
 
 

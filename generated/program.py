@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b026b83a88f5e64d6cf9e2a3d14c276409879c3e9924703dadac617902dcc6fd
+# sha256 of the text below: 6d921a6d78ce381bb4f238c27e1d1d60c99384b5beaab2c015b4527f958aa116
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -411,43 +411,42 @@ class Linker:
         cells = dict[str, str]()
         names = dict(FACTORS)
         for operation, results in self.series.items():
-            if operation.kind == "exp" and len(names) == len(FACTORS):
+            if operation.kind == "exp":
                 argument = self._made_by(operation.registers[1])
-                if argument.registers == ("x",):
+                if argument.registers == ("x",) and not cells:
                     names[results[1]] = "loss"
                     cells["cell_loss_rate"] = argument.cells[1]
         for name, constant in CONSTANTS.items():
-            terms = self._expanded(str(registers[name]), names)
-            factors = {"_".join(("cell", name, *factor)): cell for factor, cell in terms.items()}
-            start = factors.pop(f"cell_{name}", ZERO)
-            if start != outputs[constant] or f"cell_{name}_sine" not in factors or factors.keys() - {*ROLES}:
+            factors = dict.fromkeys((role for role in ROLES if role.startswith(f"cell_{name}_")), ZERO)
+            factors[f"cell_{name}"] = ZERO
+            for each, cell in self._products(str(registers[name])):
+                role = "_".join(("cell", name, *sorted(names.get(x, x) for x in each)))
+                factors[role] = self._result("add", [factors.get(role, ZERO), cell])
+            start = factors.pop(f"cell_{name}")
+            if start != outputs[constant] or factors[f"cell_{name}_sine"] == ZERO or factors.keys() - {*ROLES}:
                 return {}
-            for role in ROLES:
-                if role.startswith(f"cell_{name}_") and role not in outputs:
-                    cells[role] = factors.get(role, ZERO)
+            cells = factors | cells | outputs
         return cells
 
     def _made_by(self, register: str) -> OnSeries:
         """Return the operation that computes a register. The operation of a state has no operands."""
         return next((made for made, results in self.series.items() if register in results), OnSeries("", (), ()))
 
-    def _expanded(self, register: str, names: Mapping[str, str]) -> dict[Names, str]:
-        """Return a register as a sum of products of ``names`` of registers: the cell of each product's factor."""
+    def _products(self, register: str) -> Iterator[tuple[Names, str]]:
+        """Yield a register as a sum of products of other registers, each with the cell of its factor."""
         operation = self._made_by(register)
-        factors: list[tuple[Names, str]] = [((names.get(register, register),), ONE)]
-        if operation.kind == "mul":
-            one, other = (self._expanded(operand, names) for operand in operation.registers)
-            factors = [(a + b, self._result("mul", [one[a], other[b]])) for a, b in product(one, other)]
-        if operation.kind == "lin":
-            factors = [((), operation.cells[0])]
-            for operand, cell in zip(operation.registers, operation.cells[1:], strict=True):
-                inner = self._expanded(operand, names)
-                factors += [(a, self._result("mul", [cell, inner[a]])) for a in inner]
-        terms = dict[Names, str]()
-        for factor, cell in factors:
-            in_order = tuple(sorted(factor))
-            terms[in_order] = self._result("add", [terms.get(in_order, ZERO), cell])
-        return {factor: cell for factor, cell in terms.items() if cell != ZERO}
+        match operation.kind:
+            case "lin":
+                yield (), operation.cells[0]
+                for operand, cell in zip(operation.registers, operation.cells[1:], strict=True):
+                    for names, factor in self._products(operand):
+                        yield names, self._result("mul", [cell, factor])
+            case "mul":
+                one, other = operation.registers
+                for (a, x), (b, y) in product(self._products(one), self._products(other)):
+                    yield a + b, self._result("mul", [x, y])
+            case _:
+                yield (register,), ONE
 
     def zero(self, name: str) -> str:
         """Return a register that contains zero; it is called ``name`` if there is none yet."""

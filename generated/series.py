@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1be0b59d6d68fb0c48b2051e0e2f166b40036dc97391c1c38b02684f4b30d2de
+# sha256 of the text below: b5d06fba8d564d3dc917e4b4e830b8e88832970c70c87723ceb75516a7de2dba
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "ea20442a7b51368ec57d4bb0499c57a37a0be69fca12386d961299e12d0f3935"  # of the compiled integrator's source
+DIGEST = "87a910574815dbb17cc5869cdaa40c8b7aed2d5ad50c93ef2a245c8c033a9d0c"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

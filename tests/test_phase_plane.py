@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache, partial
+from types import SimpleNamespace
 from typing import Any
 
 import mpmath
@@ -14,10 +15,11 @@ from derive.algebra import phase_plane
 from derive.algebra.phase_plane import drive, q, sine, vers, x
 from derive.check.proof import ProofError
 from derive.flow import closed
-from derive.flow.integrator import swing
+from derive.flow.integrator import energy, softening, swing
+from derive.flow.layout import STRIDE
 from generated import layout as ix
-from slipcircle import Arc, Scene
-from tests.support import lanes
+from slipcircle import Arc, Scene, load, solve
+from tests.support import lanes, oracle, taylor
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 COUNT = 40
@@ -39,11 +41,15 @@ def in_time(problem: lanes.Problem) -> lanes.Problem:
     return replace(problem, program=replace(problem.program, roles=roles))
 
 
-def random_scene(effects: dict[str, Any], end: float | None) -> Scene[Any]:
+def random_scene(effects: dict[str, Any], end: float | None, softens: bool = False) -> Scene[Any]:
     middle, half = 1.5 * np.pi + _RNG.uniform(-1.2, 1.2, COUNT), _RNG.uniform(0.05, 1.5, COUNT)
     arc: Any = Arc(_RNG.uniform(100.0, 2000.0, COUNT), middle - half, middle + half, 20e3)
     pushed = np.where(_RNG.random(COUNT) < 0.3, _RNG.normal(size=COUNT) * 5.0, 0.0)
-    return Scene(arc, _RNG.uniform(0.0, 0.6, COUNT), TURNING | effects, pushed, end)
+    friction: Any = _RNG.uniform(0.0, 0.6, COUNT)
+    if softens:
+        residual, length = friction * _RNG.uniform(0.0, 1.1, COUNT), 10.0 ** _RNG.uniform(-1.0, 3.0, COUNT)
+        friction = {"law": "exponential", "peak": friction, "residual": residual, "length": length}
+    return Scene(arc, friction, TURNING | effects, pushed, end)
 
 
 def agree(one: Any, other: Any, within: float) -> bool:
@@ -60,6 +66,43 @@ def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
         found = lanes.integrate(problem, which, backend)
         assert agree(found, expected, 1e-12)
         assert end or found[ix.STEPS].sum() < expected[ix.STEPS].sum()
+
+
+@pytest.mark.parametrize("name", EFFECTS)
+def test_softening_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
+    """Every motion ends alike. The closed form alone is accurate to 1e-11, with steps in time to the accuracy."""
+    for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
+        scene = random_scene(EFFECTS[name], end, softens=True)
+        expected = lanes.integrate(in_time(lanes.posed(scene, 1e-15)), which)
+        steps = lanes.integrate(in_time(lanes.posed(scene, 1e-9)), which)[ix.STEPS]
+        found = lanes.integrate(lanes.posed(scene, 1e-9), which, backend)
+        assert agree(found, expected, 1e-8)
+        at_once = (found[ix.STEPS] == found[ix.PHASES]) & (steps > found[ix.STEPS])
+        assert end or at_once.any()
+        assert agree(found[:, at_once], expected[:, at_once], 1e-11)
+
+
+def test_higher_orders_are_integrated_in_time() -> None:
+    """The series of closed forms is as accurate as 1e-9 requires, and error estimates compare it with higher orders."""
+    scene = random_scene({}, None, softens=True)
+    for accuracy, equal in ((1e-9, False), (1e-10, True)):
+        problem = lanes.posed(scene, accuracy)
+        steps = [lanes.integrate(one)[ix.STEPS] for one in (problem, in_time(problem))]
+        assert np.array_equal(*steps) == equal
+
+
+@pytest.mark.parametrize("length", [1.0, 20.0, 500.0])
+def test_softening_ensembles_have_the_digits_of_a_plain_integration(length: float) -> None:
+    """Vaiont at three frictions, the last one near the limit, by Taylor series in time with twenty digits."""
+    vaiont: Scene[Any] = load("vaiont")
+    peaks = np.tan(np.radians([10.0, 19.5, 22.7]))
+    laws = [{"law": "exponential", "peak": peak, "residual": 0.14, "length": length} for peak in (peaks, *peaks)]
+    found = solve(replace(vaiont, friction=laws[0]), 1e-9).outcomes
+    for lane, law in enumerate(laws[1:]):
+        given = {"arc": oracle.plain(vaiont.arc), "effects": dict(vaiont.called), "initial_velocity": 0.0}
+        exact = taylor.solve(given | {"friction": law, "end_time": None}, digits=20)
+        for name in ("run_out", "duration", "peak_velocity"):
+            assert found[name][lane] == pytest.approx(float(exact[name]), rel=1e-10), name
 
 
 # --- E and the duration, with many digits ----------------------------------------------------------------------------
@@ -117,9 +160,9 @@ def test_e_under_constant_friction_solves_the_equation(q: float) -> None:
             exact = by_quadrature(numbers, mpmath.mpf(at))
             assert abs(energy_at(mpmath.mpf(at), numbers) / exact - 1) < 1e-20
             e, b = [0.0] * 5, [0.0] * 4
-            swing.factors(e, *numbers)
-            swing.functions(b, at, q)
-            assert swing.energy(e, b) == pytest.approx(float(exact), rel=1e-14)
+            energy.factors(e, *numbers)
+            energy.functions(b, at, q)
+            assert energy.energy(e, b) == pytest.approx(float(exact), rel=1e-14)
 
 
 @pytest.mark.parametrize("distance", [0.0, 1e-10, -1e-6, 0.3])
@@ -133,18 +176,46 @@ def test_e_under_exponential_softening_passes_resonances(order: int, distance: f
         assert abs(found / by_quadrature((*CONSTANT[:3], q), mpmath.mpf(0.7), softens) - 1) < 1e-16
 
 
+SOFTENING = (8.0, 0.1, -0.09, 0.2, -0.1)  # slope, brake, load, load_sine, load_vers
+
+
+def softening_lanes(numbers: Sequence[float], softens: Sequence[float]) -> Any:
+    """Return the cells of a lane with exponential softening, from the numbers of `energy_at`."""
+    (drive, sine, vers, q), (slope, brake, load, load_sine, load_vers) = numbers, softens
+    return SimpleNamespace(
+        drive=drive + load, net_sine=sine + load_sine, net_vers=vers + load_vers, net_square=-0.5 * (q + brake),
+        net_loss=load, net_loss_sine=load_sine, net_loss_vers=load_vers, net_loss_square=-0.5 * brake,
+        loss_rate=-slope, has=SimpleNamespace(loss_rate=True),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("softens", [SOFTENING, (8.0, 0.0, *SOFTENING[2:]), (1.0, 0.06, 0.02, -0.1, 0.1)])
+def test_e_under_exponential_softening_solves_the_equation(softens: Any) -> None:
+    """E by quadrature of the definition, and its derivatives by differences with thirty digits."""
+    numbers = (0.1, *CONSTANT[1:])
+    s, e, f = softening_lanes(numbers, softens), [0.0] * STRIDE, [0.0] * STRIDE
+    softening.softening_factors(s, e)
+    with mpmath.workdps(30):
+        for at in (1e-4, 0.04, 0.3):
+            exact = partial(by_quadrature, numbers, softens=softens)
+            softening.soften(s, e, f, at)
+            expected = [exact(mpmath.mpf(at)), *(mpmath.diff(exact, at, order) for order in (1, 2))]
+            assert f[5:8] == pytest.approx([float(x) for x in expected], rel=1e-12)
+
+
 @pytest.mark.parametrize("share", [0.5, 1e-9])
 def test_a_phase_near_the_limit_keeps_its_digits(share: float) -> None:
     """A small drive has its rotation and its duration by quadrature of the definition, with thirty digits."""
     numbers = (0.05 * share, -0.9, -0.05 * share, 0.3)
     e, back = [0.0] * 5, [0.0] * 5
-    swing.factors(e, *numbers)
-    end = swing.end_of_swing(e, numbers[1], True)
+    s = SimpleNamespace(has=SimpleNamespace(loss_rate=False))
+    energy.factors(e, *numbers)
+    end = swing.end_of_swing(s, e, numbers[1], True)
     b = [0.0] * 4
-    swing.functions(b, end, numbers[3])
-    swing.mirror(back, *numbers, b)
+    energy.functions(b, end, numbers[3])
+    energy.mirror(back, *numbers, b)
     duration, change = swing.duration_of_swing(e, back, end, True)
-    peak = swing.peak_of_swing(e, end, True)
+    peak = swing.peak_of_swing(s, e, end, True)
     with mpmath.workdps(60):
         given = [mpmath.mpf(x) for x in numbers]
         exact = mpmath.findroot(lambda x: energy_at(x, given) / x, end)
@@ -167,23 +238,33 @@ def test_functions_without_cancellation() -> None:
             exact = (angle - mpmath.sin(angle), 1 - mpmath.cos(angle))
             y = mpmath.mpf(min(angle, 2.0))
             fading = float((y - 1 + mpmath.exp(-y)) / y**2)
-        assert swing.turned(angle) == pytest.approx([float(v) for v in exact], rel=4e-15)
-        assert swing.faded(float(y)) == pytest.approx(fading, rel=1e-15)
+        assert energy.turned(angle) == pytest.approx([float(v) for v in exact], rel=4e-15)
+        assert energy.faded(float(y)) == pytest.approx(fading, rel=1e-15)
 
 
 # --- faults ----------------------------------------------------------------------------------------------------------
 
 
 def test_a_fault_of_the_closed_form_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = swing.factors
+    right = energy.factors
 
     def wrong(e: Any, drive: Any, sine: Any, vers: Any, q: Any) -> None:
         right(e, drive, sine, vers, q)
         e[1] = -e[1]
 
     assert closed.prove()
-    monkeypatch.setattr(swing, "factors", wrong)
+    monkeypatch.setattr(energy, "factors", wrong)
     with pytest.raises(ProofError, match="derivative 0 of E"):
+        closed.prove()
+    monkeypatch.undo()
+    softens = softening.softening_factors
+
+    def wrong_term(s: Any, e: Any) -> None:
+        softens(s, e)
+        e[softening.SINE + 2] = -e[softening.SINE + 2]
+
+    monkeypatch.setattr(softening, "softening_factors", wrong_term)
+    with pytest.raises(ProofError, match="term 2 under softening friction in the integrator"):
         closed.prove()
     monkeypatch.setattr(phase_plane, "NET", phase_plane.NET + phase_plane.x)
     with pytest.raises(ProofError, match="term 0 under softening"):

@@ -50,14 +50,6 @@ SINE = 16
 VERS = 24
 
 
-def term(part: S, drive: V, sine: V, vers: V, decay: V) -> None:
-    """Compute the factors of 1 - exp(-decay x), sin(x) and 1 - cos(x) in E under constant friction."""
-    share = 2.0 / (1.0 + decay * decay)
-    part[1] = share * (decay * sine - vers)
-    part[2] = share * (sine + decay * vers)
-    part[0] = (2.0 * drive - part[1]) / decay
-
-
 def softening_factors(s: Lanes, e: S) -> None:
     """Compute the factors of E."""
     drive = s.drive - s.net_loss
@@ -65,36 +57,37 @@ def softening_factors(s: Lanes, e: S) -> None:
     vers = s.net_vers - s.net_loss_vers
     q = 2.0 * (s.net_loss_square - s.net_square)
     factors(e, drive, sine, vers, q)
-    shift = 2.0 * s.net_loss_square / s.loss_rate
-    e[SHIFT] = shift
-    part = new_series()
+    e[SHIFT] = 2.0 * s.net_loss_square / s.loss_rate
     weight: V = 1.0
     for j in up(1, TERMS):
         before = weight
-        weight = weight * shift / number(-j)
-        of_drive = weight * drive + before * s.net_loss
+        weight = weight * e[SHIFT] / number(-j)
+        decay = q + number(j) * s.loss_rate
+        share = 2.0 / (1.0 + decay * decay)
         of_sine = weight * sine + before * s.net_loss_sine
         of_vers = weight * vers + before * s.net_loss_vers
-        term(part, of_drive, of_sine, of_vers, q + number(j) * s.loss_rate)
-        e[CONSTANT + j] = part[0]
-        e[SINE + j] = part[1]
-        e[VERS + j] = part[2]
+        e[SINE + j] = share * (decay * of_sine - of_vers)
+        e[VERS + j] = share * (of_sine + decay * of_vers)
+        e[CONSTANT + j] = (2.0 * (weight * drive + before * s.net_loss) - e[SINE + j]) / decay
     for j in down(TERMS - 1, 1):
         e[CONSTANT + j] = e[CONSTANT + j] + e[CONSTANT + j + 1]
 
 
 def series_suffices(s: Lanes, e: S) -> M:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
-    slope = -s.loss_rate
     driven = s.order <= FINEST and abs(s.net_loss) <= DRIVEN * s.drive
-    return driven and e[4] >= 0.0 and 2.0 * e[4] <= slope and abs(e[SHIFT]) <= GREATEST
+    return driven and 2.0 * e[4] + s.loss_rate < 0.0 and abs(e[SHIFT]) <= GREATEST
 
 
-def softening_energy(s: Lanes, e: S, f: S) -> V:
-    """Return E from its factors, and store exp(-slope x) - 1 behind the functions of which it consists."""
-    fallen = expm1(s.loss_rate * f[0])
-    f[4] = fallen
-    left = 1.0 + fallen
+def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
+    """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
+    functions(f, x, e[4])
+    f[4] = expm1(s.loss_rate * x)
+
+
+def softening_energy(e: S, f: S) -> V:
+    """Return E from its factors and its functions."""
+    left = 1.0 + f[4]
     constant: V = 0.0
     of_sine: V = 0.0
     of_vers: V = 0.0
@@ -103,7 +96,7 @@ def softening_energy(s: Lanes, e: S, f: S) -> V:
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
     lost = f[0] - e[4] * f[1]
-    terms = fallen * constant + (of_sine * (f[0] - f[3]) + of_vers * f[2])
+    terms = f[4] * constant + (of_sine * (f[0] - f[3]) + of_vers * f[2])
     terms = terms + e[4] * e[CONSTANT + 1] * lost
     shift = e[SHIFT] * left
     grown: V = 0.0
@@ -112,29 +105,31 @@ def softening_energy(s: Lanes, e: S, f: S) -> V:
     return grown * (energy(e, f) + terms)
 
 
-def soften(s: Lanes, e: S, f: S) -> None:
+def soften(s: Lanes, e: S, f: S, x: V) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
-    at = softening_energy(s, e, f)
+    softening_functions(s, e, f, x)
+    at = softening_energy(e, f)
     sine = f[0] - f[3]
     of_sine = s.net_sine + f[4] * s.net_loss_sine
     of_vers = s.net_vers + f[4] * s.net_loss_vers
     of_square = s.net_square + f[4] * s.net_loss_square
-    load = s.net_loss + (s.net_loss_sine * sine + (s.net_loss_vers * f[2] + s.net_loss_square * at))
-    net = s.drive + f[4] * s.net_loss + (of_sine * sine + (of_vers * f[2] + of_square * at))
-    turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * (2.0 * net))
+    loss = s.net_loss + (s.net_loss_sine * sine + (s.net_loss_vers * f[2] + s.net_loss_square * at))
+    slope = 2.0 * (s.drive + f[4] * s.net_loss + (of_sine * sine + (of_vers * f[2] + of_square * at)))
+    turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
-    f[6] = 2.0 * net
-    f[7] = 2.0 * (turns + s.loss_rate * (1.0 + f[4]) * load)
+    f[6] = slope
+    f[7] = 2.0 * (turns + s.loss_rate * (1.0 + f[4]) * loss)
 
 
-def part_of_duration(s: Lanes, e: S, start: V, end: V, unit: V, bend: V, first: N, last: N) -> tuple[V, V]:
-    """Return the time between rest at ``start`` and the greatest speed, and the last coefficients of its integrand.
+def part_of_duration(s: Lanes, e: S, end: V, unit: V, bend: V, first: N, last: N) -> tuple[V, V]:
+    """Return the time between rest and the greatest speed, and the size of the last coefficients of its integrand.
 
     The variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
     distances to both rests. Coefficients are infinite if E does not rise from node to node. ``first`` and ``last`` are
-    the numbers of the nodes.
+    the numbers of the nodes; the phase begins at the first of all.
     """
-    way = where(start > 0.0, -end, end)
+    at_rest = 0.0 if first == 0 else end
+    way = end if first == 0 else -end
     total: V = 0.0
     of_last: V = 0.0
     of_next: V = 0.0
@@ -145,8 +140,8 @@ def part_of_duration(s: Lanes, e: S, start: V, end: V, unit: V, bend: V, first: 
         here = unit * (NODES[k] * NODES[k])
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
-        functions(f, start + way * (here * share), e[4])
-        at = softening_energy(s, e, f)
+        softening_functions(s, e, f, at_rest + way * (here * share))
+        at = softening_energy(e, f)
         rises = rises and at > before
         before = at
         slowness = share * share * (other * NODES[k]) / sqrt(at)

@@ -45,10 +45,10 @@ CONVERGED = 2.0**-22  # change of the duration by the last halving, whose square
 
 def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
     """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
-    functions(f, x, e[4])
     if s.has.loss_rate:
-        soften(s, e, f)
+        soften(s, e, f, x)
         return
+    functions(f, x, e[4])
     f[5] = energy(e, f)
     f[6] = slope_of(e, f)
     f[7] = bend_of(e, f)
@@ -174,12 +174,11 @@ def soft_parts(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
 
     Error estimates change the step over the radius of convergence, on which the rules depend, and compare their times.
     """
-    none: V = 0.0
     past = end - peak
     ratio = 4.0 * s.factor
     bend = ratio * BENT * sqrt(1.0 - peak * s.loss_rate)
-    before, first = part_of_duration(s, e, none, end, peak / past, bend, 0, TO_PEAK - 1)
-    after, second = part_of_duration(s, e, end, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
+    before, first = part_of_duration(s, e, end, peak / past, bend, 0, TO_PEAK - 1)
+    after, second = part_of_duration(s, e, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
     return before, where(first <= ALIKE and second <= ALIKE, after, INFINITY)
 
 
