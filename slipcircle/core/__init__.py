@@ -14,10 +14,10 @@ from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import DIP, GRAVITY, WIDTH, Arc
+from slipcircle.core.scene.declarations import STORED, Parts, declared, number, present
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked_scene
-from slipcircle.core.scene.tree import STORED, Leaf, Parts, declared, leaves, number, numbers, path_of_part, present
 
 __all__ = [
     "ANSWERED",
@@ -30,7 +30,6 @@ __all__ = [
     "WIDTH",
     "Arc",
     "Dimensionless",
-    "Leaf",
     "Mass",
     "Motion",
     "Parts",
@@ -42,14 +41,11 @@ __all__ = [
     "checked_scene",
     "declared",
     "depends_on",
-    "path_of_part",
     "law_names",
     "law_parts",
     "lazy_import",
-    "leaves",
     "may_have_rate",
     "number",
-    "numbers",
     "numpy_only",
     "plan",
     "present",
