@@ -171,12 +171,12 @@ def _add_quantities(command: argparse.ArgumentParser) -> None:
 
 def _prove_motion(options: argparse.Namespace) -> int:
     """Print the theorem on the slide of these options; return 1 if the input is refused or nothing can be decided."""
-    from derive.theorem.report import report
+    from derive.theorem.report import theorem_report
 
     given = vars(options)
     chosen = {name: given[name] for name in given if name.replace("_", "-") in (*QUANTITIES, "rotation", "centripetal")}
     try:
-        text, decided = report(chosen, options.digits, options.form, options.parts)
+        text, decided = theorem_report(chosen, options.digits, options.form, options.parts)
     except ValueError as faults:
         say(str(faults))
         return 1
@@ -205,7 +205,7 @@ def main(argv: list[str] | None = None) -> int:
 
         width = 100 if sys.stdout.isatty() or not options.all else sys.maxsize
         try:
-            print(report.report(options.form, width, options.claims, options.verdict, options.all))
+            print(report.judge_paper(options.form, width, options.claims, options.verdict, options.all))
         except ValueError as fault:
             say(f"python -m derive verify: {fault}")
             return 2
@@ -213,7 +213,7 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "hard":
         from derive.judge import hard
 
-        print(hard.report())
+        print(hard.hard_case_report())
         return 0
     return generate(options.check, options.again, options.command)
 
