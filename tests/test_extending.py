@@ -88,8 +88,8 @@ from derive.generate import slopes
 slopes.module = lambda: Path("generated/slopes.py").read_text("utf-8").split("\\n", 2)[2]  # nothing is added to it
 """
 HARD_CASES = """
-from derive.judge.hard import cases
-print(*(case.why for case in cases() if case.function == "area"), sep="\\n")
+from derive.judge.hard import hard_cases
+print(*(case.why for case in hard_cases() if case.function == "area"), sep="\\n")
 """
 
 
