@@ -155,7 +155,7 @@ LAYERS = {
         *("judge", "build", "build_hook", "wheels", "guards", "__main__"),
     ),
     "generated": (
-        *("definitions", "effects", "flow", "layout", "program", "series", "integrator", "tiers", "_evaluate"),
+        *("definitions", "effects", "flow", "layout", "series", "program", "integrator", "tiers", "_evaluate"),
         *("_compiled", "kernels", "printed", "slopes", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *LAZY, *WORKBENCH, "__init__", "__main__"),

@@ -6,7 +6,7 @@ The names listed here are public and sufficient for the workbench and other prog
 only some scenes need are imported lazily. `slipcircle.core.lazy` lists them.
 """
 
-from slipcircle.core.integrator.compiled import numpy_only, program_integers
+from slipcircle.core.integrator.compiled import numpy_only
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
@@ -50,6 +50,5 @@ __all__ = [
     "plan",
     "present",
     "problem_of",
-    "program_integers",
     "solve",
 ]
