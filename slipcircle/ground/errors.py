@@ -40,7 +40,8 @@ def _not_one_stretch(section: Any) -> Fault:
     """
     lane, *_, held = section._candidates
     count = np.bincount(lane, minlength=len(held))
-    return (count != 1) | held, lazy_message("section", "not_one_stretch", section)
+    has_not_one = (count != 1) | held
+    return has_not_one, lazy_message("section", "not_one_stretch", section)
 
 
 def x_of_ends(section: Any) -> Any:
@@ -60,7 +61,8 @@ def _one_point(section: Any) -> Fault:
     between = right - left
     chord = radius * np.hypot(between.x, between.y)
     coordinates = np.abs(centre).max(axis=1) + radius
-    return chord <= 2e-16 * coordinates, lazy_message("section", "one_point", section)
+    only_touches = chord <= 2e-16 * coordinates
+    return only_touches, lazy_message("section", "one_point", section)
 
 
 def _below_base(section: Any) -> Fault:
@@ -69,7 +71,8 @@ def _below_base(section: Any) -> Fault:
     It is a mask of lanes and a function from the index of a lane to its message.
     """
     _, _, radius = section._circle
-    return lowest_point(section) < section.base - AS_PRINTED * radius, lazy_message("section", "below_base", section)
+    is_below = lowest_point(section) < section.base - AS_PRINTED * radius
+    return is_below, lazy_message("section", "below_base", section)
 
 
 def lowest_point(section: Any) -> Any:

@@ -14,15 +14,23 @@ from slipcircle.core.scene.scene import Scene
 
 def end(motion: Motion) -> State:
     """Return the state at the end of a motion. See `Motion.end`."""
-    return _final_state(motion, motion.duration, ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
+    final = motion._final
+    rotation = final[ix.END_ROTATION]
+    omega = final[ix.END_OMEGA]
+    rate = final[ix.END_RATE]
+    return _final_state(motion, motion.duration, rotation, omega, rate)
 
 
 def farthest(motion: Motion) -> State:
     """Return the state at the greatest displacement. See `Motion.farthest`."""
     final = motion._final
-    at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
-    time = choose(at_end, motion.duration, final[ix.REACH_TIME] * motion._time_scale)
-    return _final_state(motion, time, ix.REACH_ROTATION, ix.END_OMEGA, ix.END_RATE, moving=at_end)
+    rotation = final[ix.REACH_ROTATION]
+    at_end = rotation == final[ix.END_ROTATION]
+    time_reached = final[ix.REACH_TIME] * motion._time_scale
+    time = choose(at_end, motion.duration, time_reached)
+    omega = choose(at_end, final[ix.END_OMEGA], 0.0)
+    rate = choose(at_end, final[ix.END_RATE], 0.0)
+    return _final_state(motion, time, rotation, omega, rate)
 
 
 def peak(motion: Motion) -> State:
@@ -31,22 +39,26 @@ def peak(motion: Motion) -> State:
     peak_time = final[ix.PEAK_TIME]
     ended = final[ix.STATUS] == ix.ENDED
     last = peak_time == final[ix.END_TIME]
-    at_end = last & ended | (final[ix.PHASES] == 0.0)
+    never_moved = final[ix.PHASES] == 0.0
+    at_end = last & ended | never_moved
     time = choose(at_end, motion.duration, peak_time * motion._time_scale)
     varies = not motion.shape and any(table.kind == "time" for table in motion.problem.program.tables)
     if varies and 0.0 < time < motion.duration:
         return motion.at(time)  # at the rounded time; where a force jumps, its value after the jump
-    return _final_state(motion, time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)
+    rotation = final[ix.PEAK_ROTATION]
+    omega = final[ix.PEAK_OMEGA]
+    rate = final[ix.PEAK_RATE]
+    return _final_state(motion, time, rotation, omega, rate)
 
 
-def _final_state(motion: Motion, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
-    """Return the state at ``time`` in s from cells with these indices. Speed and rate are 0 unless ``moving``."""
-    final = motion._final
-    speed = choose(moving, final[omega], 0.0)
-    gain = choose(moving, final[rate], 0.0)
-    angle, speed, gain = map(motion._known, (final[rotation], speed, gain))
-    rows = angle, speed, gain
-    return state_of(motion.plan.scene, time + 0.0, *rows, lambda: motion._history.final_stress(time, angle, speed))
+def _final_state(motion: Motion, time: Any, *cells: Any) -> State:
+    """Return the state at ``time`` in s from rotation, omega and its rate in the final cells."""
+    rotation, omega, rate = map(motion._known, cells)
+
+    def stress() -> Any:
+        return motion._history.final_stress(time, rotation, omega)
+
+    return state_of(motion.plan.scene, time + 0.0, rotation, omega, rate, stress)
 
 
 def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stress: Callable[[], Any]) -> State:
@@ -65,7 +77,8 @@ def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stre
         acceleration = radius * rate / scale**2
         displacement = radius * rotation
     columns = (rotation, angular_velocity, velocity, displacement, acceleration)
-    return State(time, *(column + 0.0 for column in columns), stress=stress)
+    without_negative_zeros = (column + 0.0 for column in columns)
+    return State(time, *without_negative_zeros, stress=stress)
 
 
 def before(values: Any, axes: int) -> Any:
@@ -73,4 +86,7 @@ def before(values: Any, axes: int) -> Any:
 
     A single number is returned unchanged.
     """
-    return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))
+    if type(values) is float:
+        return values
+    shape = *np.shape(values), *[1] * axes
+    return np.reshape(values, shape)
