@@ -18,6 +18,7 @@ from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Log
 from slipcircle.core.integrator.lanes import integrate_problem
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import State
 from slipcircle.core.problem.plan import recipe_of
@@ -203,7 +204,7 @@ class History:
         if "rotation" not in self.plan.effects:
             rotation = np.zeros_like(rotation)
         pressure = section.mean_pressure(rotation)
-        lift = section.mean_lift(rotation)
+        lift = lazy_import("water").mean_lift(section, rotation)
         return pressure - lift
 
     def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
