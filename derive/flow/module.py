@@ -11,11 +11,11 @@ from derive.code.emit import filled
 from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
-from derive.flow.link import definitions, linker, program, soils
+from derive.flow.link import definitions, integers, linker, program, soils
 from derive.flow.lowering import Fragment
 from derive.flow.recurrences import RESULTS
 
-LINKER = (definitions, linker, program, soils)
+LINKER = (definitions, linker, program, soils, integers)
 
 
 def flow_module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:

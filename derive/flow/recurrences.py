@@ -117,6 +117,8 @@ OPERATIONS = {
         ),
     )
 }
+SERIES = {name: code for code, name in enumerate(("lin", "ramp", *OPERATIONS))}  # codes in the compiled integrator
+SCALAR = {name: code for code, name in enumerate(CELLS)}
 RESULTS = {o.name: len(o.results) for o in OPERATIONS.values() if len(o.results) > 1}  # other operations have one
 
 

@@ -9,7 +9,7 @@ from sympy import Expr, Indexed, IndexedBase, Sum, Symbol, cancel
 from derive.code.emit import filled
 from derive.code.program import program
 from derive.code.text import Language, statements
-from derive.flow.recurrences import CELLS, OPERATIONS, SeriesOperation, k, n
+from derive.flow.recurrences import CELLS, OPERATIONS, SCALAR, SERIES, SeriesOperation, k, n
 
 
 class _Sum(NamedTuple):
@@ -249,8 +249,8 @@ def numpy_text(digest: str) -> str:
         "_series.py.in",
         {
             "DIGEST": digest,
-            "CODES": repr({x: i for i, x in enumerate(("lin", "ramp", *OPERATIONS))}),
-            "SCALAR_CODES": repr({x: i for i, x in enumerate(CELLS)}),
+            "CODES": repr(SERIES),
+            "SCALAR_CODES": repr(SCALAR),
             "FUNCTIONS": "".join(map(_numpy_function, OPERATIONS.values())),
             "SERIES": ", ".join(f'"{x}": _{x}' for x in OPERATIONS),
             "SCALARS": "".join(f'    "{x}": {text},\n' for x, text in scalars.items()),

@@ -5,6 +5,7 @@ from importlib import import_module
 from typing import Any
 
 MODULES = {
+    "tree": "slipcircle.tree",  # numbers are listed, varied, or arrays
     "tabulated": "slipcircle.tabulated",  # tabulated coefficients replace the computed ones
     "arc": "slipcircle.messages.arc",  # an arc is invalid
     "decimals": "slipcircle.base.decimals",  # the friction of an arc is close to its limit

@@ -17,8 +17,8 @@ from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_
 from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
+from slipcircle.core.scene.declarations import Parts, declared, number
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
-from slipcircle.core.scene.tree import Parts, declared, number
 
 GRAVITY = 9.81  # default
 WIDTH = 1.0
@@ -159,6 +159,7 @@ class Arc(Mass, Generic[Numbers]):
         raise_all("Arc", self._mistakes())
         if not self.has_plain_numbers:
             freeze(self, self.quantities)
+            vars(self).pop("has_plain_numbers")  # NumPy's numbers have become floats
 
     def _mistakes(self) -> list[str]:
         """Return messages about the fields: numbers out of bounds, shapes that do not broadcast, impossible arcs."""

@@ -16,10 +16,10 @@ from slipcircle.base.kinds import MAPPING, Array, Effects, Function, Numbers, Pa
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.declarations import Parts, declared, number
 from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.mass import Mass
-from slipcircle.core.scene.tree import Parts, declared, number, numbers, parts_of_fields, replace_unchecked
 
 One = float | str | Function | Mapping[str, float | str]  # parameter of a single scene
 AS_ENTERED = 1.0  # strength factor
@@ -194,7 +194,7 @@ class Scene(Generic[Numbers]):
         """Whether a strength or weight is outside the usual range, by a quick check."""
         arc: Any = self.arc
         if arc.friction is not None:
-            return any(map(_is_unusual, numbers(arc).items()))
+            return any(map(_is_unusual, lazy_import("tree").numbers(arc).items()))
         friction: Any = self.friction
         weight = arc.unit_weight
         effects: Any = self.effects
@@ -259,11 +259,12 @@ class Scene(Generic[Numbers]):
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """Numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ..."""
-        return numbers(self)
+        by_path: Mapping[str, ArrayLike] = lazy_import("tree").numbers(self)
+        return by_path
 
     def parts(self) -> Parts:
         """Return the parts of the mass, the friction, the start and end, and the effects, each with its declaration."""
-        by_name: Parts = self.arc.parts() | parts_of_fields(self)
+        by_name: Parts = self.arc.parts() | lazy_import("tree").parts_of_fields(self)
         if self.arc.friction is not None:  # its soils have the numbers of friction
             del by_name["friction"]
         if type(self.strength_factor) is float and self.strength_factor == AS_ENTERED:
@@ -284,7 +285,7 @@ class Scene(Generic[Numbers]):
             fields["arc"] = self.arc.with_parts(of_mass)
         if effects:
             fields["effects"] = {**self.checked_effects, **effects}
-        return replace_unchecked(self, fields)
+        return lazy_import("tree").replace_unchecked(self, fields)
 
     @cached_property
     def _has_plain_numbers(self) -> bool:
