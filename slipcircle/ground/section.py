@@ -4,7 +4,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
@@ -172,9 +172,9 @@ class Section(SectionGeometry, Mass):
             effects = lazy_import("depths").growing(self, cohesion, effects)
         pore_pressure = dict(effects.get("pore_pressure", {}))
         if self.level is not None or self.in_standing_water:
-            pore_pressure["level"] = partial(lazy_import("water").mean_lift, self)
+            pore_pressure["level"] = self.mean_lift
         if self.in_standing_water:
-            pore_pressure["standing"] = partial(lazy_import("standing").standing_moment, self)
+            pore_pressure["standing"] = self.standing_moment
         if pore_pressure:
             return {**effects, "pore_pressure": pore_pressure}
         return effects
@@ -279,6 +279,21 @@ class Section(SectionGeometry, Mass):
             Rotations in rad, positive down-slope, with the shape of the section as last axes.
         """
         return lazy_import("water").mean_pressure(self, rotation)
+
+    def mean_lift(self, rotation: Any = 0.0) -> Any:
+        """Return the mean pressure that reduces the normal stress of the weight, Pa, after rotations in rad.
+
+        Below standing water it consists of the pressure in excess of hydrostatic pressure and the weight of displaced
+        water.
+        """
+        return lazy_import("water").mean_lift(self, rotation)
+
+    def standing_moment(self, rotation: Any = 0.0) -> Any:
+        """Return the moment of the weight of displaced water over gamma R^3 Theta*, after rotations in rad.
+
+        It is the weight of water that the mass displaces below standing water; gamma is the mean unit weight.
+        """
+        return lazy_import("standing").standing_moment(self, rotation)
 
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape

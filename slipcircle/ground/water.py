@@ -119,11 +119,7 @@ def mean_pressure(section: Any, rotation: Any) -> Any:
 
 
 def mean_lift(section: Any, rotation: Any) -> Any:
-    """Return the mean pressure that reduces the normal stress of the weight, Pa, after rotations in rad.
-
-    Below standing water it consists of the pressure in excess of hydrostatic pressure and the weight of displaced
-    water.
-    """
+    """Return the mean pressure that reduces the normal stress of the weight. See `Section.mean_lift`."""
     pressure = mean_pressure(section, rotation)
     if not section.in_standing_water:
         return pressure

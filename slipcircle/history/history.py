@@ -18,7 +18,6 @@ from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Log
 from slipcircle.core.integrator.lanes import integrate_problem
-from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import State
 from slipcircle.core.problem.plan import recipe_of
@@ -204,7 +203,7 @@ class History:
         if "rotation" not in self.plan.effects:
             rotation = np.zeros_like(rotation)
         pressure = section.mean_pressure(rotation)
-        lift = lazy_import("water").mean_lift(section, rotation)
+        lift = section.mean_lift(rotation)
         return pressure - lift
 
     def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:

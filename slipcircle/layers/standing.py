@@ -256,10 +256,7 @@ def displaced_height(section: Any, rotation: Any) -> Any:
 
 
 def standing_moment(section: Any, rotation: Any) -> Any:
-    """Return the moment of the weight of displaced water over gamma R^3 Theta*, after rotations in rad.
-
-    It is the weight of water that the mass displaces below standing water; gamma is the mean unit weight.
-    """
+    """Return the moment of the weight of displaced water. See `Section.standing_moment`."""
     shape, turned = turned_by(section, rotation)
     nowhere = np.empty((0, *turned.shape))
     _, moment = displaced(section, turned, nowhere)
