@@ -83,7 +83,7 @@ def derive_all(stages: Stages | None = None) -> dict[str, str]:
     """
     from derive.algebra.slopes import MEANS, SLOPES
     from derive.declare.quantities import MOMENTS
-    from derive.generate.write import present
+    from derive.generate.write import present_files
 
     stages = stages or Stages(again=True)
     shown = "operations {0[operations][0]} -> {0[operations][1]}, quadrature within {0[difference]}"
@@ -92,7 +92,7 @@ def derive_all(stages: Stages | None = None) -> dict[str, str]:
     stages.run("equation of motion", "balance", "derive.algebra.dynamics:prove", shown="{}")
     of_slopes = [moment for moment in MOMENTS if moment.name in MEANS | SLOPES]
     stages.run("slopes", "balance", "derive.algebra.slopes:prove", *of_slopes, shown="{}")
-    texts = present()
+    texts = present_files()
     of_flow = flow(stages, texts)
     of_slope = stages.files("slopes", "derive.generate.write:slope_files", texts, *of_slopes)
     return of_flow | of_slope | stages.files("kernels", "derive.generate.write:kernel_files", texts)
@@ -232,7 +232,7 @@ def generate(check: bool, again: bool = False, part: str | None = None) -> int:
         from derive.build import build_all, has_binary_alone
         from derive.generate import write
 
-        present = write.present()
+        present = write.present_files()
         texts = present | flow(stages, present) if part else derive_all(stages)
         if check:
             expected = {name: text for name, text in texts.items() if not has_binary_alone(name, text)}

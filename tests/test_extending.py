@@ -85,8 +85,8 @@ kept = search.kept
 search.kept = lambda kernel, tier, shape: [] if tier == "float32" else kept(kernel, tier, shape)
 """
 HARD_CASES = """
-from derive.judge.hard import cases
-print(*(case.why for case in cases() if case.function == "area"), sep="\\n")
+from derive.judge.hard import hard_cases
+print(*(case.why for case in hard_cases() if case.function == "area"), sep="\\n")
 """
 
 
