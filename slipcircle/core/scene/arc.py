@@ -12,17 +12,18 @@ from numpy.typing import ArrayLike
 
 from generated import kernels
 from generated.effects import Parameter
-from slipcircle.base.arrays import choose, float_or_array, freeze, two_sum
+from slipcircle.base.arrays import FLOATS, choose, float_or_array, freeze, two_sum
 from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
 from slipcircle.base.units import take_units
-from slipcircle.core.lazy import lazy_import
+from slipcircle.core.lazy import lazy_import, lazy_message
 from slipcircle.core.scene.declarations import Parts, declared, number
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 
 GRAVITY = 9.81  # default
 WIDTH = 1.0
 DIP = Parameter("dip", "rad", -5e-324, np.pi / 2, "dip of the chord", "arc.dip_deg", np.pi / 180, kind="derived")
+_ANGLE = partial(number, "rad", -1e3, 1e3, "a finite angle in rad", per_unit=np.pi / 180)
 
 
 @dataclass(frozen=True)
@@ -63,26 +64,10 @@ class Arc(Mass, Generic[Numbers]):
         metadata=number("m", 1e-6, 1e20, "a positive length in m", help="radius of the slip circle", key="arc.radius_m")
     )
     theta_1: Numbers | float = field(
-        metadata=number(
-            "rad",
-            -1e3,
-            1e3,
-            "a finite angle in rad",
-            help="polar angle of the arc's first end; 270 is below the centre",
-            key="arc.theta_1_deg",
-            per_unit=np.pi / 180,
-        )
+        metadata=_ANGLE(help="polar angle of the arc's first end; 270 is below the centre", key="arc.theta_1_deg")
     )
     theta_2: Numbers | float = field(
-        metadata=number(
-            "rad",
-            -1e3,
-            1e3,
-            "a finite angle in rad",
-            help="polar angle of the arc's second end, above the first",
-            key="arc.theta_2_deg",
-            per_unit=np.pi / 180,
-        )
+        metadata=_ANGLE(help="polar angle of the arc's second end, above the first", key="arc.theta_2_deg")
     )
     unit_weight: Numbers | float = field(
         metadata=number(  # 1000 kN/m^3 exceeds gold
@@ -174,8 +159,9 @@ class Arc(Mass, Generic[Numbers]):
     @property
     def _is_plain_arc(self) -> bool:
         """Whether the ends are two floats of a valid arc with normal load, so that `geometry_errors` is not needed."""
-        first, last = self.theta_1, self.theta_2
-        if type(first) is not float or type(last) is not float:
+        first: Any = self.theta_1
+        last: Any = self.theta_2
+        if not FLOATS.issuperset((type(first), type(last))):
             return False
         if not 0.0 < last - first <= np.pi:
             return False
@@ -209,12 +195,7 @@ class Arc(Mass, Generic[Numbers]):
             "without_load": normal_load <= 0.0,
         }
         for fault, lanes in faults.items():
-            yield lanes, partial(self._complaint, fault)
-
-    def _complaint(self, fault: str, lane: int) -> str:
-        """Return the message about one lane; ``fault`` is the name of a function of `slipcircle.messages.arc`."""
-        sentence: str = getattr(lazy_import("arc"), fault)(self, lane)
-        return sentence
+            yield lanes, lazy_message("arc", fault, self)
 
     @cached_property
     def half_angle(self) -> Any:
