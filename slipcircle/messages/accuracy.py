@@ -45,6 +45,7 @@ CLOSER = 1e-3
 CLOSEST = 1e-13
 # Cells by which single motions are compared.
 COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.REACH_ROTATION, ix.PEAK_OMEGA])
+AT_END = {ix.ARRESTED, ix.PAUSED, ix.ENDED}  # at rest and at the end time, which differ in their durations only
 # Fractions of the duration at which the states of all runs are compared.
 SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
@@ -89,7 +90,7 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
     start = problem.cells()
     cells = start * _moves(problem.program, rounding)[:, runs]
     is_refined = start[ix.LIMIT_REST] != 0.0
-    if np.any(is_refined):
+    if is_refined.any():
         cells = np.where(is_refined, start * _moves(problem.program, rounding, True)[:, runs], cells)
     orders = cells[ix.ORDER]
     orders += FURTHER[runs]
@@ -158,10 +159,12 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
     moves = final[ix.PHASES] > 0.0
     move_alike = min(phases) > 0.0 if moves else max(phases) == 0.0
-    if not (_end_alike(status, final) and move_alike):
+    endings = {final[ix.STATUS], *status}
+    if not move_alike or not (len(endings) == 1 or endings <= AT_END):
         return 1.0, True
-    in_time = [code == ix.ENDED and final[ix.TIME] < np.inf for code in status]
-    rows = np.where(in_time, end_times, rests).tolist(), run_outs, [*map(abs, peaks)]
+    if ix.ENDED in endings and final[ix.TIME] < np.inf:
+        rests = [end if code == ix.ENDED else rest for code, end, rest in zip(status, end_times, rests, strict=True)]
+    rows = rests, run_outs, [*map(abs, peaks)]
     greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
         rotation_and_velocity = states[:2]
@@ -171,20 +174,9 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     return max(map(truediv, greatest, sizes + sizes[1:])), False
 
 
-def _end_alike(status: list[float], final: Final) -> bool:
-    """Return whether all runs end like the motion, where rest and the end time count as one.
-
-    ``status`` contains the status cell of each run.
-    """
-    return {*map(_ending, status)} == {_ending(final[ix.STATUS])}
-
-
-def _ending(status: Any) -> Any:
-    """Return status cells with one code for lanes at rest and lanes at their end time.
-
-    Their durations are compared instead.
-    """
-    return choose((status >= ix.ARRESTED) & (status <= ix.ENDED), float(ix.ENDED), status)
+def _ending(status: Floats) -> Floats:
+    """Return status cells with one code for lanes at rest and lanes at their end time."""
+    return np.where(np.isin(status, [*AT_END]), ix.ENDED, status)
 
 
 def _summary(final: Any) -> tuple[Any, Any, Any]:
