@@ -8,7 +8,6 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
-from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -36,7 +35,6 @@ UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 COHESIVE = frozenset(("layered_cohesion", "growing_cohesion"))  # functions of the rotation
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # followed by the number of a soil
 EVERY = slice(None)  # lane
-_INPUTS_OF = attrgetter(*INPUTS)
 
 
 @dataclass
@@ -116,9 +114,9 @@ class Problem:
     @cached_property
     def _only_lane(self) -> Floats:
         """Column of the initial cells of a single lane, (cells, 1), computed once."""
-        names = self.program.cells
-        by_name = {**dict.fromkeys(names, 0.0), **self.start}  # names that the program does not need come last
-        return np.fromiter(by_name.values(), np.float64, len(names))[:, None]
+        column = np.zeros(len(self.program.cells) + 1)
+        column[_places(self.program, tuple(self.start))] = [*self.start.values()]
+        return column[:-1, None]
 
     def tables(self, which: Any = None) -> list[Data]:
         """Return the tables (piecewise functions) of all or some lanes in the order of the program.
@@ -134,6 +132,12 @@ class Problem:
         ``rotation`` is in rad, and ``lane`` is the index of the lane of each rotation, by default all lanes in order.
         """
         return self.farther is not None and self.farther(self.data, rotation, lane)
+
+
+@lru_cache(maxsize=256)
+def _places(program: Program, names: Names) -> Any:
+    """Return the places of cells by name; names that the program does not need have the place after its cells."""
+    return np.array([program.places.get(name, len(program.cells)) for name in names])
 
 
 def problem_of(plan: Plan, invalid: Any = False) -> Problem:
@@ -227,7 +231,7 @@ class Numbers:
         self.shape = shape
         self.radius = float_or_array(mass.radius)
         balance = mass.moment_coefficients
-        self.start: ValueDict = dict(zip(INPUTS, _INPUTS_OF(balance), strict=True))
+        self.start: ValueDict = {name: getattr(balance, name) for name in INPUTS}
         self.start["strength_factor"] = strength_factor
         self.tables: dict[str, Data] = {}
 
