@@ -85,11 +85,12 @@ search.TRIALS = 4
 kept = search.kept
 search.kept = lambda kernel, tier, shape: [] if tier == "float32" else kept(kernel, tier, shape)
 from derive.generate import slopes
-slopes.module = lambda: Path("generated/slopes.py").read_text("utf-8").split("\\n", 2)[2]  # nothing is added to it
+# Nothing is added to the slopes.
+slopes.slopes_module = lambda: Path("generated/slopes.py").read_text("utf-8").split("\\n", 2)[2]
 """
 HARD_CASES = """
-from derive.judge.hard import cases
-print(*(case.why for case in cases() if case.function == "area"), sep="\\n")
+from derive.judge.hard import hard_cases
+print(*(case.why for case in hard_cases() if case.function == "area"), sep="\\n")
 """
 
 

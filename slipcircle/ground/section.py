@@ -17,10 +17,10 @@ from slipcircle.base.kinds import Effects, Floats, Pair, Shape, Texts, ValueDict
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import GRAVITY, WIDTH, Arc
+from slipcircle.core.scene.declarations import declared, number
 from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
-from slipcircle.core.scene.tree import declared, number
 from slipcircle.ground.errors import geometry_errors, motion_errors
 from slipcircle.ground.geometry import SectionGeometry
 from slipcircle.ground.ground import FAR, WEIGHT, line_errors, section_errors
@@ -188,6 +188,12 @@ class Section(SectionGeometry, Mass):
     def lanes_shape(self) -> Shape:
         """Shape of the lanes (cases of an ensemble), () for a single section."""
         return self.shape
+
+    @cached_property
+    def has_plain_numbers(self) -> bool:
+        """Whether a section of one soil belongs to a single scene."""
+        weights = self.unit_weight, self.gravity, self.width
+        return self.friction is None and not any(map(np.ndim, weights)) and not self.lanes_shape
 
     @property
     def _weighted_moments(self) -> Mapping[str, Floats]:
