@@ -155,10 +155,9 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> float:
     cells = integrate_problem(problem, perturbed_runs(problem, slice(None), rounding), samples)
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
     moves = min(phases) > 0.0
-    endings = {final[ix.STATUS], *status}
-    if not ((moves or max(phases) == 0.0) and (len(endings) == 1 or endings <= AT_END)):
+    if not ((moves or max(phases) == 0.0) and _end_alike({*status})):
         return np.inf
-    if ix.ENDED in endings and final[ix.TIME] < np.inf:
+    if ix.ENDED in status and final[ix.TIME] < np.inf:
         rests = [end if code == ix.ENDED else rest for code, end, rest in zip(status, end_times, rests, strict=True)]
     rows = rests, run_outs, [*map(abs, peaks)]
     greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
@@ -168,6 +167,11 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> float:
         greatest += np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
     sizes = [max(abs(of), LEAST_SIZE) for of in of_motion]
     return max(map(truediv, greatest, sizes + sizes[1:]))
+
+
+def _end_alike(endings: set[float]) -> bool:
+    """Return whether status cells are the same, where rest and the end time count as one."""
+    return len(endings) == 1 or endings <= AT_END
 
 
 def _ending(status: Floats) -> Floats:
