@@ -22,7 +22,7 @@ _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 
 
-def kernels(proved: Sequence[Record]) -> list[Function]:
+def public_functions(proved: Sequence[Record]) -> list[Function]:
     """Return the base quantities, their quotients, and the functions of both ends, with their proved accuracy."""
     closed = closed_forms()
     formulas = {name: str(form) for name, form in closed.items()}

@@ -57,7 +57,7 @@ def counts(rows: Iterable[Row]) -> str:
     return f"{total} claim{plural}: {', '.join(by_verdict)}"
 
 
-def report(
+def judge_paper(
     form: str = "text", width: int = 100, names: Sequence[str] = (), verdict: str | None = None, every: bool = False
 ) -> str:
     """Judge the paper and return the report.
@@ -97,7 +97,7 @@ def report(
         return _markdown(rows)
     if names or verdict or every:
         return "\n\n".join([*(_in_full(x, width) for x in rows), textwrap.fill(f"{counts(rows)}.", width)])
-    return errors(rows, width)
+    return wrong_claims(rows, width)
 
 
 def failing(rows: Iterable[Row]) -> list[Row]:
@@ -105,7 +105,7 @@ def failing(rows: Iterable[Row]) -> list[Row]:
     return [row for row in rows if row.verdict not in SIMPLY]
 
 
-def errors(rows: Sequence[Row], width: int) -> str:
+def wrong_claims(rows: Sequence[Row], width: int) -> str:
     """Return a table of the wrong claims and misprints, and the number of claims of each verdict.
 
     ``width`` is the number of columns.

@@ -140,7 +140,7 @@ def zero(f: arb_poly, length: arb) -> arb:
     return found
 
 
-def standstill(swing: Swing, tolerance: arb) -> Standstill:
+def next_standstill(swing: Swing, tolerance: arb) -> Standstill:
     """Return the next standstill of a swing that starts: omega' > 0 up to the peak, where its sign changes once.
 
     ``tolerance`` bounds the relative remainder of each step.
@@ -180,7 +180,7 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
 
     ``tolerance`` bounds the relative remainder of each step.
     """
-    stand = standstill(swing, tolerance)
+    stand = next_standstill(swing, tolerance)
     if all(x.rad() < tolerance for x in swing):
         return stand
     ends = []
@@ -190,7 +190,7 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
         for name, end in extremes.items():
             ball = getattr(swing, name)
             coefficients[name] = getattr(ball, end)()
-        ends.append(standstill(swing._replace(**coefficients), tolerance))
+        ends.append(next_standstill(swing._replace(**coefficients), tolerance))
     longest, shortest = ends
     return stand._replace(
         rest=stand.rest.intersection(shortest.rest.union(longest.rest)),
