@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "87a910574815dbb17cc5869cdaa40c8b7aed2d5ad50c93ef2a245c8c033a9d0c"
+#define DIGEST "665d72a6f23714072c92760fe1b8d39ac81ed979643f08d634b981413d98a539"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1061,6 +1061,15 @@ INLINE void operate_later(const Batch *b, int n)
 
 #define REGISTER(i) (b->r + (i))
 
+/* Pages shall be small. They solve single scenes, in which friction softens in time. */
+#ifdef __wasm__
+#define SOFTENS(role) 0
+#define HAS_CLOSED_FORM(role) ((role)->net_sine >= 0 && (role)->loss_rate < 0)
+#else
+#define SOFTENS(role) ((role)->loss_rate >= 0)
+#define HAS_CLOSED_FORM(role) ((role)->net_sine >= 0)
+#endif
+
 /* log2 of sizes and its inverse, straight between powers of two: up to 0.09 too small, which the (n - k)th root of the
  * radius makes a hundredth. Fixed point with 40 bits behind the point, as float64. */
 #define FIXED 0x1p40
@@ -1146,9 +1155,9 @@ static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.1216
 #define TO_PEAK 24
 #define FROM_PEAK 12
 static const double NODES[] = {0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596};
-static const double SHARES[] = {0.0061706148999936, 0.014265694314466832, 0.022138719408709904, 0.02964929245771839, 0.03667324070554015, 0.04309508076597664, 0.04880932605205694, 0.05372213505798282, 0.0577528340268628, 0.060835236463901696, 0.06291872817341415, 0.06396909767337608, 0.06396909767337608, 0.06291872817341415, 0.060835236463901696, 0.0577528340268628, 0.05372213505798282, 0.04880932605205694, 0.04309508076597664, 0.03667324070554015, 0.02964929245771839, 0.022138719408709904, 0.014265694314466832, 0.0061706148999936, 0.023587668193255914, 0.05346966299765921, 0.08003916427167311, 0.10158371336153296, 0.1167462682691774, 0.12457352290670139, 0.12457352290670139, 0.1167462682691774, 0.10158371336153296, 0.08003916427167311, 0.05346966299765921, 0.023587668193255914};
-static const double LAST_SHARES[] = {-0.015074422043108968, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497, -0.21465007688006033, 0.27338426512251696, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966, 0.4584224693630117, -0.4821658954123011, 0.4942866471300963, -0.4942866471300963, 0.4821658954123011, -0.4584224693630117, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.27338426512251696, 0.21465007688006033, -0.15608887413910497, 0.10078656328461252, -0.05225186613570152, 0.015074422043108972, -0.05626855563529157, 0.18937270565563255, -0.34604162358432194, 0.49442267934928263, -0.608976901663329, 0.6711612378327247, -0.6711612378327247, 0.608976901663329, -0.49442267934928263, 0.34604162358432194, -0.18937270565563255, 0.05626855563529157};
-static const double NEXT_SHARES[] = {0.029351489020715413, -0.0996483639624623, 0.1850193929617139, -0.27070356840561854, 0.34437421825650083, -0.395879298679761, 0.4177966572985954, -0.4059832229947917, 0.3598916075978801, -0.282566041006413, 0.18029543451965438, -0.061948304606013506, -0.061948304606013506, 0.18029543451965438, -0.282566041006413, 0.3598916075978801, -0.4059832229947917, 0.4177966572985954, -0.395879298679761, 0.34437421825650083, -0.27070356840561854, 0.1850193929617139, -0.0996483639624623, 0.029351489020715417, 0.10544099839163595, -0.3268652502223004, 0.5086168908165707, -0.554368149850446, 0.4276380562250803, -0.1604625453605404, -0.1604625453605404, 0.4276380562250803, -0.554368149850446, 0.5086168908165707, -0.3268652502223004, 0.10544099839163595};
+static const double SHARES[] = {0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183};
+static const double LAST_SHARES[] = {-0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944, -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658, 1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313};
+static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
@@ -1168,7 +1177,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
-#define BENT 0x1.51eb851eb851fp-2
+#define BENT 0x1.4cccccccccccdp+0
 static const double GROWTH[] = {1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889, 0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06};
 #define SHIFT 5
 #define CONSTANT 8
@@ -2894,20 +2903,17 @@ INLINE void softening_factors(Batch *b, V *e)
     V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
     factors(e, drive, sine, vers, q);
     e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
+    V part[STRIDE];
     V weight = broadcast(1.0);
     for (int j = 1; j <= TERMS; j++) {
         V before = weight;
         weight = (weight * e[SHIFT]) / (double)(-j);
-        V decay = q + ((double)j * c[job->role->loss_rate]);
-        V share = 2.0 / (1.0 + (decay * decay));
         V of_sine = (weight * sine) + (before * c[job->role->net_loss_sine]);
         V of_vers = (weight * vers) + (before * c[job->role->net_loss_vers]);
-        e[SINE + j] = share * ((decay * of_sine) - of_vers);
-        e[VERS + j] = share * (of_sine + (decay * of_vers));
-        e[CONSTANT + j] = ((2.0 * ((weight * drive) + (before * c[job->role->net_loss]))) - e[SINE + j]) / decay;
-    }
-    for (int j = TERMS - 1; j >= 1; j--) {
-        e[CONSTANT + j] = e[CONSTANT + j] + e[(CONSTANT + j) + 1];
+        factors(part, (weight * drive) + (before * c[job->role->net_loss]), of_sine, of_vers, q + ((double)j * c[job->role->loss_rate]));
+        e[CONSTANT + j] = (part[0] + part[3]) / part[4];
+        e[SINE + j] = part[3];
+        e[VERS + j] = part[2];
     }
 }
 
@@ -2933,17 +2939,19 @@ INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 INLINE V softening_energy(V *e, V *f)
 {
     V left = 1.0 + f[4];
+    V above = broadcast(0.0);
     V constant = broadcast(0.0);
     V of_sine = broadcast(0.0);
     V of_vers = broadcast(0.0);
     for (int j = TERMS; j >= 1; j--) {
-        constant = (constant * left) + e[CONSTANT + j];
+        above = above + e[CONSTANT + j];
+        constant = (constant * left) + above;
         of_sine = (of_sine + e[SINE + j]) * left;
         of_vers = (of_vers + e[VERS + j]) * left;
     }
     V lost = f[0] - (e[4] * f[1]);
-    V terms = (f[4] * constant) + ((of_sine * (f[0] - f[3])) + (of_vers * f[2]));
-    terms = terms + ((e[4] * e[CONSTANT + 1]) * lost);
+    V terms = (f[4] * constant) + ((of_vers * f[2]) - (of_sine * (f[0] - f[3])));
+    terms = terms + ((e[4] * above) * lost);
     V shift = e[SHIFT] * left;
     V grown = broadcast(0.0);
     for (int k = 9; k >= 0; k--) {
@@ -2971,42 +2979,52 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     f[7] = 2.0 * (turns + ((c[job->role->loss_rate] * (1.0 + f[4])) * loss));
 }
 
-/* Return the time between rest and the greatest speed, and the size of the last coefficients of its integrand. The
- * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
- * distances to both rests. Coefficients are infinite if E does not rise from node to node. ``first`` and ``last``
- * are the numbers of the nodes; the phase begins at the first of all. */
-INLINE Pair part_of_duration(Batch *b, V *e, V end, V unit, V bend, int first, int last)
+/* Return the time from rest to the greatest speed and to the end, infinite where they are unsure. The variable v
+ * of a rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the distances to both
+ * rests. E rises from node to node. Error estimates change the step over the radius of convergence, and with it
+ * the rules, so that they compare different rules. */
+INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
-    V at_rest = (first == 0) ? broadcast(0.0) : end;
-    V way = (first == 0) ? end : -end;
-    V total = broadcast(0.0);
-    V of_last = broadcast(0.0);
-    V of_next = broadcast(0.0);
+    const Job *const job = b->job;
+    V *const c = b->c;
     V before = broadcast(0.0);
-    M rises = unit > 0.0;
+    V duration = broadcast(0.0);
     V f[STRIDE];
-    for (int k = first; k <= last; k++) {
-        V here = unit * (NODES[k] * NODES[k]);
-        V other = 1.0 + (bend * (1.0 - NODES[k]));
-        V share = 1.0 / (here + (other * other));
-        softening_functions(b, e, f, at_rest + (way * (here * share)));
-        V at = softening_energy(e, f);
-        rises = rises & (at > before);
-        before = at;
-        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
-        total = total + (SHARES[k] * slowness);
-        of_last = of_last + (LAST_SHARES[k] * slowness);
-        of_next = of_next + (NEXT_SHARES[k] * slowness);
+    for (int part = 1; part >= 0; part--) {
+        V unit = (part == 0) ? peak / (end - peak) : (end - peak) / peak;
+        V bend = (4.0 * c[FACTOR]) - 1.0;
+        if (part == 0) {
+            bend = (c[FACTOR] * BENT) * sqrt_of(1.0 - (peak * c[job->role->loss_rate]));
+        }
+        V total = broadcast(0.0);
+        V last = broadcast(0.0);
+        V last_but_one = broadcast(0.0);
+        V lower = broadcast(0.0);
+        for (int k = TO_PEAK * part; k <= (TO_PEAK + (FROM_PEAK * part)) - 1; k++) {
+            V here = unit * (NODES[k] * NODES[k]);
+            V other = 1.0 + (bend * (1.0 - NODES[k]));
+            V share = 1.0 / (here + (other * other));
+            V past = end * (here * share);
+            softening_functions(b, e, f, (part == 0) ? past : end - past);
+            V at = softening_energy(e, f);
+            V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
+            total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
+            lower = at;
+            last = last + (LAST_SHARES[k] * slowness);
+            last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
+        }
+        M accurate = (magnitude(last) + magnitude(last_but_one)) <= (ALIKE * total);
+        before = pick(accurate, ((end * unit) * (1.0 + bend)) * total, broadcast(INFINITY));
+        duration = duration + before;
     }
-    V size = pick(rises, (magnitude(of_last) + magnitude(of_next)) / total, broadcast(INFINITY));
-    return (Pair){((((2.0 * end) * unit) * (1.0 + bend)) * total), size};
+    return (Pair){before, duration};
 }
 
 /* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. */
 INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
-    if (job->role->loss_rate >= 0) {
+    if (SOFTENS(job->role)) {
         soften(b, e, f, x);
         return;
     }
@@ -3123,16 +3141,25 @@ INLINE V time_of_peak(V *e, V peak)
     return (2.0 * sqrt_of(peak)) * total;
 }
 
+/* Return the times from rest to the greatest speed and to the end, infinite if it is uncertain. */
+static Pair times_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
+{
+    const Job *const job = b->job;
+    if (SOFTENS(job->role)) {
+        return duration_of_softening(b, e, end, peak);
+    }
+    const Pair duration_change = duration_of_swing(e, back, end, which);
+    V duration = duration_change.one, change = duration_change.other;
+    return (Pair){time_of_peak(e, peak), pick(change <= CONVERGED, duration, broadcast(INFINITY))};
+}
+
 /* Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``. */
 INLINE void finish(Batch *b, M here, V *e, V end, V duration, V peak, V before)
 {
     V *const c = b->c;
     V f[STRIDE];
     evaluate_at(b, e, f, peak);
-    V speed = sqrt_of(f[5]);
-    V rate = 0.5 * f[6];
-    V time = c[TIME] + before;
-    keep_faster(b, here, speed, time, peak, rate);
+    keep_faster(b, here, sqrt_of(f[5]), c[TIME] + before, peak, 0.5 * f[6]);
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
@@ -3141,23 +3168,6 @@ INLINE void finish(Batch *b, M here, V *e, V end, V duration, V peak, V before)
     EACH(lane, bits(here)) {
         on_standstill(b, lane);
     }
-}
-
-/* Return the times before and after the greatest speed under softening friction, infinite where they are unsure.
- * Error estimates change the step over the radius of convergence, on which the rules depend, and compare their
- * times. */
-INLINE Pair soft_parts(Batch *b, V *e, V end, V peak)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V past = end - peak;
-    V ratio = 4.0 * c[FACTOR];
-    V bend = (ratio * BENT) * sqrt_of(1.0 - (peak * c[job->role->loss_rate]));
-    const Pair before_first = part_of_duration(b, e, end, peak / past, bend, 0, TO_PEAK - 1);
-    V before = before_first.one, first = before_first.other;
-    const Pair after_second = part_of_duration(b, e, end, past / peak, ratio - 1.0, TO_PEAK, (TO_PEAK + FROM_PEAK) - 1);
-    V after = after_second.one, second = after_second.other;
-    return (Pair){before, pick((first <= ALIKE) & (second <= ALIKE), after, broadcast(INFINITY))};
 }
 
 /* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
@@ -3170,7 +3180,7 @@ static M swing(Batch *b, M which)
     if (!bits(fits)) {
         return fits;
     }
-    int softens = job->role->loss_rate >= 0;
+    int softens = SOFTENS(job->role);
     V e[STRIDE];
     V back[STRIDE];
     V f[STRIDE];
@@ -3180,11 +3190,10 @@ static M swing(Batch *b, M which)
         fits = fits & series_suffices(b, e);
         sine = c[job->role->net_sine] - c[job->role->net_loss_sine];
     }
-    V q = e[4];
     if (!softens) {
-        q = (-2.0) * c[job->role->net_square];
-        factors(e, c[job->role->drive], sine, c[job->role->net_vers], q);
+        factors(e, c[job->role->drive], sine, c[job->role->net_vers], (-2.0) * c[job->role->net_square]);
     }
+    V q = e[4];
     V end = end_of_swing(b, e, sine, fits);
     functions(f, minimum(end, broadcast(FARTHEST)), q);
     if (!softens) {
@@ -3198,25 +3207,10 @@ static M swing(Batch *b, M which)
     fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     if (bits(fits)) {
         V peak = peak_of_swing(b, e, end, fits);
-        V before = broadcast(0.0);
-        V duration = broadcast(0.0);
-        if (softens) {
-            const Pair first_last = soft_parts(b, e, end, peak);
-            V first = first_last.one, last = first_last.other;
-            before = first;
-            duration = first + last;
-        }
-        if (!softens) {
-            const Pair total_change = duration_of_swing(e, back, end, fits);
-            V total = total_change.one, change = total_change.other;
-            fits = fits & (change <= CONVERGED);
-            duration = total;
-        }
+        const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);
+        V before = before_duration.one, duration = before_duration.other;
         fits = fits & ((c[TIME] + duration) < c[END_TIME]);
         if (bits(fits)) {
-            if (!softens) {
-                before = time_of_peak(e, peak);
-            }
             finish(b, fits, e, end, duration, peak, before);
         }
     }
@@ -3407,7 +3401,7 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if ((job->role->net_sine >= 0) && !(job->samples > 0)) {
+    if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0)) {
         moving = moving & ~swing(b, moving);
     }
     if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 88fb78b9959d5efda31846fec4f012a1adf7d6a33739d1626fb31b4e3d70cc31
+# sha256 of the text below: ed4159529d00e7b2155e2b81010635c88dc6ee45a4462449bcea031fac99cbcc
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -255,30 +255,30 @@ NODES = (0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.0567
     0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554,
     0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375,
     0.9907803171233596)
-SHARES = (0.0061706148999936, 0.014265694314466832, 0.022138719408709904, 0.02964929245771839, 0.03667324070554015,
-    0.04309508076597664, 0.04880932605205694, 0.05372213505798282, 0.0577528340268628, 0.060835236463901696,
-    0.06291872817341415, 0.06396909767337608, 0.06396909767337608, 0.06291872817341415, 0.060835236463901696,
-    0.0577528340268628, 0.05372213505798282, 0.04880932605205694, 0.04309508076597664, 0.03667324070554015,
-    0.02964929245771839, 0.022138719408709904, 0.014265694314466832, 0.0061706148999936, 0.023587668193255914,
-    0.05346966299765921, 0.08003916427167311, 0.10158371336153296, 0.1167462682691774, 0.12457352290670139,
-    0.12457352290670139, 0.1167462682691774, 0.10158371336153296, 0.08003916427167311, 0.05346966299765921,
-    0.023587668193255914)
-LAST_SHARES = (-0.015074422043108968, 0.05225186613570152, -0.10078656328461252, 0.15608887413910497,
-    -0.21465007688006033, 0.27338426512251696, -0.32949021039193754, 0.3804443849065234, -0.4240372347791966,
-    0.4584224693630117, -0.4821658954123011, 0.4942866471300963, -0.4942866471300963, 0.4821658954123011,
-    -0.4584224693630117, 0.4240372347791966, -0.3804443849065234, 0.32949021039193754, -0.27338426512251696,
-    0.21465007688006033, -0.15608887413910497, 0.10078656328461252, -0.05225186613570152, 0.015074422043108972,
-    -0.05626855563529157, 0.18937270565563255, -0.34604162358432194, 0.49442267934928263, -0.608976901663329,
-    0.6711612378327247, -0.6711612378327247, 0.608976901663329, -0.49442267934928263, 0.34604162358432194,
-    -0.18937270565563255, 0.05626855563529157)
-NEXT_SHARES = (0.029351489020715413, -0.0996483639624623, 0.1850193929617139, -0.27070356840561854, 0.34437421825650083,
-    -0.395879298679761, 0.4177966572985954, -0.4059832229947917, 0.3598916075978801, -0.282566041006413,
-    0.18029543451965438, -0.061948304606013506, -0.061948304606013506, 0.18029543451965438, -0.282566041006413,
-    0.3598916075978801, -0.4059832229947917, 0.4177966572985954, -0.395879298679761, 0.34437421825650083,
-    -0.27070356840561854, 0.1850193929617139, -0.0996483639624623, 0.029351489020715417, 0.10544099839163595,
-    -0.3268652502223004, 0.5086168908165707, -0.554368149850446, 0.4276380562250803, -0.1604625453605404,
-    -0.1604625453605404, 0.4276380562250803, -0.554368149850446, 0.5086168908165707, -0.3268652502223004,
-    0.10544099839163595)
+SHARES = (0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803,
+    0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339,
+    0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339,
+    0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803,
+    0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.04717533638651183,
+    0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277,
+    0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843,
+    0.04717533638651183)
+LAST_SHARES = (-0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993,
+    -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932,
+    0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022,
+    -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339,
+    0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944,
+    -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658,
+    1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439,
+    -0.3787454113112651, 0.11253711127058313)
+NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017,
+    -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826,
+    0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826,
+    0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017,
+    -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719,
+    -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808,
+    -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008,
+    0.2108819967832719)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -303,7 +303,7 @@ TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
 ALIKE = 3.814697265625e-06
-BENT = 0.33
+BENT = 1.3
 GROWTH = (1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889,
     0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06)
 SHIFT = 5
@@ -1906,19 +1906,18 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
     factors(e, drive, sine, vers, q)
     e[SHIFT] = 2.0 * c[s.roles.net_loss_square] / c[s.roles.loss_rate]
+    part = np.zeros((ix.STRIDE, e.shape[1]))
     weight: Floats = 1.0
     for j in range(1, TERMS + 1):
         before = weight
         weight = weight * e[SHIFT] / float(-j)
-        decay = q + float(j) * c[s.roles.loss_rate]
-        share = 2.0 / (1.0 + decay * decay)
         of_sine = weight * sine + before * c[s.roles.net_loss_sine]
         of_vers = weight * vers + before * c[s.roles.net_loss_vers]
-        e[SINE + j] = share * (decay * of_sine - of_vers)
-        e[VERS + j] = share * (of_sine + decay * of_vers)
-        e[CONSTANT + j] = (2.0 * (weight * drive + before * c[s.roles.net_loss]) - e[SINE + j]) / decay
-    for j in range(TERMS - 1, 1 - 1, -1):
-        e[CONSTANT + j] = e[CONSTANT + j] + e[CONSTANT + j + 1]
+        factors(part, weight * drive + before * c[s.roles.net_loss], of_sine, of_vers,
+            q + float(j) * c[s.roles.loss_rate])
+        e[CONSTANT + j] = (part[0] + part[3]) / part[4]
+        e[SINE + j] = part[3]
+        e[VERS + j] = part[2]
 
 
 def series_suffices(s: Lanes, e: Floats) -> Mask:
@@ -1938,16 +1937,18 @@ def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
 def softening_energy(e: Floats, f: Floats) -> Floats:
     """Return E from its factors and its functions."""
     left = 1.0 + f[4]
+    above: Floats = 0.0
     constant: Floats = 0.0
     of_sine: Floats = 0.0
     of_vers: Floats = 0.0
     for j in range(TERMS, 1 - 1, -1):
-        constant = constant * left + e[CONSTANT + j]
+        above = above + e[CONSTANT + j]
+        constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
     lost = f[0] - e[4] * f[1]
-    terms = f[4] * constant + (of_sine * (f[0] - f[3]) + of_vers * f[2])
-    terms = terms + e[4] * e[CONSTANT + 1] * lost
+    terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
+    terms = terms + e[4] * above * lost
     shift = e[SHIFT] * left
     grown: Floats = 0.0
     for k in range(9, 0 - 1, -1):
@@ -1973,31 +1974,37 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     f[7] = 2.0 * (turns + c[s.roles.loss_rate] * (1.0 + f[4]) * loss)
 
 
-def part_of_duration(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, first: int,
-        last: int) -> tuple[Floats, Floats]:
-    """Return the time between rest and the greatest speed, and the size of the last coefficients of its integrand."""
-    at_rest = 0.0 if first == 0 else end
-    way = end if first == 0 else -end
-    total: Floats = 0.0
-    of_last: Floats = 0.0
-    of_next: Floats = 0.0
+def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
+    """Return the time from rest to the greatest speed and to the end, infinite where they are unsure."""
+    c = s.cells
     before: Floats = 0.0
-    rises = unit > 0.0
+    duration: Floats = 0.0
     f = np.zeros((ix.STRIDE, e.shape[1]))
-    for k in range(first, last + 1):
-        here = unit * (NODES[k] * NODES[k])
-        other = 1.0 + bend * (1.0 - NODES[k])
-        share = 1.0 / (here + other * other)
-        softening_functions(s, e, f, at_rest + way * (here * share))
-        at = softening_energy(e, f)
-        rises = rises & (at > before)
-        before = at
-        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
-        total = total + SHARES[k] * slowness
-        of_last = of_last + LAST_SHARES[k] * slowness
-        of_next = of_next + NEXT_SHARES[k] * slowness
-    size = np.where(rises, (np.abs(of_last) + np.abs(of_next)) / total, INFINITY)
-    return (2.0 * end * unit * (1.0 + bend) * total, size)
+    for part in range(1, 0 - 1, -1):
+        unit = peak / (end - peak) if part == 0 else (end - peak) / peak
+        bend = 4.0 * c[ix.FACTOR] - 1.0
+        if part == 0:
+            bend = c[ix.FACTOR] * BENT * np.sqrt(1.0 - peak * c[s.roles.loss_rate])
+        total: Floats = 0.0
+        last: Floats = 0.0
+        last_but_one: Floats = 0.0
+        lower: Floats = 0.0
+        for k in range(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1 + 1):
+            here = unit * (NODES[k] * NODES[k])
+            other = 1.0 + bend * (1.0 - NODES[k])
+            share = 1.0 / (here + other * other)
+            past = end * (here * share)
+            softening_functions(s, e, f, past if part == 0 else end - past)
+            at = softening_energy(e, f)
+            slowness = share * share * (other * NODES[k]) / np.sqrt(at)
+            total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
+            lower = at
+            last = last + LAST_SHARES[k] * slowness
+            last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+        accurate = np.abs(last) + np.abs(last_but_one) <= ALIKE * total
+        before = np.where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+        duration = duration + before
+    return (before, duration)
 
 
 def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -2106,15 +2113,20 @@ def time_of_peak(e: Floats, peak: Floats) -> Floats:
     return 2.0 * np.sqrt(peak) * total
 
 
+def times_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats, which: Mask) -> tuple[Floats, Floats]:
+    """Return the times from rest to the greatest speed and to the end, infinite if it is uncertain."""
+    if s.roles.loss_rate >= 0:
+        return duration_of_softening(s, e, end, peak)
+    duration, change = duration_of_swing(e, back, end, which)
+    return (time_of_peak(e, peak), np.where(change <= CONVERGED, duration, INFINITY))
+
+
 def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak: Floats, before: Floats) -> None:
     """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
     c = s.cells
     f = np.zeros((ix.STRIDE, e.shape[1]))
     evaluate_at(s, e, f, peak)
-    speed = np.sqrt(f[5])
-    rate = 0.5 * f[6]
-    time = c[ix.TIME] + before
-    keep_faster(s, here, speed, time, peak, rate)
+    keep_faster(s, here, np.sqrt(f[5]), c[ix.TIME] + before, peak, 0.5 * f[6])
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
@@ -2123,17 +2135,6 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak:
     i = np.flatnonzero(here)
     if i.size:
         on_standstill(s, i)
-
-
-def soft_parts(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
-    """Return the times before and after the greatest speed under softening friction, infinite where they are unsure."""
-    c = s.cells
-    past = end - peak
-    ratio = 4.0 * c[ix.FACTOR]
-    bend = ratio * BENT * np.sqrt(1.0 - peak * c[s.roles.loss_rate])
-    before, first = part_of_duration(s, e, end, peak / past, bend, 0, TO_PEAK - 1)
-    after, second = part_of_duration(s, e, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
-    return (before, np.where((first <= ALIKE) & (second <= ALIKE), after, INFINITY))
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
@@ -2152,10 +2153,9 @@ def swing(s: Lanes, which: Mask) -> Mask:
         softening_factors(s, e)
         fits = fits & series_suffices(s, e)
         sine = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
-    q = e[4]
     if not softens:
-        q = -2.0 * c[s.roles.net_square]
-        factors(e, c[s.roles.drive], sine, c[s.roles.net_vers], q)
+        factors(e, c[s.roles.drive], sine, c[s.roles.net_vers], -2.0 * c[s.roles.net_square])
+    q = e[4]
     end = end_of_swing(s, e, sine, fits)
     functions(f, np.minimum(end, FARTHEST), q)
     if not softens:
@@ -2168,20 +2168,9 @@ def swing(s: Lanes, which: Mask) -> Mask:
     fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):
         peak = peak_of_swing(s, e, end, fits)
-        before: Floats = 0.0
-        duration: Floats = 0.0
-        if softens:
-            first, last = soft_parts(s, e, end, peak)
-            before = first
-            duration = first + last
-        if not softens:
-            total, change = duration_of_swing(e, back, end, fits)
-            fits = fits & (change <= CONVERGED)
-            duration = total
+        before, duration = times_of_swing(s, e, back, end, peak, fits)
         fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
         if np.any(fits):
-            if not softens:
-                before = time_of_peak(e, peak)
             finish(s, fits, e, end, duration, peak, before)
     return fits
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c274443871ac41fc1c71e43e89ac5195fe32562e77e824e230e8e323dd7f09c0
+# sha256 of the text below: 83dc038518f57af1be433fa9b3a2167090c261542b6007f862f09d356a49d86d
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -418,12 +418,11 @@ class Linker:
                     names[results[1]] = "loss"
                     cells["cell_loss_rate"] = argument.cells[1]
         for name, constant in CONSTANTS.items():
-            factors = dict.fromkeys((role for role in ROLES if role.startswith(f"cell_{name}_")), ZERO)
-            factors[f"cell_{name}"] = ZERO
+            factors = {role: ZERO for role in ROLES if role.startswith(f"cell_{name}")}
             for each, cell in self._products(str(registers[name])):
                 role = "_".join(("cell", name, *sorted(names.get(x, x) for x in each)))
                 factors[role] = self._result("add", [factors.get(role, ZERO), cell])
-            start = factors.pop(f"cell_{name}")
+            start = factors.pop(f"cell_{name}", ZERO)
             if start != outputs[constant] or factors[f"cell_{name}_sine"] == ZERO or factors.keys() - {*ROLES}:
                 return {}
             cells = factors | cells | outputs

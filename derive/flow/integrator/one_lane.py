@@ -27,16 +27,16 @@ INFINITY = math.inf
 # Nodes of rules in `derive.flow.integrator.swing`: sin(u)^2 of the trapezoidal rule in u on [0, pi/4], halving by
 # halving, and squares of the positive nodes of Gauss's rule on [-1, 1], with their weights.
 _ORDER = (16, 8, *range(4, 16, 8), *range(2, 16, 4), *range(1, 16, 2))
-_GAUSS = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes(4, 120)
+_gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
 SINES = tuple(float(mpmath.sin(mpmath.pi * k / 64) ** 2) for k in _ORDER)
-PLACES, WEIGHTS = zip(*sorted((float(x * x), float(weight)) for x, weight in _GAUSS if x > 0), strict=True)
-# Gauss's rules on [0, 1] of `derive.flow.integrator.softening`, one after the other, before the peak and after it. The
-# last columns are weights of the last two coefficients of Legendre's series.
+PLACES, WEIGHTS = zip(*sorted((float(x * x), float(weight)) for x, weight in _gauss(4, 120) if x > 0), strict=True)
+# Gauss's rules in `derive.flow.integrator.softening`, one after the other: nodes on [0, 1], weights on [-1, 1], and
+# weights of the last two coefficients of Legendre's series.
 TO_PEAK, FROM_PEAK = 24, 12
 _RULES = [
-    (0.5 + x / 2, weight / 2, *((2 * n + 1) * mpmath.legendre(n, x) * weight / 2 for n in (count - 1, count - 2)))
+    (0.5 + x / 2, weight, *((2 * n + 1) * mpmath.legendre(n, x) * weight for n in (count - 1, count - 2)))
     for count, degree in ((TO_PEAK, 4), (FROM_PEAK, 3))
-    for x, weight in sorted(mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes(degree, 120))
+    for x, weight in sorted(_gauss(degree, 120))
 ]
 NODES, SHARES, LAST_SHARES, NEXT_SHARES = (tuple(map(float, column)) for column in zip(*_RULES, strict=True))
 

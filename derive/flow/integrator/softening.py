@@ -5,7 +5,7 @@ exp(brake W/slope) times the sum over j of W^j E_j, where E_j is E under constan
 t_j times the net moment plus t_(j-1) times the load, t_j = (-brake/slope)^j/j!. `derive.algebra.phase_plane` derives
 this series. The parts of the terms j > 0 that decay like exp(-(q - j slope) x) make one multiple of exp(-q x):
 
-    W^j E_j = constant_j (W^j - exp(-q x)) + W^j (sine_j sin(x) + vers_j (1 - cos(x)))
+    W^j E_j = constant_j (W^j - exp(-q x)) + W^j (vers_j (1 - cos(x)) - sine_j sin(x))
 
 The duration has two parts, before and after the greatest speed, by Gauss's rule in a variable in which both ends are
 regular. The last coefficients of Legendre's series of an integrand measure the error, which is about their square.
@@ -13,18 +13,17 @@ regular. The last coefficients of Legendre's series of an integrand measure the 
 Series and rules are shorter than rounding requires: lanes of higher order than `FINEST` are integrated in time.
 """
 
-from math import factorial
-
 from derive.flow.integrator.energy import energy, factors, functions
 from derive.flow.integrator.one_lane import (
+    FROM_PEAK,
     INFINITY,
     LAST_SHARES,
     NEXT_SHARES,
     NODES,
     SHARES,
+    TO_PEAK,
     Lanes,
     M,
-    N,
     S,
     V,
     down,
@@ -41,9 +40,8 @@ TERMS = 8  # of the series
 GREATEST = 0.0625  # brake/slope, of which powers above the last term are below rounding
 DRIVEN = 1024.0  # greatest load that friction loses over the drive, with which the digits lost by the sum increase
 ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate
-BENT = 0.33  # times the root of slope x, how much closer the nodes of a rule are where friction softens
-GROWTH = tuple(1 / factorial(k) for k in range(10))
-# Places of further factors of E: brake/slope, and the factors of the terms, those of constants summed from the last.
+BENT = 1.3  # factor of the root of slope x in a rule with closer nodes where friction softens
+# Places of further factors of E: brake/slope, and the factors of the terms from the first on.
 SHIFT = 5
 CONSTANT = 8
 SINE = 16
@@ -58,19 +56,17 @@ def softening_factors(s: Lanes, e: S) -> None:
     q = 2.0 * (s.net_loss_square - s.net_square)
     factors(e, drive, sine, vers, q)
     e[SHIFT] = 2.0 * s.net_loss_square / s.loss_rate
+    part = new_series()
     weight: V = 1.0
     for j in up(1, TERMS):
         before = weight
         weight = weight * e[SHIFT] / number(-j)
-        decay = q + number(j) * s.loss_rate
-        share = 2.0 / (1.0 + decay * decay)
         of_sine = weight * sine + before * s.net_loss_sine
         of_vers = weight * vers + before * s.net_loss_vers
-        e[SINE + j] = share * (decay * of_sine - of_vers)
-        e[VERS + j] = share * (of_sine + decay * of_vers)
-        e[CONSTANT + j] = (2.0 * (weight * drive + before * s.net_loss) - e[SINE + j]) / decay
-    for j in down(TERMS - 1, 1):
-        e[CONSTANT + j] = e[CONSTANT + j] + e[CONSTANT + j + 1]
+        factors(part, weight * drive + before * s.net_loss, of_sine, of_vers, q + number(j) * s.loss_rate)
+        e[CONSTANT + j] = (part[0] + part[3]) / part[4]
+        e[SINE + j] = part[3]
+        e[VERS + j] = part[2]
 
 
 def series_suffices(s: Lanes, e: S) -> M:
@@ -88,21 +84,19 @@ def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
 def softening_energy(e: S, f: S) -> V:
     """Return E from its factors and its functions."""
     left = 1.0 + f[4]
+    above: V = 0.0
     constant: V = 0.0
     of_sine: V = 0.0
     of_vers: V = 0.0
     for j in down(TERMS, 1):
-        constant = constant * left + e[CONSTANT + j]
+        above = above + e[CONSTANT + j]
+        constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
     lost = f[0] - e[4] * f[1]
-    terms = f[4] * constant + (of_sine * (f[0] - f[3]) + of_vers * f[2])
-    terms = terms + e[4] * e[CONSTANT + 1] * lost
-    shift = e[SHIFT] * left
-    grown: V = 0.0
-    for k in down(9, 0):
-        grown = grown * shift + GROWTH[k]
-    return grown * (energy(e, f) + terms)
+    terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
+    terms = terms + e[4] * above * lost
+    return (1.0 + expm1(e[SHIFT] * left)) * (energy(e, f) + terms)
 
 
 def soften(s: Lanes, e: S, f: S, x: V) -> None:
@@ -121,32 +115,38 @@ def soften(s: Lanes, e: S, f: S, x: V) -> None:
     f[7] = 2.0 * (turns + s.loss_rate * (1.0 + f[4]) * loss)
 
 
-def part_of_duration(s: Lanes, e: S, end: V, unit: V, bend: V, first: N, last: N) -> tuple[V, V]:
-    """Return the time between rest and the greatest speed, and the size of the last coefficients of its integrand.
+def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
+    """Return the time from rest to the greatest speed and to the end, infinite where they are unsure.
 
-    The variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
-    distances to both rests. Coefficients are infinite if E does not rise from node to node. ``first`` and ``last`` are
-    the numbers of the nodes; the phase begins at the first of all.
+    The variable v of a rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the distances
+    to both rests. E rises from node to node. Error estimates change the step over the radius of convergence, and with
+    it the rules, so that they compare different rules.
     """
-    at_rest = 0.0 if first == 0 else end
-    way = end if first == 0 else -end
-    total: V = 0.0
-    of_last: V = 0.0
-    of_next: V = 0.0
     before: V = 0.0
-    rises = unit > 0.0
+    duration: V = 0.0
     f = new_series()
-    for k in up(first, last):
-        here = unit * (NODES[k] * NODES[k])
-        other = 1.0 + bend * (1.0 - NODES[k])
-        share = 1.0 / (here + other * other)
-        softening_functions(s, e, f, at_rest + way * (here * share))
-        at = softening_energy(e, f)
-        rises = rises and at > before
-        before = at
-        slowness = share * share * (other * NODES[k]) / sqrt(at)
-        total = total + SHARES[k] * slowness
-        of_last = of_last + LAST_SHARES[k] * slowness
-        of_next = of_next + NEXT_SHARES[k] * slowness
-    size = where(rises, (abs(of_last) + abs(of_next)) / total, INFINITY)
-    return 2.0 * end * unit * (1.0 + bend) * total, size
+    for part in down(1, 0):
+        unit = peak / (end - peak) if part == 0 else (end - peak) / peak
+        bend = 4.0 * s.factor - 1.0
+        if part == 0:
+            bend = s.factor * BENT * sqrt(1.0 - peak * s.loss_rate)
+        total: V = 0.0
+        last: V = 0.0
+        last_but_one: V = 0.0
+        lower: V = 0.0
+        for k in up(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1):
+            here = unit * (NODES[k] * NODES[k])
+            other = 1.0 + bend * (1.0 - NODES[k])
+            share = 1.0 / (here + other * other)
+            past = end * (here * share)
+            softening_functions(s, e, f, past if part == 0 else end - past)
+            at = softening_energy(e, f)
+            slowness = share * share * (other * NODES[k]) / sqrt(at)
+            total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
+            lower = at
+            last = last + LAST_SHARES[k] * slowness
+            last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+        accurate = abs(last) + abs(last_but_one) <= ALIKE * total
+        before = where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+        duration = duration + before
+    return before, duration

@@ -10,11 +10,9 @@ half a turn, and before its end time. All other phases are integrated in time.
 
 from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of
 from derive.flow.integrator.one_lane import (
-    FROM_PEAK,
     INFINITY,
     PLACES,
     SINES,
-    TO_PEAK,
     WEIGHTS,
     Lanes,
     M,
@@ -32,7 +30,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import keep_faster
 from derive.flow.integrator.roots import LAST_STEP, inside_or_middle
-from derive.flow.integrator.softening import ALIKE, BENT, part_of_duration, series_suffices, soften, softening_factors
+from derive.flow.integrator.softening import duration_of_softening, series_suffices, soften, softening_factors
 from derive.flow.integrator.step import on_standstill
 
 PI = 3.141592653589793
@@ -152,14 +150,19 @@ def time_of_peak(e: S, peak: V) -> V:
     return 2.0 * sqrt(peak) * total
 
 
+def times_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tuple[V, V]:
+    """Return the times from rest to the greatest speed and to the end, infinite if it is uncertain."""
+    if s.has.loss_rate:
+        return duration_of_softening(s, e, end, peak)
+    duration, change = duration_of_swing(e, back, end, which)
+    return time_of_peak(e, peak), where(change <= CONVERGED, duration, INFINITY)
+
+
 def finish(s: Lanes, here: M, e: S, end: V, duration: V, peak: V, before: V) -> None:
     """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
     f = new_series()
     evaluate_at(s, e, f, peak)
-    speed = sqrt(f[5])
-    rate = 0.5 * f[6]
-    time = s.time + before
-    keep_faster(s, here, speed, time, peak, rate)
+    keep_faster(s, here, sqrt(f[5]), s.time + before, peak, 0.5 * f[6])
     s.x = end
     s.omega = 0.0
     s.time = s.time + duration
@@ -167,19 +170,6 @@ def finish(s: Lanes, here: M, e: S, end: V, duration: V, peak: V, before: V) -> 
     s.passed = number(Passed.NOTHING)
     if here:
         on_standstill(s)
-
-
-def soft_parts(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
-    """Return the times before and after the greatest speed under softening friction, infinite where they are unsure.
-
-    Error estimates change the step over the radius of convergence, on which the rules depend, and compare their times.
-    """
-    past = end - peak
-    ratio = 4.0 * s.factor
-    bend = ratio * BENT * sqrt(1.0 - peak * s.loss_rate)
-    before, first = part_of_duration(s, e, end, peak / past, bend, 0, TO_PEAK - 1)
-    after, second = part_of_duration(s, e, end, past / peak, ratio - 1.0, TO_PEAK, TO_PEAK + FROM_PEAK - 1)
-    return before, where(first <= ALIKE and second <= ALIKE, after, INFINITY)
 
 
 def swing(s: Lanes, which: M) -> M:
@@ -197,10 +187,9 @@ def swing(s: Lanes, which: M) -> M:
         softening_factors(s, e)
         fits = fits and series_suffices(s, e)
         sine = s.net_sine - s.net_loss_sine
-    q = e[4]
     if not softens:
-        q = -2.0 * s.net_square
-        factors(e, s.drive, sine, s.net_vers, q)
+        factors(e, s.drive, sine, s.net_vers, -2.0 * s.net_square)
+    q = e[4]
     end = end_of_swing(s, e, sine, fits)
     functions(f, minimum(end, FARTHEST), q)
     if not softens:
@@ -213,19 +202,8 @@ def swing(s: Lanes, which: M) -> M:
     fits = fits and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
     if any_lane(fits):
         peak = peak_of_swing(s, e, end, fits)
-        before: V = 0.0
-        duration: V = 0.0
-        if softens:
-            first, last = soft_parts(s, e, end, peak)
-            before = first
-            duration = first + last
-        if not softens:
-            total, change = duration_of_swing(e, back, end, fits)
-            fits = fits and change <= CONVERGED
-            duration = total
+        before, duration = times_of_swing(s, e, back, end, peak, fits)
         fits = fits and s.time + duration < s.end_time
         if any_lane(fits):
-            if not softens:
-                before = time_of_peak(e, peak)
             finish(s, fits, e, end, duration, peak, before)
     return fits

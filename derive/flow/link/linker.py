@@ -182,12 +182,11 @@ class Linker:
                     names[results[1]] = "loss"
                     cells["cell_loss_rate"] = argument.cells[1]
         for name, constant in CONSTANTS.items():
-            factors = dict.fromkeys((role for role in ROLES if role.startswith(f"cell_{name}_")), ZERO)
-            factors[f"cell_{name}"] = ZERO
+            factors = {role: ZERO for role in ROLES if role.startswith(f"cell_{name}")}
             for each, cell in self._products(str(registers[name])):
                 role = "_".join(("cell", name, *sorted(names.get(x, x) for x in each)))
                 factors[role] = self._result("add", [factors.get(role, ZERO), cell])
-            start = factors.pop(f"cell_{name}")
+            start = factors.pop(f"cell_{name}", ZERO)
             if start != outputs[constant] or factors[f"cell_{name}_sine"] == ZERO or factors.keys() - {*ROLES}:
                 return {}
             cells = factors | cells | outputs
