@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from flint import arb
 
-from derive.check.truth import fraction, number
+from derive.check.truth import as_ball, fraction
 from derive.progress import track
 from derive.theorem.motion import EFFORTS, Slide, Theorem, first_swing, theorem
 
@@ -49,7 +49,7 @@ class _Interval(NamedTuple):
         """Return a ball that covers the interval, at the current precision."""
         middle = (self.low + self.high) / 2
         radius = (self.high - self.low) / 2
-        return number(middle) + number(radius) * arb(0, 1)
+        return as_ball(middle) + as_ball(radius) * arb(0, 1)
 
 
 def interval(text: str) -> _Interval:
