@@ -1,15 +1,15 @@
 """Input errors and checks. Each mistake has one message with the field, its value and the allowed values."""
 
-import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from importlib import import_module
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import Parameter
-from slipcircle.base.arrays import INFINITY, array_of
+from slipcircle.base.arrays import FLOATS
 from slipcircle.base.kinds import Rename, Shape, Texts, Values
 
 Fault = tuple[Any, Callable[[int], str]]  # mask of invalid lanes, and a function that describes a lane
@@ -92,18 +92,6 @@ class UnusualInput(UserWarning):
     """Warning about a number that was probably meant in another unit."""
 
 
-def abridged(value: Any) -> str:
-    """Return the representation of a value on one line, or its type and beginning if it is long."""
-    if isinstance(value, int) and abs(value) >= 10**100:
-        return f"an integer of {value.bit_length()} bits"
-    words = repr(value).split()
-    text = " ".join(words)
-    if len(text) <= 80:
-        return text
-    kind = type(value).__name__
-    return f"{kind} {text[:60]}..."
-
-
 def mistakes(given: Values, declared: Mapping[str, Parameter]) -> Texts:
     """Return a message for each number that is not finite, not within its open bounds, or not a single number.
 
@@ -112,39 +100,16 @@ def mistakes(given: Values, declared: Mapping[str, Parameter]) -> Texts:
     sentences: Texts = []
     for name, p in declared.items():
         value = given[name]
-        plausible = type(value) is float and p.lower < value < p.upper  # usual; arrays take twenty times as long
+        plausible = type(value) in FLOATS and p.lower < value < p.upper  # usual; arrays take twenty times as long
         if not plausible:
-            sentences += map(Message, _number_mistakes(name, p, value))
+            number_mistakes = import_module("slipcircle.base.bounds").number_mistakes
+            sentences += map(Message, number_mistakes(name, p, value))
     return sentences
 
 
 def one_number(lower: float, upper: float, allowed: str) -> Parameter:
     """Return the declaration of a single number with open bounds and the allowed values in words."""
     return Parameter("", "", lower, upper, allowed=allowed, kind="fixed")
-
-
-_SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
-
-
-def _number_mistakes(name: str, p: Parameter, value: Any) -> Texts:
-    """Return a message if the value of a number violates its declaration ``p``. ``name`` is its name in the message."""
-    array = array_of(value)
-    if p.kind == "fixed" and not p.axes and array.ndim:
-        return [f"{{{name}}} = {abridged(value)}: must be one number"]
-    sign = _SIGNS.get(min(p.lower, 0.0), "")
-    allowed = p.allowed or f"{p.help}{sign} ({p.unit})"
-    if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
-        return [f"{{{name}}} = {abridged(value)}: must be {allowed}"]
-    outside = array[~p.allows(array)]
-    if not outside.size:
-        return []
-    first = float(outside[0])
-    least = min(p.lower, 0.0)
-    sign_is_right = first > least and first != 0.0
-    if sign_is_right and math.isfinite(first) and p.upper < INFINITY:
-        least = 0.0 if p.lower == -5e-324 else p.lower
-        allowed = f"{allowed}, between {least:g} and {p.upper:g}"
-    return [f"{{{name}}} = {first:.10g}: must be {allowed}"]
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> Texts:

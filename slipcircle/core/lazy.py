@@ -1,6 +1,7 @@
 """Modules outside the core that only some scenes or results need, imported at their first use."""
 
-from functools import cache
+from collections.abc import Callable
+from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
@@ -8,8 +9,10 @@ MODULES = {
     "tree": "slipcircle.tree",  # numbers are listed, varied, or arrays
     "tabulated": "slipcircle.tabulated",  # tabulated coefficients replace the computed ones
     "arc": "slipcircle.messages.arc",  # an arc is invalid
+    "section": "slipcircle.messages.section",  # a section is invalid
     "decimals": "slipcircle.base.decimals",  # the friction of an arc is close to its limit
     "history": "slipcircle.history.history",  # states, forces, stresses or energy are requested
+    "ends": "slipcircle.history.ends",  # states at the end, the farthest position or the peak are requested
     "journey": "slipcircle.history.journey",  # the displacement of toe or centroid is requested
     "validity": "slipcircle.history.validity",  # the range of validity is requested
     "toe": "slipcircle.ground.toe",  # the range of validity of a section is requested
@@ -41,3 +44,16 @@ MODULES = {
 def lazy_import(name: str) -> Any:
     """Return a module outside the core, imported at its first use. ``name`` is a key of `MODULES`, not a path."""
     return import_module(MODULES[name])
+
+
+def lazy_message(module: str, fault: str, mass: Any) -> Callable[[int], str]:
+    """Return the function from the index of a lane to the message about a fault of its mass.
+
+    ``fault`` is the name of a function of a ``module`` of messages, a key of `MODULES`.
+    """
+    return partial(_message, module, fault, mass)
+
+
+def _message(module: str, fault: str, mass: Any, lane: int) -> str:
+    text: str = getattr(lazy_import(module), fault)(mass, lane)
+    return text

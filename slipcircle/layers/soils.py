@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 
 from generated.effects import COHESION_LAWS, LAWS, Parameter
 from slipcircle.base.arrays import array_of, freeze
-from slipcircle.base.errors import abridged, mistakes, raise_all
+from slipcircle.base.bounds import abridged
+from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Texts
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.declarations import Parts, declared, number, present

@@ -8,9 +8,8 @@ from typing import Any, Self
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose, float_or_array, may_overflow
+from slipcircle.base.arrays import choose
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.scene.scene import Scene
 
 
 class Status(IntEnum):
@@ -124,30 +123,3 @@ class State:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         object.__setattr__(self, name, self._stress())
         return self.normal_stress
-
-
-def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stress: Callable[[], Any]) -> State:
-    """Return a state in SI units.
-
-    ``time`` is in s and ``rotation`` in rad. ``omega`` and ``rate`` are the angular velocity times sqrt(R/g) and its
-    derivative times R/g. Their arrays have the shape of the scene followed by the shape of the times. ``stress`` is a
-    function without arguments that returns the normal stress in Pa.
-    """
-    axes = getattr(time, "ndim", 0) - len(scene.shape)
-    scale = before(scene.arc.time_scale, axes)
-    radius = before(float_or_array(scene.arc.radius), axes)
-    with may_overflow(scene.shape):
-        angular_velocity = omega / scale
-        velocity = radius * angular_velocity
-        acceleration = radius * rate / scale**2
-        displacement = radius * rotation
-    columns = (rotation, angular_velocity, velocity, displacement, acceleration)
-    return State(time, *(column + 0.0 for column in columns), stress=stress)
-
-
-def before(values: Any, axes: int) -> Any:
-    """Return an array over lanes, followed by as many axes of length 1 as the times have ``axes``.
-
-    A single number is returned unchanged.
-    """
-    return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))

@@ -4,7 +4,6 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
@@ -12,11 +11,11 @@ from numpy.typing import ArrayLike
 
 from generated import kernels
 from generated.effects import Parameter
-from slipcircle.base.arrays import choose, float_or_array, freeze, two_sum
+from slipcircle.base.arrays import FLOATS, choose, float_or_array, freeze, two_sum
 from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
 from slipcircle.base.units import take_units
-from slipcircle.core.lazy import lazy_import
+from slipcircle.core.lazy import lazy_import, lazy_message
 from slipcircle.core.scene.declarations import Parts, declared, number
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 
@@ -174,8 +173,9 @@ class Arc(Mass, Generic[Numbers]):
     @property
     def _is_plain_arc(self) -> bool:
         """Whether the ends are two floats of a valid arc with normal load, so that `geometry_errors` is not needed."""
-        first, last = self.theta_1, self.theta_2
-        if type(first) is not float or type(last) is not float:
+        first: Any = self.theta_1
+        last: Any = self.theta_2
+        if not FLOATS.issuperset((type(first), type(last))):
             return False
         if not 0.0 < last - first <= np.pi:
             return False
@@ -209,12 +209,7 @@ class Arc(Mass, Generic[Numbers]):
             "without_load": normal_load <= 0.0,
         }
         for fault, lanes in faults.items():
-            yield lanes, partial(self._complaint, fault)
-
-    def _complaint(self, fault: str, lane: int) -> str:
-        """Return the message about one lane; ``fault`` is the name of a function of `slipcircle.messages.arc`."""
-        sentence: str = getattr(lazy_import("arc"), fault)(self, lane)
-        return sentence
+            yield lanes, lazy_message("arc", fault, self)
 
     @cached_property
     def half_angle(self) -> Any:

@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Law, Parameter
-from slipcircle.base.errors import abridged, mistakes
+from slipcircle.base.bounds import abridged
+from slipcircle.base.errors import mistakes
 from slipcircle.base.kinds import MAPPING, Parameters, Texts
 from slipcircle.base.parameters import parameter_mistakes
 from slipcircle.core.lazy import lazy_import

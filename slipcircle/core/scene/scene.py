@@ -2,7 +2,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Generic, overload
 
@@ -306,11 +306,6 @@ class Scene(Generic[Numbers]):
 
 
 _MOST, _OF_WEIGHT, _OF_STRENGTH = QUESTIONED_FRICTION, LEAST["N/m^3"], LEAST["Pa"]
-_UNUSUAL: Mapping[str, Callable[[Any], bool]] = {
-    **dict.fromkeys(("friction", "peak", "residual"), lambda value: value > _MOST),
-    "cohesion": lambda value: 0.0 < value < _OF_STRENGTH,
-    "unit_weight": lambda value: value < _OF_WEIGHT,
-}
 
 
 def _is_unusual(number: tuple[str, Any]) -> bool:
@@ -319,8 +314,16 @@ def _is_unusual(number: tuple[str, Any]) -> bool:
     ``number`` is a pair of name and value in SI units; the last part of the name determines the check.
     """
     name, value = number
-    check = _UNUSUAL.get(name.rpartition(".")[2])
-    return check is not None and isinstance(value, int | float) and check(value)
+    if not isinstance(value, int | float):
+        return False
+    match name.rpartition(".")[2]:
+        case "friction" | "peak" | "residual":
+            return value > _MOST
+        case "cohesion":
+            return 0.0 < value < _OF_STRENGTH
+        case "unit_weight":
+            return value < _OF_WEIGHT
+    return False
 
 
 _NUMBERS = ("initial_velocity", "strength_factor", "end_time")

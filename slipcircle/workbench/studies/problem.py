@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
 from slipcircle.base.arrays import float_or_array, real_number
-from slipcircle.base.errors import abridged, raise_all
+from slipcircle.base.bounds import abridged
+from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, DIP, Scene, Status, depends_on, law_names
