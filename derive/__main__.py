@@ -56,7 +56,7 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
 
     ``present`` are the texts of the present files, which are returned where the records match them.
     """
-    from derive.declare.effects import EFFECTS, LAWS
+    from derive.declare.effects import EFFECTS, LAWS, SECTION_EFFECTS
     from derive.flow.fragments import CALLABLE
     from derive.flow.linked import cases
 
@@ -73,7 +73,7 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
     stages.run("phase plane", "balance", "derive.algebra.phase_plane:prove", shown="{}")
     stages.run("flow", "closed form", "derive.flow.closed:prove", shown="{}")
     stages.run("flow", "series", "derive.flow.recurrences:prove", 6, shown="{}")
-    return stages.files("flow", "derive.generate.write:flow_files", present)
+    return stages.files("flow", "derive.generate.write:flow_files", present, LAWS, EFFECTS, SECTION_EFFECTS)
 
 
 def derive_all(stages: Stages | None = None) -> dict[str, str]:
@@ -94,7 +94,8 @@ def derive_all(stages: Stages | None = None) -> dict[str, str]:
     stages.run("slopes", "balance", "derive.algebra.slopes:prove", *of_slopes, shown="{}")
     texts = present_files()
     of_flow = flow(stages, texts)
-    return of_flow | stages.files("kernels", "derive.generate.write:kernel_files", texts)
+    of_slope = stages.files("slopes", "derive.generate.write:slope_files", texts, *of_slopes)
+    return of_flow | of_slope | stages.files("kernels", "derive.generate.write:kernel_files", texts)
 
 
 class Command(NamedTuple):

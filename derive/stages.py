@@ -187,11 +187,14 @@ class Stages:
         report_stage(title, stage, f"{seconds:6.2f} s", shown.format(outcome))
         return outcome
 
-    def files(self, title: str, work: str, present: dict[str, str]) -> dict[str, str]:
-        """Return the texts that ``module:function`` writes, by file; the present ones where the records match them."""
+    def files(self, title: str, work: str, present: dict[str, str], *declared: object) -> dict[str, str]:
+        """Return the texts that ``module:function`` writes, by file; the present ones where the records match them.
+
+        The function receives these stages. ``declared`` are the declarations that it uses, by default all of them.
+        """
         module, name = work.split(":")
         key = f"{title}, files"
-        digest = inputs(module, name)
+        digest = inputs(module, name, declared)
         known = self.known.get(key, {})
         if known.get("inputs") == digest:
             recorded: dict[str, str] = known["outcome"]

@@ -72,7 +72,6 @@ def follow(root: Path) -> list[str]:
 QUICKLY = """
 import gc
 from functools import partial
-from pathlib import Path
 gc.disable()
 from derive import build
 from derive.check import certify, midpoints
@@ -84,9 +83,6 @@ from derive.approximate import search
 search.TRIALS = 4
 kept = search.kept
 search.kept = lambda kernel, tier, shape: [] if tier == "float32" else kept(kernel, tier, shape)
-from derive.generate import slopes
-# Nothing is added to the slopes.
-slopes.slopes_module = lambda: Path("generated/slopes.py").read_text("utf-8").split("\\n", 2)[2]
 """
 HARD_CASES = """
 from derive.judge.hard import hard_cases

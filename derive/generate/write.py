@@ -30,7 +30,7 @@ MEND = "python -m derive"
 
 
 def flow_files(_: Stages) -> dict[str, str]:
-    """Return the files that depend on `derive.flow`, by name."""
+    """Return the files that depend on `derive.flow` and the declared laws and effects, by name."""
     integrator = restricted.integrator()
     text = {"INTEGRATOR": restricted_c.c_functions(integrator), "PROCESSOR": emit.PROCESSOR}
     c_flow = emit.filled("_flow.c", layout.c() | series.c_operations() | straight.c_programs() | text)
@@ -68,6 +68,11 @@ def kernel_files(stages: Stages) -> dict[str, str]:
     return stages.line("kernels", "emit", lambda: _kernel_texts(proved), "")
 
 
+def slope_files(_: Stages) -> dict[str, str]:
+    """Return the file that depends on `derive.algebra.slopes`, by name."""
+    return _written({"slopes.py": slopes.slopes_module()})
+
+
 def _kernel_texts(proved: list[Record]) -> dict[str, str]:
     """Return all files that do not depend on `derive.flow`, from the records of the kernels."""
     kernels = functions.public_functions(proved)
@@ -82,7 +87,6 @@ def _kernel_texts(proved: list[Record]) -> dict[str, str]:
             "Moments, weights and quotients of the arc, from their definitions.", kernels, parts_of_ends()
         ),
         "_kernels.c": c_kernels,
-        "slopes.py": slopes.slopes_module(),
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",

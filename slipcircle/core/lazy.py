@@ -22,7 +22,7 @@ MODULES = {
     "functions": "slipcircle.tables.functions",  # friction is a Python function of slip
     "ponds": "slipcircle.ground.ponds",  # a section has a water level or ponds
     "heights": "slipcircle.ground.heights",  # a section has a water level, or its arc overhangs
-    "water": "slipcircle.ground.water",  # a section has a water level
+    "water": "slipcircle.ground.water",  # a section has water, or tables of the rotation
     "depths": "slipcircle.layers.depths",  # cohesion of one soil grows with depth
     "standing": "slipcircle.layers.standing",  # free water covers the exit of a section
     "creep": "slipcircle.stiff.creep",  # a viscous layer without end time, or the slow run-out is requested
