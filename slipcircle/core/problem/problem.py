@@ -5,9 +5,9 @@ independent of individual laws and effects.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -43,7 +43,7 @@ class Problem:
 
     Attributes
     ----------
-    recipe : Recipe
+    plan : Plan
     program : Program
     start : mapping
         Initial cells by name, each a number or an array over lanes.
@@ -55,20 +55,20 @@ class Problem:
         Python functions of slip, by the name of their table.
     farther : callable or None
         Function that extends the functions of the rotation.
-    near : callable
-        Function that returns the least margin of a decision at rest, in units of rounding, for which the rounded limit
-        friction suffices, and the function of the exact limit friction of some lanes as the next float above and the
-        rest. It is called where a margin is below `NEAR`.
     """
 
-    recipe: Recipe
+    plan: Plan
     program: Program
     start: Values
     data: dict[str, Data]
     lanes: int
     functions: Mapping[str, Function] = field(default_factory=dict)
     farther: Farther | None = None
-    near: Callable[[], tuple[float, Callable[[Any], Any]]] = lambda: (0.0, bool)
+
+    @property
+    def recipe(self) -> Recipe:
+        """Effects, laws and parameters from which the program is linked."""
+        return self.plan.recipe
 
     def cells(self, which: Any = EVERY) -> Floats:
         """Return the initial cells of all or some lanes, (cells, lanes).
@@ -92,24 +92,6 @@ class Problem:
             self.start = {**self.start, name: float(flat[0]) if self.lanes == 1 else flat}
         vars(self).pop("_only_lane", None)
         return self
-
-    def refine(self, margins: Floats) -> Any:
-        """Use the exact limit friction in lanes that decide close to it; return the indices of these lanes.
-
-        ``margins`` are the least margins of the decisions at rest in a first solution, in units of rounding, (lanes,).
-        """
-        if not margins.size or margins[margins.argmin()] >= NEAR or "LIMIT_REST" in self.start:
-            return ()
-        least, limit_parts = self.near()
-        (lanes,) = np.nonzero(margins < least)
-        if not lanes.size:
-            return ()
-        parts = np.zeros((2, self.lanes))
-        parts[0] = self.start["LIMIT"]
-        parts[:, lanes] = limit_parts(lanes)
-        limits, rests = parts
-        self.begin_with(LIMIT=limits, LIMIT_REST=rests)
-        return lanes
 
     @cached_property
     def _only_lane(self) -> Floats:
@@ -169,21 +151,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
     start |= program.constants
-    near = partial(_near, plan, lanes, strength)
-    return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther, near)
-
-
-def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
-    """Return `Problem.near`, the margin of decisions and the function of the exact limit friction.
-
-    The margin is 0 where the exact limit friction is unknown, forces change in time or with the rotation, or strengths
-    are scaled.
-    """
-    arc = plan.scene.arc
-    if arc._limit_parts is None or arc.given is not None or plan.recipe.moving or np.any(strength != 1.0):
-        return 0.0, bool
-    least = NEAR if lanes == 1 else min(NEAR, 10.0 / plan.accuracy)
-    return least, partial(arc._limit_parts, plan.scene.shape)
+    return Problem(plan, program, start, numbers.tables, lanes, functions, farther)
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
-from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
+from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS
 from generated.program import OF_SOIL
 from slipcircle.base.arrays import EMPTY, Frozen, frozen
 from slipcircle.base.errors import raise_all
@@ -74,17 +74,6 @@ def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
             what = f"effects.{name} = {parameters!r}"
             faults.append(f"{what}: must be a mapping of parameters, {{}} where there are none")
     return named, faults
-
-
-def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, ...]:
-    """Return the declarations of the parameters that an effect may have.
-
-    For cohesion they depend on its law, which ``parameters``, its parameters by name, contains.
-    """
-    if name != "cohesion" or "law" not in parameters:
-        return EFFECTS[name].parameters
-    law = COHESION_LAWS.get(parameters["law"])
-    return (*law.parameters, *OF_GROWTH) if law else ()
 
 
 def cohesion_law(cohesion: Any) -> Law | None:

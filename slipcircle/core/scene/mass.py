@@ -128,7 +128,6 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
-    _limit_parts: Any = None  # optional method: the exact limit friction of some lanes in two parts
     in_standing_water: Any = False
     rotation_range: Any = (-math.pi / 6, math.pi / 6)
 

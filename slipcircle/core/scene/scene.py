@@ -17,7 +17,7 @@ from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.declarations import Parts, declared, number
-from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
+from slipcircle.core.scene.effects import Law, named, resolved
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.mass import Mass
 
@@ -264,7 +264,8 @@ class Scene(Generic[Numbers]):
 
     def parts(self) -> Parts:
         """Return the parts of the mass, the friction, the start and end, and the effects, each with its declaration."""
-        by_name: Parts = self.arc.parts() | lazy_import("tree").parts_of_fields(self)
+        tree = lazy_import("tree")
+        by_name: Parts = self.arc.parts() | tree.parts_of_fields(self)
         if self.arc.friction is not None:  # its soils have the numbers of friction
             del by_name["friction"]
         if type(self.strength_factor) is float and self.strength_factor == AS_ENTERED:
@@ -273,7 +274,7 @@ class Scene(Generic[Numbers]):
         for name in (*effects, *EFFECTS):
             if name not in self.arc.own_effects:
                 one = effects.get(name, EMPTY)
-                by_name[name] = one, declared_parameters(name, one)
+                by_name[name] = one, tree.declared_parameters(name, one)
         return by_name
 
     def with_parts(self, changed: Values) -> Any:
