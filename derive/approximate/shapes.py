@@ -185,14 +185,14 @@ class Shape:
 def recorded_shapes() -> dict[tuple[str, ...], Shape]:
     """Return the recorded shapes by definition, including shapes that were found in this run."""
     shapes = {}
-    for definition, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
+    for definition, record in json.loads(RECORDS.read_text(encoding="utf-8")).items():
         best = []
-        for piece in known["best"]:
+        for piece in record["best"]:
             far = piece["far"]
             if far is not None:
                 piece["far"] = Far(**far)
             best.append(Pieces(**piece))
-        cheap = tuple(map(tuple, known["cheap"]))
+        cheap = tuple(map(tuple, record["cheap"]))
         shapes[tuple(definition.split(" / "))] = Shape(tuple(best), cheap)
     return shapes
 
