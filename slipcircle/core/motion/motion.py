@@ -129,12 +129,9 @@ class Motion(Conversions, Generic[Numbers]):
         """Run-out, peak velocity and duration by name (`run_out`, `peak_velocity`, `duration`), in SI units."""
         final = self._final
         with may_overflow(self.shape):
-            angular_velocity = final[ix.PEAK_OMEGA] / self._time_scale
-            values = {
-                "run_out": self._radius * final[ix.REACH_ROTATION],
-                "peak_velocity": self._radius * angular_velocity,
-            }
-        return {name: self._known(value) for name, value in values.items()} | {"duration": self.duration}
+            run_out = self._known(self._radius * final[ix.REACH_ROTATION])
+            peak_velocity = self._known(self._radius * (final[ix.PEAK_OMEGA] / self._time_scale))
+        return {"run_out": run_out, "peak_velocity": peak_velocity, "duration": self.duration}
 
     @cached_property
     def duration(self) -> Numbers:

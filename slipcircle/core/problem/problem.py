@@ -77,12 +77,12 @@ class Problem:
         """
         if self.lanes == 1 and which is EVERY:
             return self._only_lane.copy()
-        places = self.program.places
+        program = self.program
         count = np.arange(self.lanes)[which].size
-        cells = np.zeros((len(places), count))
-        for name, value in self.start.items():
-            if name in places:  # not every program needs it
-                cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
+        cells = np.empty((len(program.cells), count))  # others are computed where phases begin
+        for name in (*program.cells[: program.given], *program.constants):
+            value = self.start.get(name, 0.0)
+            cells[program.places[name]] = value[which] if isinstance(value, np.ndarray) else value
         return cells
 
     def begin_with(self, **cells: Any) -> "Problem":
@@ -96,13 +96,9 @@ class Problem:
     @cached_property
     def _only_lane(self) -> Floats:
         """Column of the initial cells of a single lane, (cells, 1), computed once."""
-        place_of = self.program.places.get
-        column = np.zeros(len(self.program.cells))
-        for name, value in self.start.items():
-            place = place_of(name)
-            if place is not None:
-                column[place] = value  # five times as fast as into a matrix
-        return column[:, None]
+        column = np.zeros(len(self.program.cells) + 1)
+        column[_places(self.program, tuple(self.start))] = [*self.start.values()]
+        return column[:-1, None]
 
     def tables(self, which: Any = None) -> list[Data]:
         """Return the tables (piecewise functions) of all or some lanes in the order of the program.
@@ -118,6 +114,12 @@ class Problem:
         ``rotation`` is in rad, and ``lane`` is the index of the lane of each rotation, by default all lanes in order.
         """
         return self.farther is not None and self.farther(self.data, rotation, lane)
+
+
+@lru_cache(maxsize=256)
+def _places(program: Program, names: Names) -> Any:
+    """Return the places of cells by name; names that the program does not need have the place after its cells."""
+    return np.array([program.places.get(name, len(program.cells)) for name in names])
 
 
 def problem_of(plan: Plan, invalid: Any = False) -> Problem:
