@@ -10,7 +10,7 @@ from slipcircle.core.integrator.compiled import numpy_only
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
-from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
+from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import DIP, Arc
@@ -34,7 +34,6 @@ __all__ = [
     "Plan",
     "Problem",
     "Scene",
-    "State",
     "Status",
     "checked_scene",
     "declared",

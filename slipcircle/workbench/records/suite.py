@@ -20,7 +20,8 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-from slipcircle.base.errors import InputError, raise_all
+from slipcircle.base.errors import raise_all
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
 from slipcircle.base.progress import tracked
 from slipcircle.tables import Series
