@@ -14,7 +14,7 @@ from generated import kernels
 from generated.effects import Parameter
 from slipcircle.base.arrays import FLOATS, choose, float_or_array, freeze, two_sum
 from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_mistakes
-from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
+from slipcircle.base.kinds import Array, Numbers, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import, lazy_message
 from slipcircle.core.scene.declarations import Parts, declared, number
@@ -248,14 +248,6 @@ class Arc(Mass, Generic[Numbers]):
         ratio = kernels.weight_moment_per_radial_weight(self.half_angle)
         limit_friction = self.facing * (cosine / sine * ratio)  # (3.21): tan(psi) C_theta/C_r
         return limit_friction, static, polar_per_inertia
-
-    def _limit_parts(self, shape: Shape, lanes: Any) -> Any:
-        """Return the exact limit friction of some lanes as the next float above and the rest, (2, lanes).
-
-        ``shape`` is the scene's shape, and ``lanes`` are indices into its flattened lanes.
-        """
-        ends = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (self.theta_1, self.theta_2)]
-        return np.array([*map(lazy_import("decimals").limit_parts, *ends)]).T
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
