@@ -56,7 +56,7 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
 
     ``present`` are the texts of the present files, which are returned where the records match them.
     """
-    from derive.declare.effects import EFFECTS, LAWS
+    from derive.declare.effects import EFFECTS, LAWS, SECTION_EFFECTS
     from derive.flow.fragments import CALLABLE
     from derive.flow.linked import cases
 
@@ -73,7 +73,7 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
     stages.run("phase plane", "balance", "derive.algebra.phase_plane:prove", shown="{}")
     stages.run("flow", "closed form", "derive.flow.closed:prove", shown="{}")
     stages.run("flow", "series", "derive.flow.recurrences:prove", 6, shown="{}")
-    return stages.files("flow", "derive.generate.write:flow_files", present)
+    return stages.files("flow", "derive.generate.write:flow_files", present, LAWS, EFFECTS, SECTION_EFFECTS)
 
 
 def derive_all(stages: Stages | None = None) -> dict[str, str]:
@@ -83,7 +83,7 @@ def derive_all(stages: Stages | None = None) -> dict[str, str]:
     """
     from derive.algebra.slopes import MEANS, SLOPES
     from derive.declare.quantities import MOMENTS
-    from derive.generate.write import present
+    from derive.generate.write import present_files
 
     stages = stages or Stages(again=True)
     shown = "operations {0[operations][0]} -> {0[operations][1]}, quadrature within {0[difference]}"
@@ -92,9 +92,10 @@ def derive_all(stages: Stages | None = None) -> dict[str, str]:
     stages.run("equation of motion", "balance", "derive.algebra.dynamics:prove", shown="{}")
     of_slopes = [moment for moment in MOMENTS if moment.name in MEANS | SLOPES]
     stages.run("slopes", "balance", "derive.algebra.slopes:prove", *of_slopes, shown="{}")
-    texts = present()
+    texts = present_files()
     of_flow = flow(stages, texts)
-    return of_flow | stages.files("kernels", "derive.generate.write:kernel_files", texts)
+    of_slope = stages.files("slopes", "derive.generate.write:slope_files", texts, *of_slopes)
+    return of_flow | of_slope | stages.files("kernels", "derive.generate.write:kernel_files", texts)
 
 
 class Command(NamedTuple):
@@ -171,12 +172,12 @@ def _add_quantities(command: argparse.ArgumentParser) -> None:
 
 def _prove_motion(options: argparse.Namespace) -> int:
     """Print the theorem on the slide of these options; return 1 if the input is refused or nothing can be decided."""
-    from derive.theorem.report import report
+    from derive.theorem.report import theorem_report
 
     given = vars(options)
     chosen = {name: given[name] for name in given if name.replace("_", "-") in (*QUANTITIES, "rotation", "centripetal")}
     try:
-        text, decided = report(chosen, options.digits, options.form, options.parts)
+        text, decided = theorem_report(chosen, options.digits, options.form, options.parts)
     except ValueError as faults:
         say(str(faults))
         return 1
@@ -205,7 +206,7 @@ def main(argv: list[str] | None = None) -> int:
 
         width = 100 if sys.stdout.isatty() or not options.all else sys.maxsize
         try:
-            print(report.report(options.form, width, options.claims, options.verdict, options.all))
+            print(report.judge_paper(options.form, width, options.claims, options.verdict, options.all))
         except ValueError as fault:
             say(f"python -m derive verify: {fault}")
             return 2
@@ -213,7 +214,7 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "hard":
         from derive.judge import hard
 
-        print(hard.report())
+        print(hard.hard_case_report())
         return 0
     return generate(options.check, options.again, options.command)
 
@@ -231,7 +232,7 @@ def generate(check: bool, again: bool = False, part: str | None = None) -> int:
         from derive.build import build_all, has_binary_alone
         from derive.generate import write
 
-        present = write.present()
+        present = write.present_files()
         texts = present | flow(stages, present) if part else derive_all(stages)
         if check:
             expected = {name: text for name, text in texts.items() if not has_binary_alone(name, text)}

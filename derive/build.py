@@ -66,7 +66,7 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
     binary = folder / f"{name}{SUFFIX}"
     with tempfile.TemporaryDirectory(dir=folder, prefix=".") as made:
         target = Path(made) / binary.name
-        make(source, target, [*compiler, *flags, *includes], parts(name, platform.machine()), SHARED)
+        make(source, target, [*compiler, *flags, *includes], object_flags(name, platform.machine()), SHARED)
         done = subprocess.run([sys.executable, "-c", IMPORT, made, name], capture_output=True, text=True, check=False)
         if done.returncode:
             raise NoBinaryError(
@@ -94,7 +94,7 @@ def has_binary_alone(name: str, source: str, folder: Path = FOLDER) -> bool:
     return missing and binary.is_file() and is_made_of(binary, source)
 
 
-def parts(name: str, machine: str) -> Parts:
+def object_flags(name: str, machine: str) -> Parts:
     """Return the flags of every object of a module on a kind of machine, such as x86_64.
 
     The integrator has one object per kind of processor.

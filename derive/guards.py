@@ -270,7 +270,7 @@ def _check_law(law: Law) -> list[str]:
     if undecided:
         fault = f"not shown to be finite and not negative next to {undecided}"
         say(f"{_place(law, 'coefficient')}: {fault}; narrow the bounds of its parameters")
-    fragments.of_law(law)
+    fragments.law_fragment(law)
     if law.kinks:
         fragments.pieces(law)
     return [p.name for x, p in by_symbol.items() if x not in used]
@@ -326,7 +326,7 @@ def _check_effect(effect: Effect) -> list[str]:
         _check_values(effect, by_symbol)
     if not (used or effect.turns):
         refuse(effect, "terms", "none", "a term of the balance")
-    fragments.of_effect(effect)
+    fragments.effect_fragment(effect)
     # A parameter without symbol may describe how a function of time or rotation is made.
     of_functions = not {"series", "rotation"}.isdisjoint(p.kind for p in effect.parameters)
     return [p.name for x, p in by_symbol.items() if (p.symbol or not of_functions) and (p.symbol or x) not in used]

@@ -130,7 +130,7 @@ def inputs(module: str, name: str, arguments: Iterable[object] = ()) -> str:
     return digest_of(json.dumps([_own(), name, described, texts]))
 
 
-def report(title: str, stage: str, time_taken: str, outcome: str) -> None:
+def report_stage(title: str, stage: str, time_taken: str, outcome: str) -> None:
     """Print the line of a stage."""
     say(f"{title:<32} {stage:<11} {time_taken:<8}  {outcome}")
 
@@ -176,7 +176,7 @@ class Stages:
         if shown:
             seconds = time.perf_counter() - start
             counted = f"{len(outcome)} claims proved" if isinstance(outcome, list) else outcome
-            report(title, stage, "recorded" if is_recorded else f"{seconds:6.2f} s", shown.format(counted))
+            report_stage(title, stage, "recorded" if is_recorded else f"{seconds:6.2f} s", shown.format(counted))
         return outcome
 
     def line(self, title: str, stage: str, work: Callable[[], T], shown: str) -> T:
@@ -184,14 +184,17 @@ class Stages:
         start = time.perf_counter()
         outcome = work()
         seconds = time.perf_counter() - start
-        report(title, stage, f"{seconds:6.2f} s", shown.format(outcome))
+        report_stage(title, stage, f"{seconds:6.2f} s", shown.format(outcome))
         return outcome
 
-    def files(self, title: str, work: str, present: dict[str, str]) -> dict[str, str]:
-        """Return the texts that ``module:function`` writes, by file; the present ones where the records match them."""
+    def files(self, title: str, work: str, present: dict[str, str], *declared: object) -> dict[str, str]:
+        """Return the texts that ``module:function`` writes, by file; the present ones where the records match them.
+
+        The function receives these stages. ``declared`` are the declarations that it uses, by default all of them.
+        """
         module, name = work.split(":")
         key = f"{title}, files"
-        digest = inputs(module, name)
+        digest = inputs(module, name, declared)
         known = self.known.get(key, {})
         if known.get("inputs") == digest:
             recorded: dict[str, str] = known["outcome"]
@@ -199,7 +202,7 @@ class Stages:
             if recorded == {x: digest_of(text) for x, text in texts.items()}:
                 self.records |= {part: self.known[part] for part in known["parts"]}
                 self.records[key] = known
-                report(title, "files", "recorded", f"{len(texts)} as they are")
+                report_stage(title, "files", "recorded", f"{len(texts)} as they are")
                 return texts
         before = set(self.records)
         function = getattr(import_module(module), name)

@@ -16,7 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 from pathlib import Path
 
-from derive.build import FLAGS, FOLDER, MODULES, NoBinaryError, make, parts
+from derive.build import FLAGS, FOLDER, MODULES, NoBinaryError, make, object_flags
 
 ROOT = FOLDER.parent
 HERE = Path(__file__).parent
@@ -95,7 +95,7 @@ def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
     if "windows" in triple:
         compiler += WINDOWS_NAMES
         link += [f"-L{headers}", "-lpython3", "-Os", *WINDOWS]  # -Os is for what Zig adds from its libraries
-    make(FOLDER / f"{name}.c", target, compiler, parts(name, triple.partition("-")[0]), link)
+    make(FOLDER / f"{name}.c", target, compiler, object_flags(name, triple.partition("-")[0]), link)
     return target
 
 

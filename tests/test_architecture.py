@@ -133,7 +133,7 @@ def test_imports_go_one_way(package: str) -> None:
 
 
 # Packages that only some scenes need. Each may import the packages before it.
-LAZY = ("tabulated", "history", "tables", "ground", "layers", "stiff", "derivatives", "messages")
+LAZY = ("tree", "tabulated", "history", "tables", "ground", "layers", "stiff", "derivatives", "messages")
 _FOLDERS = ("stability", "common", "suites", "records", "files", "studies", "cost", "outputs.pictures", "outputs.page")
 WORKBENCH = ("workbench", *(f"workbench.{folder}" for folder in (*_FOLDERS, "outputs", "commands")))
 # Folders and modules of each package, from what needs nothing of it to what nothing in it needs.
@@ -155,7 +155,7 @@ LAYERS = {
         *("judge", "build", "build_hook", "wheels", "guards", "__main__"),
     ),
     "generated": (
-        *("definitions", "effects", "flow", "layout", "program", "series", "integrator", "tiers", "_evaluate"),
+        *("definitions", "effects", "flow", "layout", "series", "program", "integrator", "tiers", "_evaluate"),
         *("_compiled", "kernels", "printed", "slopes", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *LAZY, *WORKBENCH, "__init__", "__main__"),
@@ -205,9 +205,11 @@ CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # A shipped scene with changed fields, and a result of its motion, that import each lazy module.
 USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "tabulated": ("vaiont-as-printed", {}, bool),
+    "tree": ("vaiont", {}, lambda motion: motion.plan.scene.numbers),
     "laws": ("vaiont-softening", {}, bool),
     "arc": ("vaiont", {}, lambda motion: replace(motion.plan.scene.arc, theta_2=0.0)),
-    "decimals": ("vaiont", {"friction": 0.419}, bool),
+    "section": ("real-slope", {}, lambda motion: replace(motion.plan.scene.arc, radius=1e-3)),
+    "limits": ("vaiont", {"friction": 0.419}, bool),
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
@@ -216,6 +218,7 @@ USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "depths": ("real-slope", {"effects": {"rotation": {}, "cohesion": GROWS}}, bool),
     "standing": ("valley-side", {"arc": IN_WATER}, bool),
     "creep": ("vaiont", {"effects": CREEP}, bool),
+    "beyond": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),
     "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),
     "plan": ("vaiont", {}, lambda motion: motion.plan.why),
     "equation": ("vaiont", {}, lambda motion: motion.plan.equation),
@@ -223,6 +226,7 @@ USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "warnings": ("vaiont", {}, lambda motion: motion.warnings),
     "summary": ("vaiont", {}, repr),
     "velocity": ("vaiont", {}, lambda motion: motion.velocity_class),
+    "ends": ("vaiont", {}, lambda motion: motion.peak),
     "history": ("vaiont", {}, lambda motion: motion.factor_of_safety),
     "journey": ("vaiont", {}, lambda motion: motion.journey),
     "validity": ("vaiont", {}, lambda motion: motion.outside_range),
@@ -264,7 +268,7 @@ def test_a_plain_scene_loads_no_lazy_package_and_a_plain_section_only_the_ground
     assert loaded('arc, 0.1, ["rotation", "centripetal"]') == set()
     softening = {"law": "exponential", "peak": 0.3, "residual": 0.1, "length": 1.0}
     effects = {"rotation": {}, "drag": {"xi": 500.0}, "pore_pressure": {"ratio": 0.1}}
-    assert loaded(f"arc, {softening}, {effects}, np.array([0.0, 1.0])") == set()
+    assert loaded(f"arc, {softening}, {effects}, np.array([0.0, 1.0])") == {"tree"}
     section = "s.Section(ground, centre=[22, 38], radius=38.0, unit_weight=20e3)"
     assert loaded(f'{section}, 0.2, ["rotation"]') == {"ground"}
     assert loaded('arc, 0.1, ["rotation"]', ".error_estimate") == {"messages"}

@@ -363,7 +363,7 @@ def test_the_command_says_it_and_leaves_every_byte(tmp_path: Path) -> None:
 def test_what_cannot_be_imported_replaces_nothing(tmp_path: Path) -> None:
     """Neither a module that Python cannot read nor one that the package cannot use."""
     folder = tmp_path / "generated"
-    texts = write.present()
+    texts = write.present_files()
     write.write(texts, folder, write.importable)
     before = digests(folder)
     assert before

@@ -72,7 +72,6 @@ def follow(root: Path) -> list[str]:
 QUICKLY = """
 import gc
 from functools import partial
-from pathlib import Path
 gc.disable()
 from derive import build
 from derive.check import certify, midpoints
@@ -84,12 +83,10 @@ from derive.approximate import search
 search.TRIALS = 4
 kept = search.kept
 search.kept = lambda kernel, tier, shape: [] if tier == "float32" else kept(kernel, tier, shape)
-from derive.generate import slopes
-slopes.module = lambda: Path("generated/slopes.py").read_text("utf-8").split("\\n", 2)[2]  # nothing is added to it
 """
 HARD_CASES = """
-from derive.judge.hard import cases
-print(*(case.why for case in cases() if case.function == "area"), sep="\\n")
+from derive.judge.hard import hard_cases
+print(*(case.why for case in hard_cases() if case.function == "area"), sep="\\n")
 """
 
 
@@ -346,6 +343,11 @@ def test_a_new_mass_is_one_class(house: Any) -> None:
     by_name = grid(motion.plan.scene, {"load": [*loads, -5.0]}, accuracy=1e-13).samples
     assert by_name["run_out"][:2] == pytest.approx(both.run_out, rel=1e-11)
     assert [Status(status) == Status.INVALID for status in by_name["status"]] == [False, False, True]
+    drive, load, _ = turned(0.0, house)
+    for friction, moves in ((drive / load * (1 - 1e-4), True), (drive / load * (1 + 1e-4), False)):
+        close = solve(Scene(LoadedArc(*RIGHT, **house), friction, ["rotation"]))
+        assert close.moves == moves
+        assert close.limit_friction == pytest.approx(drive / load, rel=1e-12)
     if house["load"]:
         step = 1e-4 * house["load"]
         low, high = (solve(Scene(LoadedArc(*RIGHT, **{**house, "load": house["load"] + by}), MU, ["rotation"]))

@@ -36,7 +36,9 @@ def fresh() -> Iterator[None]:
 @pytest.mark.parametrize("name", recurrences.OPERATIONS)
 def test_a_wrong_recurrence_is_no_theorem(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     right = recurrences.OPERATIONS[name]
-    wrong = recurrences.Operation(**{**right.__dict__, "step": (right.step[0] * sp.Rational(9, 8), *right.step[1:])})
+    wrong = recurrences.SeriesOperation(
+        **{**right.__dict__, "step": (right.step[0] * sp.Rational(9, 8), *right.step[1:])}
+    )
     monkeypatch.setattr(recurrences, "OPERATIONS", {name: right})
     assert recurrences.prove(3) == [f"{name}: {4 - 2 * len(right.numbers)} coefficients"]
     monkeypatch.setattr(recurrences, "OPERATIONS", {name: wrong})
@@ -213,7 +215,7 @@ def test_a_parameter_knows_its_sign_in_a_mirror() -> None:
 def test_what_has_no_operation_is_refused() -> None:
     strange = Effect("strange", "no recurrence", (parameter("k"),), resistance=THETA * sp.besselj(0, SLIP))
     with pytest.raises(ProofError, match="strange: operation on series: found besselj"):
-        fragments.of_effect(strange)
+        fragments.effect_fragment(strange)
 
 
 @pytest.mark.parametrize("law", ["exponential", "hyperbolic"])

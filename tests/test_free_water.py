@@ -441,3 +441,14 @@ def test_a_pond_stands_at_an_exit_without_a_water_level() -> None:
     section = Section(ground, (30, 45), 48.0, 19e3, ponds=[shores])
     assert section.standing_level == (3.0 - 45.0) / 48.0
     assert section.in_standing_water
+
+
+@pytest.mark.parametrize("facing", [1.0, -1.0])
+def test_a_pond_covers_an_exit_at_the_foot_of_a_quay(facing: float) -> None:
+    """The exit and the shore have the same x, which the exit may miss by rounding."""
+    ground = [(-60.0, 12.0), (-20.0, 12.0), (0.0, 5.0), (0.0, 0.0), (60.0, 0.0)]
+    pond = [(0.0, 60.0, 4.0)]
+    if facing < 0.0:
+        ground, pond = mirrored(ground), mirrored(pond)
+    section = Section(ground, (-2.0 * facing, 18.0), math.hypot(2.0, 18.0), 19e3, ponds=pond)
+    assert section.standing_level == pytest.approx((4.0 - 18.0) / math.hypot(2.0, 18.0), rel=1e-15)

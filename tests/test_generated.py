@@ -42,7 +42,7 @@ WHOLE = {"theta_1": 4, "theta_2": 5, "alpha": 1}
 @cache
 def texts() -> dict[str, str]:
     """Return the package as it is."""
-    return write.present(FOLDER)
+    return write.present_files(FOLDER)
 
 
 def inside(name: str, values: Mapping[str, float] = INSIDE) -> list[float]:

@@ -9,7 +9,7 @@ import sympy as sp
 from flint import arb, ctx
 
 from derive.__main__ import main
-from derive.judge.hard import Result, cases, forms, measured
+from derive.judge.hard import Result, forms, hard_cases, measured
 from generated import kernels
 from tests.support import oracle
 
@@ -22,7 +22,7 @@ def results() -> list[Result]:
 @pytest.mark.parametrize("function", kernels.__all__)
 def test_each_case_is_within_its_bound(function: str) -> None:
     """Within the function's own bound, by quadrature of its definition; no warning."""
-    arguments = [case.arguments for case in cases() if case.function == function]
+    arguments = [case.arguments for case in hard_cases() if case.function == function]
     assert arguments
     for case in arguments:
         with np.errstate(all="raise"):
@@ -50,7 +50,7 @@ def test_solve_has_the_limit_friction_of_its_kernel_and_the_exact_run_out(result
 
 
 def test_the_exact_run_out_is_twice_the_dip_minus_delta() -> None:
-    case = next(c.arguments for c in cases() if c.function == "sine_of_half_run_out")
+    case = next(c.arguments for c in hard_cases() if c.function == "sine_of_half_run_out")
     exact = forms()["sine_of_half_run_out"].exact
     with ctx.workprec(400):
         m = oracle.moments({"theta_1": case[0], "theta_2": case[1], "radius": 1.0, "unit_weight": 1.0})
@@ -65,6 +65,6 @@ def test_the_command_prints_every_case(capsys: pytest.CaptureFixture[str]) -> No
     assert main(["hard"]) == 0
     text = capsys.readouterr().out
     assert max(map(len, text.splitlines())) <= 100
-    for case in cases():
+    for case in hard_cases():
         assert f"\n{case.function}\n" in text
         assert repr(case.arguments[0]) in text

@@ -51,7 +51,7 @@ def written(module: str, old: str, new: str) -> dict[str, Any]:
             source = source.replace(old, new)
         text.read(source, f"{name}.py")
     scope = dict(vars(integrator))
-    exec(restricted_numpy.functions(text), scope)
+    exec(restricted_numpy.numpy_functions(text), scope)
     return scope
 
 
@@ -113,6 +113,6 @@ def bad(source: str) -> restricted.Text:
 
 @pytest.mark.parametrize("source", BAD)
 def test_what_is_outside_the_grammar_is_refused_with_its_file_and_line(source: str) -> None:
-    for functions in (restricted_c.functions, restricted_numpy.functions):
+    for functions in (restricted_c.c_functions, restricted_numpy.numpy_functions):
         with pytest.raises(restricted.GrammarError, match=rf"^bad\.py, line \d+: .*{BAD[source]}"):
             functions(bad(source))

@@ -38,6 +38,26 @@ def test_rectangular_pulse(amplitude: float) -> None:
     assert motion.error_estimate < 1e-13 * amplitude / (amplitude - n)  # near the yield it is ill-conditioned
 
 
+class Level(Arc):
+    """An arc whose weight pulls neither way, to the last bit."""
+
+    @property
+    def moment_coefficients(self) -> Any:
+        return super().moment_coefficients._replace(driving_moment=0.0)
+
+
+def test_a_level_mass_is_held_against_shaking_in_the_directions_in_which_it_may_start() -> None:
+    """The limit friction is k_h C_theta/C_r; one-way shaking starts the mass in the positive direction only."""
+    record = series([0.0, 2.0, 4.0, 8.0], [0.0, 0.2, -0.2, 0.1])
+    level = Level(60.0, 1.5 * math.pi - 0.5, 1.5 * math.pi + 0.5, 19e3)
+    coefficients = level.moment_coefficients
+    k_h = np.array([0.1, 0.2, 0.0, -0.2])
+    for two_way, pull in (False, np.maximum(k_h, 0.0)), (True, np.abs(k_h)):
+        held = shaken(record, mu=0.3, arc=level, two_way=two_way).holding_friction_at([1.0, 2.0, 3.0, 4.0])
+        limit = pull * coefficients.driving_moment_slope / coefficients.normal_load
+        assert held == pytest.approx(limit, rel=1e-12, abs=1e-15)
+
+
 def test_earthquake_against_an_exact_double_integral() -> None:
     record = quake(7, 700)
     record = series(record.time, 4.0 * record.values)

@@ -90,6 +90,10 @@ CHANGES: list[tuple[dict[str, Any], str]] = [
     ({"effects": ["sinking"]}, "effects: 'sinking' is unknown; known are "),
     ({"effects": {"centripetal": {"mass": 1.0}}}, "effects.centripetal: 'mass' is unknown; known are none"),
     ({"effects": {"centripetal": None}}, "effects.centripetal = None: must be a mapping of parameters"),
+    *(
+        (change, "<class 'float'>: must be a number, a law or a function of slip")
+        for change in ({"friction": float}, {"effects": {"cohesion": {"cohesion": float}}})
+    ),
     ({"effects": {"cohesion": {"cohesion": 1e30}}}, "cohesion = 1e+30: must be shear strength without"),
     *(({"friction": friction, "effects": effects}, said) for friction, effects, said in REFUSED),
 ]

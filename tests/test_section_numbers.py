@@ -10,8 +10,8 @@ from flint import arb, ctx
 
 from slipcircle import Scene, Section, backanalyse, load, solve
 from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.tree import numbers
 from slipcircle.layers import LayeredSection, Soil
+from slipcircle.tree import numbers
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import section_references, taylor
 from tests.support.grounds import GROUND, LEVEL

@@ -16,7 +16,7 @@ from tests.support.along_the_arc import of_scene, under_chord
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 CIRCLE: Any = {"ground": [(-40, 0), (0, 0), (20, 10), (60, 10)], "centre": (2.0, 18.0), "radius": 20.0}
-LAW = {"law": "exponential", "peak": 14e3, "residual": 4e3, "length": 0.4}
+LAW: dict[str, Any] = {"law": "exponential", "peak": 14e3, "residual": 4e3, "length": 0.4}
 TABLE = {"law": "tabulated", "slip": [0.0, 0.2, 0.4, 1.0, 3.0], "cohesion": [14e3, 9e3, 6e3, 5e3, 4e3]}
 
 
@@ -72,6 +72,19 @@ def test_laws_that_break_at_the_same_slip_all_pass_their_breaks(end: float) -> N
     assert solve(Scene(section, None, TURNING)).run_out == pytest.approx(
         of_scene(Scene(section)).motion().distance, rel=1e-8
     )
+
+
+def test_the_share_of_cohesion_that_slip_has_left() -> None:
+    """The law at the slip of the whole way over its peak, and 1 without cohesion."""
+    section = Section(unit_weight=19e3, **CIRCLE)
+    for cohesion, mu in ({"cohesion": LAW}, 0.05), ({}, 0.15):
+        motion = solve(Scene(section, mu, TURNING | cohesion))
+        history = motion._history
+        share = history.forces.kept_cohesion(history._states(np.array([0.0, motion.settling_time])))
+        slip = 2.0 * motion.run_out - motion.end.displacement  # it turns back once at most
+        left = LAW["residual"] + (LAW["peak"] - LAW["residual"]) * np.exp(-slip / LAW["length"])
+        assert motion.run_out > 0.0
+        assert share == pytest.approx([1.0, left / LAW["peak"] if cohesion else 1.0], rel=1e-12)
 
 
 def test_a_constant_law_is_a_number() -> None:

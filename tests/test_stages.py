@@ -12,7 +12,7 @@ import sympy as sp
 from derive import __main__ as command
 from derive import stages
 from derive.algebra import integrate
-from derive.declare.effects import EFFECTS, LAWS
+from derive.declare.effects import EFFECTS, LAWS, SECTION_EFFECTS
 from derive.declare.quantities import MOMENTS
 
 CASE = (EFFECTS[:1], LAWS[:1])
@@ -21,20 +21,22 @@ STAGES: dict[str, tuple[str, str, tuple[Any, ...]]] = {
     "integrate": ("derive.algebra.integrate", "recorded", MOMENTS[:1]),
     "balance": ("derive.flow.linked", "prove_case", CASE),
     "series": ("derive.flow.recurrences", "prove", (6,)),
-    "flow files": ("derive.generate.write", "flow_files", ()),
+    "flow files": ("derive.generate.write", "flow_files", (LAWS, EFFECTS, SECTION_EFFECTS)),
+    "kernel files": ("derive.generate.write", "kernel_files", ()),
     "both ends": ("derive.check.losses", "certificate", ("J_r", {"bound": 1.0})),
 }
+FILES = ("flow files", "kernel files")
 LAW = '    Law("another", "peak", _SOFTENING[:1], coefficient=_P),\n)  # fmt: skip'
 MOMENT = '    Moment("area", "S*", r, "area"),\n)  # fmt: skip'
 # Place of a change: text that is replaced, and the stages that run again.
 CHANGES = {
-    "derive/code/templates/_flow.c": ("return", " return", {"declare", "flow files"}),
-    "derive/declare/effects.py": (")  # fmt: skip", LAW, {"flow files"}),
-    "derive/declare/quantities.py": (")  # fmt: skip", MOMENT, {"flow files"}),
-    "derive/flow/link/linker.py": ("def ", "def  ", {"balance", "flow files"}),
-    "derive/flow/integrator/step.py": ("if ", "if  ", {"flow files"}),
+    "derive/code/templates/_flow.c": ("return", " return", {"declare", *FILES}),
+    "derive/declare/effects.py": (")  # fmt: skip", LAW, {"kernel files"}),
+    "derive/declare/quantities.py": (")  # fmt: skip", MOMENT, {"kernel files"}),
+    "derive/flow/link/linker.py": ("def ", "def  ", {"balance", *FILES}),
+    "derive/flow/integrator/step.py": ("if ", "if  ", {*FILES}),
     "derive/algebra/prove.py": ("def ", "def  ", {*STAGES} - {"both ends"}),
-    "derive/check/losses.py": ("def ", "def  ", {"both ends", "flow files"}),
+    "derive/check/losses.py": ("def ", "def  ", {"both ends", *FILES}),
     "derive/judge/verify.py": ("def ", "def  ", set[str]()),
 }
 
@@ -72,6 +74,9 @@ def test_each_change_runs_the_stages_that_depend_on_it(copy: Path, monkeypatch: 
     assert digests() == before
     module, name, (moment,) = STAGES["integrate"]
     assert stages.inputs(module, name, (replace(moment, weight=2 * moment.weight),)) != before["integrate"]
+    module, name, (laws, *effects) = STAGES["flow files"]
+    for others in ((laws[:-1], *effects), (laws, *effects[::-1]), (laws, effects[0], effects[1][:-1])):
+        assert stages.inputs(module, name, others) != before["flow files"]
     monkeypatch.setattr(stages, "version", lambda _: "1.13.3")
     assert not {*digests().values()} & {*before.values()}
 

@@ -232,6 +232,8 @@ def test_a_surcharge_or_a_crack_on_one_soil_moves_with_it() -> None:
         ({"friction": {"law": "slow", "peak": 0.4}}, "friction.law = 'slow': must be one of constant"),
         ({"friction": SOFTENING | {"peak": 7.0}}, "friction = 7: must be a friction coefficient"),
         ({"cohesion": {"law": "linear", "peak": 1e4, "length": 1.0}}, "cohesion: 'residual' is missing"),
+        ({"friction": float}, "friction = <class 'float'>: must be a number, a law or a function of slip"),
+        ({"friction": 0.4, "cohesion": float}, "cohesion = <class 'float'>: must be a number, a law or a function"),
         ({"friction": {"law": "constant", "coefficient": 0.0}}, "cohesion and friction are both 0"),
     ],
 )

@@ -10,11 +10,11 @@ from flint import arb
 from mpmath import mpf
 
 from derive.__main__ import main
-from derive.check.truth import number, working
+from derive.check.truth import as_ball, working
 from derive.theorem import swing
 from derive.theorem.motion import Slide, first_swing, theorem
 from derive.theorem.report import pair
-from derive.theorem.swing import standstill
+from derive.theorem.swing import next_standstill
 from tests.campaigns.theorems import Case, compared, errors
 from tests.support import taylor, vaiont
 
@@ -61,11 +61,11 @@ SCENES: list[tuple[dict[str, Any], float, float]] = [  # friction, cohesion and 
 
 def made(friction: dict[str, Any], cohesion: float, pressure: float) -> Slide:
     """Return the slide of doubles, which are exact."""
-    radius, theta_1, theta_2 = (number(ARC[name]) for name in ("radius", "theta_1", "theta_2"))
-    residual, peak, length = (number(friction[name]) for name in ("residual", "peak", "length"))
+    radius, theta_1, theta_2 = (as_ball(ARC[name]) for name in ("radius", "theta_1", "theta_2"))
+    residual, peak, length = (as_ball(friction[name]) for name in ("residual", "peak", "length"))
     softens = peak if friction["peak"] > friction["residual"] else None
-    loads = number(cohesion) / 19000, number(pressure) / 19000
-    return Slide(radius, theta_1, theta_2, residual, number(9.81), softens, length, loads[0], loads[1])
+    loads = as_ball(cohesion) / 19000, as_ball(pressure) / 19000
+    return Slide(radius, theta_1, theta_2, residual, as_ball(9.81), softens, length, loads[0], loads[1])
 
 
 @pytest.mark.parametrize(("friction", "cohesion", "pressure"), SCENES)
@@ -91,9 +91,9 @@ def test_remainders_are_counted() -> None:
     """Enclosures with coarse steps are wide, and contain the results of fine steps."""
     with working(300):
         start = first_swing(made(*SCENES[0]))
-        *fine, _ = standstill(start, arb(10) ** -40)
+        *fine, _ = next_standstill(start, arb(10) ** -40)
         for exponent in (2, 4, 8):
-            *rough, _ = standstill(start, arb(10) ** -exponent)
+            *rough, _ = next_standstill(start, arb(10) ** -exponent)
             for close, coarse in zip(fine, rough, strict=True):
                 assert coarse.contains(close), exponent
                 assert coarse.rad() > close.rad(), exponent
@@ -104,16 +104,16 @@ def test_extreme_swings_enclose_the_others_closely() -> None:
     small = arb(10) ** -8
     with working(120, 20):
         middle = first_swing(made(SCENES[0][0], 2e3, 1e4))
-        exact = standstill(middle, small)
+        exact = next_standstill(middle, small)
         for names, sign in ((swing.GREATER, 1), (swing.LESS, -1)):
             for name in names:
-                other = standstill(middle._replace(**{name: getattr(middle, name) * arb(1.001)}), small)
+                other = next_standstill(middle._replace(**{name: getattr(middle, name) * arb(1.001)}), small)
                 assert sign * (other.rest - exact.rest) > 0, name
                 assert sign * (other.peak - exact.peak) > 0, name
         box = swing.Swing(*(x * arb(1, 1e-4) for x in middle))
         enclosed = swing.between(box, small)
         assert enclosed.rest.contains(exact.rest)
-        assert enclosed.rest.rad() < standstill(box, small).rest.rad() / 2
+        assert enclosed.rest.rad() < next_standstill(box, small).rest.rad() / 2
 
 
 def test_an_interval_holds_what_its_numbers_give(capsys: Any) -> None:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, LayeredSection, Scene, Series, Soil, load
-from slipcircle.core.scene.tree import mapped, numbers, put
 from slipcircle.derivatives import with_parameters
+from slipcircle.tree import mapped, numbers, put
 from slipcircle.workbench.files.shipped import shipped
 
 GROUND = [(-60, 20), (0, 20), (40, 0), (120, 0)]

@@ -22,7 +22,7 @@ from derive.judge import postulates, verify
 from derive.judge import section as s
 from derive.judge.claims import VERDICTS, Claim
 from derive.judge.paper import CLAIMS
-from derive.judge.report import ERRORS, SIMPLY, report, selected
+from derive.judge.report import ERRORS, SIMPLY, judge_paper, selected
 from derive.judge.verify import KEYS, Row, judge, judged
 
 ROOT = Path(__file__).parents[1]
@@ -202,7 +202,7 @@ def test_an_alternative_has_to_be_one(postulate: postulates.Postulate) -> None:
     """It keeps what was postulated before and breaks this: of all states that are exhibited, in triangular order."""
     postulates.exhibit(postulate)
     with pytest.raises(ProofError, match="breaks nothing"):  # the paper's own state breaks no postulate
-        postulates.exhibit(replace(postulate, state=postulates.State))
+        postulates.exhibit(replace(postulate, state=postulates.PaperState))
     first, *_ = postulates.POSTULATES
     if postulate is not first:  # friction that varies along the arc breaks what was there before
         spoilt = replace(postulate, state=lambda: replace(postulate.state(), friction=postulates.uneven))
@@ -232,7 +232,7 @@ def test_vector_balance_by_adding_up_forces() -> None:
         area = mp.quad(lambda x: (1 - (mp.cos(half) / mp.cos(x - middle)) ** 2) / 2, [start, middle, end])
         along = mp.matrix([mp.cos(middle), mp.sin(middle)])
         pressure = area * along[1] / (push[0] * along[0] + push[1] * along[1])
-        assert abs(pressure - postulates.along_bisector(mp.mpf(0))) < 1e-12
+        assert abs(pressure - postulates.bisector_stress(mp.mpf(0))) < 1e-12
         # The columns carry the whole weight, and press on the arc as the scalar sum says.
         assert abs(postulates.sum_of(postulates.columns) - s.moment("radial_weight")) < 1e-12
 
@@ -283,7 +283,7 @@ REPORT = "af89796d7743796600dac806beb4148c42b128396d9879d38640810f82a4138d"
 
 def test_json_is_valid_and_always_the_same() -> None:
     """JSON is the same for every order of sets in the process."""
-    text = report("json")
+    text = judge_paper("json")
     assert hashlib.sha256(text.encode()).hexdigest() == REPORT
     found = json.loads(text)
     assert all(tuple(entry) == KEYS for entry in found)
@@ -293,22 +293,22 @@ def test_json_is_valid_and_always_the_same() -> None:
 
 def test_pages_name_every_claim_and_verdict() -> None:
     """Texts fit 100 columns; the Markdown has a table of claims that do not simply hold, and one of all claims."""
-    text = report("text", every=True)
+    text = judge_paper("text", every=True)
     assert max(map(len, text.splitlines())) <= 100
-    lines = report("text", sys.maxsize, every=True).splitlines()  # as into no terminal
+    lines = judge_paper("text", sys.maxsize, every=True).splitlines()  # as into no terminal
     assert " ".join(" ".join(lines).split()) == " ".join(text.split())
     assert all(f"{x.id}, {x.claim}: {x.verdict}" in lines and f"    printed {x.printed}" in lines for x in judged())
     assert f"{len(CLAIMS)} claims: " in text
     readme = (ROOT / "README.md").read_text("utf-8")
     assert lines[-1] in readme.splitlines()
     assert all(verdict in text for verdict in VERDICTS)
-    tables = [re.findall(r"^\| .*", part, re.MULTILINE) for part in report("markdown").split("## All claims")]
+    tables = [re.findall(r"^\| .*", part, re.MULTILINE) for part in judge_paper("markdown").split("## All claims")]
     assert [len(lines) - 2 for lines in tables] == [len(FAILING), len(CLAIMS)]
     assert all(len(re.findall(r"(?<!\\)\|", line)) == 8 for lines in tables for line in lines)
 
 
 def test_the_table_has_the_errors_and_nothing_else_on_one_screen() -> None:
-    lines = report().splitlines()
+    lines = judge_paper().splitlines()
     places = {x for x in BY_ID if any(re.match(rf" {re.escape(x)}(  |$)", line) for line in lines)}
     assert places == {x for x, (verdict, *_) in FAILING.items() if verdict in ERRORS}
     assert max(map(len, lines)) <= 100
@@ -327,10 +327,10 @@ def test_claims_are_selected_by_place(names: list[str], found: list[str]) -> Non
 
 
 def test_selected_claims_are_reported_in_full() -> None:
-    text = report(names=["Table 4-1"])
+    text = judge_paper(names=["Table 4-1"])
     assert text.endswith("7 claims: 3 hold to the printed digits, 4 wrong.")
     assert "assumes radial components" in text
-    assert [x["id"] for x in json.loads(report("json", verdict="misprint"))] == ["(3.20)", "(4.5)", "Appendix I"]
+    assert [x["id"] for x in json.loads(judge_paper("json", verdict="misprint"))] == ["(3.20)", "(4.5)", "Appendix I"]
     for refused in ({"names": ["9.9"]}, {"names": [""]}, {"verdict": "silly"}):
         with pytest.raises(ValueError, match=r"is not a .*; choose "):
-            report(**refused)
+            judge_paper(**refused)

@@ -143,7 +143,7 @@ def _require(holds: bool, claim: str) -> None:
         raise ProofError(claim, holds, True)
 
 
-class Step(NamedTuple):
+class ReductionStep(NamedTuple):
     """Step of a reduction: description, proof, and resulting expression."""
 
     text: str
@@ -161,7 +161,7 @@ class Proof(NamedTuple):
 
     expression: Expr
     integrand: Expr
-    steps: tuple[Step, ...]
+    steps: tuple[ReductionStep, ...]
 
     @property
     def operations(self) -> tuple[int, int]:
@@ -219,14 +219,16 @@ def simplify(appendix: Appendix) -> Proof:
         line,
         of,
         (
-            Step("read the mended print", "every bracket has its partner", printed),
-            Step(
+            ReductionStep("read the mended print", "every bracket has its partner", printed),
+            ReductionStep(
                 f"the two arctanh together are {total}", f"(X_1 + X_2)/(1 + X_1 X_2) cancels to {total.args[0]}", total
             ),
-            Step(f"both have the factor {factor}", "the derivatives by both cancel to one form, free of both", factor),
-            Step(f"without them {rest} is left", "cancels to it", rest),
-            Step("together, factored", "the form is linear in the two arctanh", line),
-            Step(f"it is the double integral of {of}", "found by differentiating it twice by alpha", line),
+            ReductionStep(
+                f"both have the factor {factor}", "the derivatives by both cancel to one form, free of both", factor
+            ),
+            ReductionStep(f"without them {rest} is left", "cancels to it", rest),
+            ReductionStep("together, factored", "the form is linear in the two arctanh", line),
+            ReductionStep(f"it is the double integral of {of}", "found by differentiating it twice by alpha", line),
         ),
     )
 

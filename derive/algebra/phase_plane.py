@@ -69,7 +69,7 @@ def constant() -> tuple[Expr, ...]:
 Problem = dict[Symbol, Expr]  # drive, sine, vers and q of a problem with constant friction
 
 
-def energy(problem: Problem | None = None) -> Expr:
+def energy_from_rest(problem: Problem | None = None) -> Expr:
     """Return E = omega^2 from rest as a function of x under constant friction, of a problem or of the symbols."""
     total = Add(*(factor * function for factor, function in zip(constant(), BASIS, strict=True)))
     return total.subs(problem or {}, simultaneous=True)
@@ -99,7 +99,7 @@ def prove(count: int = 3) -> str:
     fall = Symbol("W")
     problems = list(islice(softening(), count))
     for j, problem in enumerate(problems):
-        term = exp(-j * slope * x) * energy(problem)
+        term = exp(-j * slope * x) * energy_from_rest(problem)
         net = NET.subs(problem, simultaneous=True) * exp(-j * slope * x)
         prove_zero(diff(term, x) + q * term - 2 * net, f"term {j} under softening friction")
         weight = diff(exp(-brake * fall / slope), fall, j).subs(fall, 0) / factorial(j)

@@ -13,6 +13,7 @@ import operator
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cache
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -25,31 +26,37 @@ from derive.check.truth import BITS, SEGMENTS, TOP, Model, Segment, working
 
 SIGNIFICANDS = range(2**23, 2**24)
 BLOCK = 2**14  # inputs per block
-DEGREE = 6
+DEGREE = 5
 WIDTH = TIERS["float32"].other * 2.0**-29  # in ulp of float32
 SLACK = 2.0**-34  # error of the polynomials by truncation and rounding, in half ulps
 DIGITS = 500  # precision in bits; closed forms lose less than 110 bits
 LEAST = -150  # the exponent of half of the least float32
 
 
+def hard_inputs(statement: str) -> Iterator[float]:
+    """Yield every float32 in (0, pi/2] whose exact value is within WIDTH ulp of a midpoint, and some more."""
+    for exponent in range(0, -61, -1):
+        yield from _of_binade(statement, exponent)
+
+
 @cache
-def hard_inputs(statement: str) -> tuple[float, ...]:
-    """Return every float32 in (0, pi/2] whose exact value is within WIDTH ulp of a midpoint, and some more."""
+def _of_binade(statement: str, exponent: int) -> tuple[float, ...]:
+    """Return the hard inputs from 2**exponent up to twice that; none if they give less than half of the least float32.
+
+    They are found when they are needed, since a program with a wrong rounding is refused at the first one.
+    """
     with working(BITS):
         (nearest, *_) = SEGMENTS
-        model = truth.kernel(statement, nearest)
+        model = truth.kernel_model(statement, nearest)
         largest = above(model(truth.ball(0.0, 2.0**-40)))  # of F/alpha**3
-        exponent = -60
-        while largest * 8.0 ** (exponent + 1) < 2.0 ** (LEAST - 1):
-            exponent += 1  # smaller inputs give less than half of the least float32
+        if largest * 8.0 ** (exponent + 1) < 2.0 ** (LEAST - 1):
+            return ()
+        h = 2.0 ** (exponent - 23)
+        end = min(SIGNIFICANDS.stop, int(TOP / h) + 1)
         found: list[float] = []
-        while exponent <= 0:
-            h = 2.0 ** (exponent - 23)
-            end = min(SIGNIFICANDS.stop, int(TOP / h) + 1)
-            for start in range(SIGNIFICANDS.start, end, BLOCK):
-                stop = min(start + BLOCK, end)
-                found += _near(statement, h, start, stop)
-            exponent += 1
+        for start in range(SIGNIFICANDS.start, end, BLOCK):
+            stop = min(start + BLOCK, end)
+            found += _near(statement, h, start, stop)
     return tuple(found)
 
 
@@ -106,7 +113,7 @@ def _polynomial(statement: str, h: float, start: int, middle: int, stop: int) ->
 
 def _about(statement: str, segment: Segment, x: float, h: float, radius: int) -> tuple[arb_poly, arb]:
     """Return F(x + t h) as a polynomial in t, and a ball around zero that encloses its error for |t| <= radius."""
-    model: Model = truth.kernel(statement, segment)
+    model: Model = truth.kernel_model(statement, segment)
     offset = arb(x) - segment.centre
     reach = radius * arb(h)
     polynomial = model.main(arb_poly([offset, h]))
@@ -146,9 +153,9 @@ def hard(record: Record) -> list[str]:
     """Return the significands of the inputs that the bound leaves undecided, after checking the rounding at each."""
     (statement,) = record["definition"]
     significands = set()
-    for x in (*hard_inputs(statement), TOP):  # the float32 next to pi/2 lies above it and is clipped
+    for x in chain(hard_inputs(statement), (TOP,)):  # the float32 next to pi/2 lies above it and is clipped
         with working(DIGITS):
-            exact = truth.value([statement], arb(x)) if x < TOP else truth.limit([statement])
+            exact = truth.enclosure([statement], arb(x)) if x < TOP else truth.half_disc_limit([statement])
             near = record["bound"] * 2.0**-28 * _half_ulp(above(exact))
             if _rounds_to(exact, np.float32(float(exact)), near):
                 continue

@@ -194,7 +194,7 @@ def _fill(line: str, width: int = 112) -> str:
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def module(docstring: str, functions: Sequence[Function], parts: Sequence[Program]) -> str:
+def functions_module(docstring: str, functions: Sequence[Function], parts: Sequence[Program]) -> str:
     """Return the module of the certified functions, preceded by the parts that they call."""
     text = PythonText()
     code = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"

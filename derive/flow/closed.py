@@ -10,7 +10,7 @@ from derive.algebra.prove import prove_zero
 from derive.flow.integrator import swing
 
 
-def factors(*problem: Any) -> list[Expr]:
+def _factors(*problem: Any) -> list[Expr]:
     """Return the four factors of `BASIS` in E = omega^2, and q, as the integrator computes them.
 
     ``problem`` consists of drive, sine, vers and q, see `derive.algebra.phase_plane`.
@@ -30,15 +30,15 @@ def prove() -> str:
 
     forms = (swing.energy, swing.slope_of, swing.bend_of)
     for order, form in enumerate(forms):
-        of_start = factors(drive, sine, vers, q)
+        of_start = _factors(drive, sine, vers, q)
         found = form(of_start, BASIS)
-        claim(found, phase_plane.energy().diff(x, order), f"derivative {order} of E")
+        claim(found, phase_plane.energy_from_rest().diff(x, order), f"derivative {order} of E")
     end = symbols("end", real=True)
     mirrored = expand_trig(-NET.subs(x, end - x))
     about_end = [mirrored.diff(x, order).subs(x, 0) for order in range(3)]
     of_end: list[Any] = [0] * 5
     swing.mirror(of_end, drive, sine, vers, q, [end, 0, 1 - cos(end), end - sin(end)])
-    for factor, derived in zip(of_end, factors(*about_end, -q), strict=True):
+    for factor, derived in zip(of_end, _factors(*about_end, -q), strict=True):
         claim(factor, derived, "factors of E about the end")
     reversed_basis = [*BASIS]
     swing.reverse(reversed_basis, q)

@@ -113,7 +113,7 @@ def term(quantity: str, e: Expr, by_soil: bool = False) -> Term:
     return Term(quantity, in_words(shown).replace("Min(", "min("), latex(shown, symbol_names=names))
 
 
-def balance(by_soil: bool = False) -> Term:
+def _balance(by_soil: bool = False) -> Term:
     """Return (3.11) with (2.20): the rate of the angular velocity in the time t sqrt(g/R); s is the sign of omega."""
     normal = Max(0, STRESS - PRESSURE, evaluate=False)
     friction = _FRICTION if by_soil else MU * normal
@@ -127,7 +127,7 @@ GRAVITY: Terms = (("M", J_THETA), ("sigma", J_R / LAMBDA))
 SOILS: Terms = (("u_i", Symbol("p_i")), ("T", LAMBDA * Symbol("sum l_i c_i")))
 
 
-def position(rotates: bool) -> Terms:
+def _position(rotates: bool) -> Terms:
     """Return the components of the weight by name after a rotation phi, or without ``rotates`` at the start.
 
     A component is q(psi_0 - phi) = q cos phi - q' sin phi.
@@ -145,7 +145,7 @@ def position(rotates: bool) -> Terms:
     return tuple(turned)
 
 
-def of_effect(effect: Effect) -> Terms:
+def _effect_terms(effect: Effect) -> Terms:
     """Return the terms of an effect, one by one, and the rates of its states."""
     adds = {
         "M": effect.driving_moment,
@@ -158,10 +158,10 @@ def of_effect(effect: Effect) -> Terms:
         if e != 0:
             terms += [(q, x) for x in Add.make_args(expand(e))]
     terms += [(f"d{x}/dphi", effect.growth) for x in effect.states]
-    return (*(position(True) if effect.turns else ()), *terms)
+    return (*(_position(True) if effect.turns else ()), *terms)
 
 
-def of_law(law: Law) -> tuple[Term, ...]:
+def _law_terms(law: Law) -> tuple[Term, ...]:
     """Return the friction coefficient of a law. For a table or a Python function only its argument is named."""
     if law.coefficient is not None:
         return (term("mu", law.coefficient),)
@@ -171,8 +171,8 @@ def of_law(law: Law) -> tuple[Term, ...]:
 
 def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
     """Return the terms of gravity and of each effect; "frozen" is the position without rotation."""
-    every = {"gravity": GRAVITY, "frozen": position(False)}
-    every |= {effect.name: of_effect(effect) for effect in EFFECTS}
+    every = {"gravity": GRAVITY, "frozen": _position(False)}
+    every |= {effect.name: _effect_terms(effect) for effect in EFFECTS}
     shown = {}
     for name, added in every.items():
         terms = (term(q, e, by_soil) for q, e in added)
@@ -182,22 +182,22 @@ def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
 
 def laws() -> dict[str, tuple[Term, ...]]:
     """Return the friction coefficient of each law."""
-    every = {law.name: of_law(law) for law in LAWS}
+    every = {law.name: _law_terms(law) for law in LAWS}
     return every | {"callable": (Term("mu", "mu(slip)", r"\mu(\mathrm{slip})"),)}
 
 
-def text() -> str:
+def equation_text() -> str:
     """Return the block of `generated/flow.py`."""
     typed = "dict[str, tuple[tuple[str, str, str], ...]]"
     return (
         "# The equation of motion: quantity, formula and LaTeX.\n"
-        f"BALANCE = {tuple(balance())!r}\n"
+        f"BALANCE = {tuple(_balance())!r}\n"
         f"# Its quantities: meaning and LaTeX.\n{_table('EQUATION_QUANTITIES', QUANTITIES)}"
         f"# Its numbers in every scene.\n{_table('COEFFICIENTS', COEFFICIENTS)}"
         "# Terms of gravity, of each effect and of each law.\n"
         f"{_table(f'TERMS: {typed}', _as_tuples(terms() | laws()))}"
         "# The same for several soils along the slip surface.\n"
-        f"SOIL_BALANCE = {tuple(balance(True))!r}\n{_table('SOIL_QUANTITIES', SOIL_QUANTITIES)}"
+        f"SOIL_BALANCE = {tuple(_balance(True))!r}\n{_table('SOIL_QUANTITIES', SOIL_QUANTITIES)}"
         f"{_table('SOIL_COEFFICIENTS', SOIL_COEFFICIENTS)}{_table(f'SOIL_TERMS: {typed}', _as_tuples(terms(True)))}"
         f"{_table('LATEX', _LATEX)}\n"
     )

@@ -83,7 +83,7 @@ def sign(q: Symbol) -> Expr:
     return DIRECTION if q in ODD else ONE
 
 
-def position() -> dict[Symbol, tuple[Expr, Increment]]:
+def _position() -> dict[Symbol, tuple[Expr, Increment]]:
     """Return the weight's components at the start of a phase and their increments, zero for a frozen mass.
 
     q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
@@ -98,7 +98,7 @@ def position() -> dict[Symbol, tuple[Expr, Increment]]:
     return components
 
 
-def scaled(e: Expr) -> Expr:
+def _scaled(e: Expr) -> Expr:
     """Return a moment divided by Theta*, in terms of the position and the parameters alone."""
     over_theta = {
         J_THETA: THETA * DRIVING_MOMENT,
@@ -116,10 +116,10 @@ def quantities(effect: Effect) -> dict[str, Expr]:
     Terms of one soil are multiplied by mu, by which `soils` divides.
     """
     adds = {
-        "driving": scaled(effect.driving_moment),
-        "resisting": scaled(effect.resistance),
-        "pressing": scaled(effect.normal_load + LAMBDA * effect.stress),
-        "lifting": scaled(LAMBDA * effect.pressure),
+        "driving": _scaled(effect.driving_moment),
+        "resisting": _scaled(effect.resistance),
+        "pressing": _scaled(effect.normal_load + LAMBDA * effect.stress),
+        "lifting": _scaled(LAMBDA * effect.pressure),
         "mu": effect.friction,
     }
     if SOIL_MU not in effect.friction.free_symbols:
@@ -152,7 +152,7 @@ def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
 def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
     """Return base and increment, by symbol, of what may change during a phase; without an effect, for a law."""
     speed = (ZERO, series("omega"))
-    variables = position()
+    variables = _position()
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is None:
         return variables
@@ -172,7 +172,7 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
     return variables
 
 
-def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
+def _piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
     """Return the increment of a table's piece, a polynomial of a register.
 
     At full degree ``low`` has all powers at once.
@@ -186,14 +186,14 @@ def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
 
 
 @cache
-def of_effect(effect: Effect) -> Fragment:
+def effect_fragment(effect: Effect) -> Fragment:
     """Return the fragment of an effect: its terms in the balance, and the rates of its states."""
     if effect.turns:
-        return rotation(effect)
+        return _rotation(effect)
     low = Lowering(effect.name, moving(effect))
     for p in effect.parameters:
         if p.kind == "rotation":
-            low.register(piece(low, str(p.symbol), "x", DEGREE), f"d{p.symbol}")
+            low.register(_piece(low, str(p.symbol), "x", DEGREE), f"d{p.symbol}")
     for x in effect.states:
         low.cells[f"{x}_less"] = -x
         low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's cell changes along the phase
@@ -224,7 +224,7 @@ def of_effect(effect: Effect) -> Fragment:
 
 
 @cache
-def of_law(law: Law) -> Fragment:
+def law_fragment(law: Law) -> Fragment:
     """Return the fragment of a law: base and increment of its coefficient, from its formula or a table's piece."""
     low = Lowering(law.name, moving())
     if law.coefficient is not None and not law.kinks:
@@ -238,7 +238,7 @@ def of_law(law: Law) -> Fragment:
     else:
         if variable == "speed":
             _log_speed(law, low)
-        low.moving = {value: (value, piece(low, law.name, argument, degree(law)))}
+        low.moving = {value: (value, _piece(low, law.name, argument, degree(law)))}
     return low.fragment({"mu": value}, tables=((law.name, variable, argument, degree(law)),))
 
 
@@ -291,16 +291,16 @@ def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
     return breaks, [p + [ZERO] * (most - len(p)) for p in polynomials]
 
 
-def gravity() -> Fragment:
+def _gravity() -> Fragment:
     """Return the fragment of driving moment and normal load of a frozen mass, whose components do not rotate."""
     low = Lowering("gravity", {})
     for q in BY_PSI:
         low.cells[str(seen(q))] = sign(q) * q
-    low.moving = position()
+    low.moving = _position()
     return low.fragment({"driving": DRIVING_MOMENT, "pressing": NORMAL_LOAD})
 
 
-def rotation(effect: Effect) -> Fragment:
+def _rotation(effect: Effect) -> Fragment:
     """Return the fragment of the weight's rotation: its components at the start of the phase, and their series.
 
     J_theta, J_r and their slopes satisfy q(psi - x) = q - q vers x - q' sin x.
@@ -310,12 +310,12 @@ def rotation(effect: Effect) -> Fragment:
         turned = q * cos(ROTATION) - slope * sin(ROTATION)
         low.cells[str(seen(q))] = sign(q) * turned
     low.turn(series("x"), ONE, ONE)
-    normal_load, increment = position()[NORMAL_LOAD]
+    normal_load, increment = _position()[NORMAL_LOAD]
     low.put("lin", "upright", str(normal_load), low.sum(increment))
     return low.fragment()
 
 
-def balance() -> Fragment:
+def _balance() -> Fragment:
     """Return the fragment of the balance of momentum (3.11), whose quantities are sums over all fragments.
 
     d omega*/dt* = net = driving - resisting - friction, where friction = mu normal unless the mass is lifted, and
@@ -369,7 +369,7 @@ def _drive(low: Lowering, net: Expr) -> None:
     cells["drive_scale"] = Rational(1, 2**52) * size
 
 
-def energy() -> Fragment:
+def _energy() -> Fragment:
     """Return the fragment of work and dissipation over Theta*, which are states only if requested.
 
     dwork/dt* = driving omega*, ddissipation/dt* = (resisting + friction) omega*.
@@ -384,14 +384,14 @@ def energy() -> Fragment:
 
 def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> dict[str, Fragment]:
     """Return all fragments of these effects and laws by name."""
-    every = {"gravity": gravity()}
+    every = {"gravity": _gravity()}
     for effect in effects:
-        every[effect.name] = of_effect(effect)
+        every[effect.name] = effect_fragment(effect)
     for law in (*laws, CALLABLE):
-        every[law.name] = of_law(law)
+        every[law.name] = law_fragment(law)
     factors = {cell(x): varying(x) for x in ("slip_mu", "rate_mu")}
     both = Lowering("product", factors)
     every["product"] = both.fragment({"mu": Mul(*factors)})
     soils = Lowering("soils", {cell(x): varying(x) for x in (*SOIL_SUMS.values(), "slip_mu")})
     every["soils"] = soils.fragment({x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
-    return every | {"balance": balance(), "energy": energy()}
+    return every | {"balance": _balance(), "energy": _energy()}

@@ -45,7 +45,7 @@ from derive.flow.link import lookup
 from derive.flow.link.definitions import OF_COHESION, OF_SOIL, Recipe
 from derive.flow.link.program import Program, build
 from derive.flow.lowering import ONE, ZERO, without_tanh
-from derive.flow.recurrences import CELLS, OPERATIONS, Operation
+from derive.flow.recurrences import CELLS, OPERATIONS, SeriesOperation
 
 Cells = Mapping[str, Expr]
 
@@ -123,7 +123,7 @@ def registers_of(program: Program, cells: Sequence[Any]) -> list[Expr]:
     return values
 
 
-def operate(operation: Operation, places: Sequence[int], values: list[Expr], cells: Sequence[Any]) -> None:
+def operate(operation: SeriesOperation, places: Sequence[int], values: list[Expr], cells: Sequence[Any]) -> None:
     """Set the results of an operation on series in ``values``, those of all registers, each by its meaning.
 
     ``places`` are the numbers of its results, registers and cells.
@@ -213,7 +213,7 @@ def effect_of(law: Law) -> Effect:
     return replace(shared, name=shared.name + number, parameters=parameters, **terms)
 
 
-def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol, Expr]:
+def parameter_values(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol, Expr]:
     """Return the parameters of effects at a moment by symbol. Those named in ``moving`` change along the motion."""
     values: dict[Symbol, Expr] = {K_H: ZERO, K_V: ZERO}
     for x, p in chain.from_iterable(effect.symbols.items() for effect in effects):
@@ -251,7 +251,7 @@ def symbols_at(
     phi = ZERO
     if any(effect.turns for effect in effects):
         phi = known["ROTATION"] + known["DIRECTION"] * now("x")
-    values = parameters(effects, moving) | components(laws, phi)
+    values = parameter_values(effects, moving) | components(laws, phi)
     values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
     omega = now("omega")
     slip = known["SLIP"] + now("x")
@@ -269,7 +269,9 @@ def symbols_at(
     return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: slip}
 
 
-def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells) -> dict[str, Expr]:
+def derived_rates(
+    effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells
+) -> dict[str, Expr]:
     """Return the rates of the states by (3.11) with the declared terms of effects, and the normal force, over Theta*.
 
     Rotation and centripetal stress follow from the balance laws.
@@ -348,7 +350,7 @@ def prove_case(effects: Sequence[Effect], laws: Sequence[Law]) -> list[str]:
     for direction, phase in product((1, -1), PHASES):
         claims.append(f"(3.11), {', '.join(recipe.effects + recipe.laws)}, direction {direction}, {phase}")
         known = {**PHASES[phase], "DIRECTION": Integer(direction)}
-        equation = motion(effects, laws, recipe.moving, known)
+        equation = derived_rates(effects, laws, recipe.moving, known)
         for name, rate in rates(program, known).items():
             claim = f"{claims[-1]}: d{name}/dt"
             for difference in outcomes(rate - equation[name]):

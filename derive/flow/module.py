@@ -11,14 +11,14 @@ from derive.code.emit import filled
 from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
-from derive.flow.link import definitions, linker, program, soils
+from derive.flow.link import definitions, integers, linker, program, soils
 from derive.flow.lowering import Fragment
 from derive.flow.recurrences import RESULTS
 
-LINKER = (definitions, linker, program, soils)
+LINKER = (definitions, linker, program, soils, integers)
 
 
-def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
+def flow_module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """Return the text of the module."""
     blocks = {
         "INPUTS": {name: repr(meaning) for name, meaning in INPUTS.items()},
@@ -29,7 +29,7 @@ def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) 
     for mark, rows in blocks.items():
         lines = (f"    {x!r}: {row},\n" for x, row in rows.items())
         marks[mark] = "".join(lines)
-    marks |= {"FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.text()}
+    marks |= {"FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.equation_text()}
     return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES), "RESULTS": repr(RESULTS)})
 
 

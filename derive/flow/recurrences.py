@@ -44,7 +44,7 @@ def _sum(term: Expr, first: int = 1, last: Expr = n) -> Expr:
 
 
 @dataclass(frozen=True)
-class Operation:
+class SeriesOperation:
     """Operation on series: results and arguments, order 0 from order 0, and order n from the lower orders.
 
     ``means`` expresses each result as a function of the arguments, ``start`` is the same without cancellation at 0, and
@@ -67,9 +67,9 @@ _t = Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
 OPERATIONS = {
     o.name: o
     for o in (
-        Operation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (_sum(A[k] * B[n - k], 0),)),
-        Operation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (_sum(A[k] * A[n - k], 0),)),
-        Operation(
+        SeriesOperation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (_sum(A[k] * B[n - k], 0),)),
+        SeriesOperation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (_sum(A[k] * A[n - k], 0),)),
+        SeriesOperation(
             "powers",
             POWERS,
             (X,),
@@ -78,8 +78,8 @@ OPERATIONS = {
             # x^(i + 1) = x x^i; the term with x[0] is separate, since coefficient n of x^i has the same order.
             tuple(X[0] * lower[n] + _sum(X[k] * lower[n - k]) for lower in (X, *POWERS[:-1])),
         ),
-        Operation("tim", (Q,), (A,), (_t * Derivative(A, _t),), (Integer(0),), (n * A[n],)),
-        Operation(
+        SeriesOperation("tim", (Q,), (A,), (_t * Derivative(A, _t),), (Integer(0),), (n * A[n],)),
+        SeriesOperation(
             "turn",
             (S, V),
             (Q, X),
@@ -87,10 +87,10 @@ OPERATIONS = {
             (sin(X[0]), 2 * sin(X[0] / 2) ** 2),
             ((Q[n] - _sum(Q[k] * V[n - k])) / n, _sum(Q[k] * S[n - k]) / n),
         ),
-        Operation(
+        SeriesOperation(
             "exp", (E, M), (Q, Z), (exp(Z), exp(Z) - 1), (exp(Z[0]), expm1(Z[0])), (_sum(Q[k] * E[n - k]) / n, E[n])
         ),
-        Operation(
+        SeriesOperation(
             "rec",
             (H, M),
             (Z,),
@@ -98,7 +98,7 @@ OPERATIONS = {
             (1 / (1 + Z[0]), -Z[0] / (1 + Z[0])),
             (-H[0] * _sum(Z[k] * H[n - k]), H[n]),
         ),
-        Operation(
+        SeriesOperation(
             "log",
             (L,),
             (Z,),
@@ -106,7 +106,7 @@ OPERATIONS = {
             (log1p(Z[0]),),
             ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),),
         ),
-        Operation(
+        SeriesOperation(
             "pow",
             (P, M),
             (Z,),
@@ -117,6 +117,8 @@ OPERATIONS = {
         ),
     )
 }
+SERIES = {name: code for code, name in enumerate(("lin", "ramp", *OPERATIONS))}  # codes in the compiled integrator
+SCALAR = {name: code for code, name in enumerate(CELLS)}
 RESULTS = {o.name: len(o.results) for o in OPERATIONS.values() if len(o.results) > 1}  # other operations have one
 
 
@@ -135,7 +137,7 @@ def prove(order: int = 6) -> list[str]:
     return claims
 
 
-def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, ...]]:
+def _coefficients(o: SeriesOperation, highest: int) -> dict[IndexedBase, tuple[Expr, ...]]:
     """Return Taylor coefficients of an operation's arguments, as symbols, and of its results, up to order ``highest``.
 
     The coefficients of a series about a moment t satisfy da_i/dt = (i + 1) a_(i+1). The same is true for a function f
@@ -175,7 +177,7 @@ def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
     return e.xreplace(named)
 
 
-def number(name: str, cells: Mapping[str, Any]) -> Any:
+def _cell(name: str, cells: Mapping[str, Any]) -> Any:
     """Return a cell by its name. ``=1.0`` is a constant, and an unknown cell a symbol."""
     if name in cells:
         return cells[name]
@@ -191,8 +193,8 @@ def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Ma
     for name, *names in series:
         if name == "lin":
             result, constant, terms = names
-            base = number(constant, cells) if constant else 0
-            products = (number(c, cells) * registers[r] for c, r in terms)
+            base = _cell(constant, cells) if constant else 0
+            products = (_cell(c, cells) * registers[r] for c, r in terms)
             registers[result] = Add(base, *products)
             continue
         o = OPERATIONS[name]
@@ -202,7 +204,7 @@ def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Ma
             if place in o.arguments:
                 known[place[0]] = registers[operand]
             elif place in o.numbers:
-                known[place] = number(operand, cells)
+                known[place] = _cell(operand, cells)
         for result, start in zip(names, o.start, strict=False):
             registers[result] = start.subs(known)
     return registers

@@ -85,7 +85,7 @@ class GrammarError(Exception):
 
 
 @dataclass(frozen=True)
-class Function:
+class RestrictedFunction:
     """Function of the text; ``of`` is LANES, LANE, or empty for functions of numbers alone."""
 
     name: str
@@ -110,7 +110,7 @@ class Function:
 class Text:
     """Functions of the text by name, in order, and its constants, numbers or tuples of numbers."""
 
-    functions: dict[str, Function] = field(default_factory=dict)
+    functions: dict[str, RestrictedFunction] = field(default_factory=dict)
     constants: dict[str, Any] = field(default_factory=lambda: {x: getattr(one_lane, x) for x in GIVEN})
 
     def read(self, source: str, path: str) -> None:
@@ -120,15 +120,15 @@ class Text:
                 case ast.FunctionDef(args=ast.arguments(args=arguments), returns=returns):
                     parameters = {x.arg: annotation(x.annotation, path, node) for x in arguments}
                     result = annotation(returns, path, node)
-                    self.functions[node.name] = Function(node.name, path, node, parameters, result)
+                    self.functions[node.name] = RestrictedFunction(node.name, path, node, parameters, result)
                 case ast.Assign(targets=[ast.Name(id=name)], value=value):
                     self.constants[name] = eval(ast.unparse(value), {"factorial": factorial, **self.constants})
                 case ast.Expr(value=ast.Constant()) | ast.ImportFrom():
                     pass
                 case _:
-                    refuse(path, node, "a module has imports, constants and functions")
+                    refuse_node(path, node, "a module has imports, constants and functions")
 
-    def names_of(self, function: Function) -> set[str]:
+    def names_of(self, function: RestrictedFunction) -> set[str]:
         """Return the names of the functions of the text that a function calls."""
         return {x.id for x in ast.walk(function.node) if isinstance(x, ast.Name) and x.id in self.functions}
 
@@ -140,7 +140,7 @@ class Text:
         return any(self.iterates(x) for x in self.names_of(function) - {name})
 
 
-def refuse(path: str, node: ast.AST, why: str) -> NoReturn:
+def refuse_node(path: str, node: ast.AST, why: str) -> NoReturn:
     """Raise a `GrammarError` with the file, the line and the source of ``node``. ``why`` is the rule that it breaks."""
     raise GrammarError(f"{path}, line {getattr(node, 'lineno', 0)}: {why}: {ast.unparse(node).splitlines()[0]}")
 
@@ -158,7 +158,7 @@ def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
             return "NONE"
         case ast.Subscript(value=ast.Name(id="tuple")):
             return "PAIR"
-    refuse(path, node, "every parameter and result has one of the kinds " + ", ".join(ANNOTATIONS))
+    refuse_node(path, node, "every parameter and result has one of the kinds " + ", ".join(ANNOTATIONS))
 
 
 def integrator() -> Text:

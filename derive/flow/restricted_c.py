@@ -5,7 +5,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from derive.flow.restricted import Text
-from derive.flow.writer import Value, Writer, bare
+from derive.flow.writer import TypedExpression, Writer, bare
 
 TYPES = {
     "V": "V",
@@ -108,7 +108,7 @@ class C(Writer):
 
     forms = FORMS
 
-    def let(self, name: str, kind: str, value: Value, new: bool) -> str:
+    def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
         if value.text in ("new_series()", "numbers()"):
             return f"V {name}[STRIDE];" if kind == "S" else f"double {name}[STRIDE];"
@@ -119,11 +119,11 @@ class C(Writer):
         """Yield the lines of the statements ``body`` for each lane where ``mask``, an expression in C, is true."""
         yield from self.block(f"EACH(lane, bits({mask}))", body)
 
-    def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+    def while_of_lane(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
         """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
         yield from self.block(self.say("while", bare(test.text)), s.body)
 
-    def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
+    def of_lane(self, test: TypedExpression, s: ast.If, leaves: bool) -> Iterator[str]:
         """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane, which may return."""
         yield from self.block(self.say("if", bare(test.text)), s.body)
 
@@ -151,7 +151,7 @@ class C(Writer):
         yield ""
 
 
-def functions(text: Text) -> str:
+def c_functions(text: Text) -> str:
     """Return the C source of all functions of the restricted text, preceded by its constants."""
     lines = []
     for x, value in text.constants.items():

@@ -6,8 +6,8 @@ An ``if`` by lane selects the lanes where its condition is true from the index a
 import ast
 from collections.abc import Iterator, Sequence
 
-from derive.flow.restricted import Function, Text
-from derive.flow.writer import Value, Writer
+from derive.flow.restricted import RestrictedFunction, Text
+from derive.flow.writer import TypedExpression, Writer
 
 TYPES = {
     "V": "Floats",
@@ -108,11 +108,11 @@ class NumPy(Writer):
 
     forms = FORMS
 
-    def __init__(self, text: Text, function: Function) -> None:
+    def __init__(self, text: Text, function: RestrictedFunction) -> None:
         super().__init__(text, function)
         self.ifs = 0
 
-    def let(self, name: str, kind: str, value: Value, new: bool) -> str:
+    def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind.
 
         It has an annotation if ``new`` and needed.
@@ -127,7 +127,7 @@ class NumPy(Writer):
         yield f"i = np.flatnonzero({mask})"
         yield from self.block("if i.size", body)
 
-    def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
+    def of_lane(self, test: TypedExpression, s: ast.If, leaves: bool) -> Iterator[str]:
         """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane, which may return."""
         self.ifs += 1
         mark = self.ifs
@@ -148,7 +148,7 @@ class NumPy(Writer):
         else:
             yield f"{known} = {kept}"
 
-    def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+    def while_of_lane(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
         """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
         self.ifs += 1
         mark = self.ifs
@@ -199,7 +199,7 @@ class NumPy(Writer):
             yield f"    {line}"
 
 
-def functions(text: Text) -> str:
+def numpy_functions(text: Text) -> str:
     """Return the NumPy source of all functions of the restricted text, preceded by its constants."""
     lines = [f"{x} = {value!r}" for x, value in text.constants.items() if x != "INFINITY"]
     lines.append("INFINITY = np.inf")

@@ -9,7 +9,7 @@ from sympy import Expr, Indexed, IndexedBase, Sum, Symbol, cancel
 from derive.code.emit import filled
 from derive.code.program import program
 from derive.code.text import Language, statements
-from derive.flow.recurrences import CELLS, OPERATIONS, Operation, k, n
+from derive.flow.recurrences import CELLS, OPERATIONS, SCALAR, SERIES, SeriesOperation, k, n
 
 
 class _Sum(NamedTuple):
@@ -90,7 +90,7 @@ def _{code}(r: Floats, c: Floats, n: int, {parameters}) -> None:
 """
 
 
-def _sums(o: Operation) -> list[_Sum]:
+def _sums(o: SeriesOperation) -> list[_Sum]:
     """Return the sums in the steps of an operation's results."""
     sums = []
     totals = {total for e in o.step for total in e.atoms(Sum)}
@@ -126,7 +126,7 @@ def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ())
     return statements(made, language)
 
 
-def _body(o: Operation, target: _Target) -> tuple[list[str], list[str]]:
+def _body(o: SeriesOperation, target: _Target) -> tuple[list[str], list[str]]:
     """Return statements for order 0 and for order n. A result may be used by later results."""
     start, texts = _texts(o.start, target.language)
     for x, e, text in zip(o.results, o.start, texts, strict=True):
@@ -153,13 +153,13 @@ def _newest(s: _Sum, target: _Target) -> Iterator[str]:
                 yield target.newest.format(**s._asdict(), k=at_k, rest=rest, factor=factor)
 
 
-def _read(o: Operation) -> list[IndexedBase]:
+def _read(o: SeriesOperation) -> list[IndexedBase]:
     """Return the series on which an operation's results depend."""
     used = {x.base for e in (*o.start, *o.step) for x in e.atoms(Indexed)}
     return [x for x in o.arguments if x in used]
 
 
-def _means(o: Operation) -> str:
+def _means(o: SeriesOperation) -> str:
     """Return the meanings of an operation's results as text, ``result = formula`` for each."""
     return ", ".join(f"{x} = {m}" for x, m in zip(o.results, o.means, strict=True))
 
@@ -179,7 +179,7 @@ def _loop(sums: Sequence[_Sum]) -> list[str]:
     return [f"V {', '.join(parts)};", f"OVER({below}, {'; '.join(terms)});"]
 
 
-def _c_case(o: Operation) -> str:
+def _c_case(o: SeriesOperation) -> str:
     """Return the case of an operation in the C function that interprets operations on series."""
     operands = (*o.results, *o.arguments, *o.numbers)
     places = {x: i for i, x in enumerate(operands, 1)}
@@ -197,7 +197,7 @@ def _c_case(o: Operation) -> str:
     )
 
 
-def c() -> dict[str, str]:
+def c_operations() -> dict[str, str]:
     """Return codes, operands and cases of the operations on series and cells as C text, by marks of the template."""
     codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in CELLS])
     enums = (f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
@@ -224,7 +224,7 @@ def c() -> dict[str, str]:
     }
 
 
-def _numpy_function(o: Operation) -> str:
+def _numpy_function(o: SeriesOperation) -> str:
     """Return the source of the NumPy function that performs an operation on series."""
     series = [*o.results, *_read(o)]
     parameters = (*o.results, *o.arguments, *o.numbers)
@@ -249,8 +249,8 @@ def numpy_text(digest: str) -> str:
         "_series.py.in",
         {
             "DIGEST": digest,
-            "CODES": repr({x: i for i, x in enumerate(("lin", "ramp", *OPERATIONS))}),
-            "SCALAR_CODES": repr({x: i for i, x in enumerate(CELLS)}),
+            "CODES": repr(SERIES),
+            "SCALAR_CODES": repr(SCALAR),
             "FUNCTIONS": "".join(map(_numpy_function, OPERATIONS.values())),
             "SERIES": ", ".join(f'"{x}": _{x}' for x in OPERATIONS),
             "SCALARS": "".join(f'    "{x}": {text},\n' for x, text in scalars.items()),

@@ -66,7 +66,7 @@ def operation(kind: str, *places: Any) -> list[str]:
     return [kind.upper(), *(f"{register} * STRIDE" for register in registers), *["CELL"] * cells]
 
 
-def c() -> dict[str, str]:
+def c_programs() -> dict[str, str]:
     """Return programs as integers, as functions, and as a table of these functions, by their marks in the C text."""
     patterns = functions = rows = ""
     for k, program in enumerate(programs()):

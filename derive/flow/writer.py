@@ -12,15 +12,15 @@ from derive.flow.restricted import (
     OF_ONE_LANE,
     PRIMITIVES,
     SIGNS,
-    Function,
+    RestrictedFunction,
     Text,
     annotation,
-    refuse,
+    refuse_node,
 )
 
 
 @dataclass
-class Value:
+class TypedExpression:
     """Expression in the target language, and its kind."""
 
     text: str
@@ -37,7 +37,7 @@ class Writer:
 
     forms: Mapping[str, str]
 
-    def __init__(self, text: Text, function: Function) -> None:
+    def __init__(self, text: Text, function: RestrictedFunction) -> None:
         self.all = text
         self.function = function
         self.lane = function.of == "LANE"
@@ -52,13 +52,13 @@ class Writer:
 
     def refuse(self, node: ast.AST, why: str) -> NoReturn:
         """Raise an error that names the file and the line of a construct outside the grammar."""
-        refuse(self.function.path, node, why)
+        refuse_node(self.function.path, node, why)
 
     def _here(self, kind: str) -> str:
         """Return a kind, or while the text concerns one lane the kind of one of its elements: F for V, B for M."""
         return OF_ONE_LANE.get(kind, kind) if self.lane else kind
 
-    def as_kind(self, value: Value, kind: str) -> str:
+    def as_kind(self, value: TypedExpression, kind: str) -> str:
         """Return the text of a value where ``kind`` is expected. Numbers of all lanes are broadcast to V, I or B."""
         text = bare(value.text)
         if kind in "VIB" and value.kind in ("K", "N"):
@@ -67,14 +67,14 @@ class Writer:
 
     # Expressions.
 
-    def value(self, e: ast.expr) -> Value:
+    def value(self, e: ast.expr) -> TypedExpression:
         """Return the text of an expression, and its kind."""
         match e:
             case ast.Constant(value=bool(x)):
-                return Value(self.forms[str(x)], "N")
+                return TypedExpression(self.forms[str(x)], "N")
             case ast.Constant(value=int(x) | float(x)):
                 kind = "N" if isinstance(x, int) else "K"
-                return Value(repr(x), kind)
+                return TypedExpression(repr(x), kind)
             case ast.Name(id=name):
                 return self._name(name, e)
             case ast.Attribute():
@@ -90,34 +90,34 @@ class Writer:
                     self.refuse(e, "a choice by lane is `where`")
                 kind = joined(ends, "SVFIKN")
                 one, other = (self.as_kind(x, kind) if kind == "V" else x.text for x in ends)
-                return Value(self.say("choice", a=chosen.text, b=one, c=other), kind)
+                return TypedExpression(self.say("choice", a=chosen.text, b=one, c=other), kind)
         return self._operation(e)
 
-    def _operation(self, e: ast.expr) -> Value:
+    def _operation(self, e: ast.expr) -> TypedExpression:
         """Return the text and the kind of an operation."""
         match e:
             case ast.BinOp(left=a, op=op, right=b) if type(op) in SIGNS:
                 values = self.value(a), self.value(b)
-                return Value(self._joined(SIGNS[type(op)], values), joined(values))
+                return TypedExpression(self._joined(SIGNS[type(op)], values), joined(values))
             case ast.UnaryOp(op=ast.USub(), operand=a):
                 one = self.value(a)
-                return Value(f"(-{one.text})", one.kind)
+                return TypedExpression(f"(-{one.text})", one.kind)
             case ast.UnaryOp(op=ast.Not(), operand=a):
                 one = self.value(a)
-                return Value(self.say("not", one.kind, a=one.text), one.kind)
+                return TypedExpression(self.say("not", one.kind, a=one.text), one.kind)
             case ast.Compare(left=a, ops=[op], comparators=[b]) if type(op) in SIGNS:
                 values = self.value(a), self.value(b)
-                return Value(self._joined(SIGNS[type(op)], values), COMPARED[joined(values, "VMFIBKN")])
+                return TypedExpression(self._joined(SIGNS[type(op)], values), COMPARED[joined(values, "VMFIBKN")])
             case ast.BoolOp(op=op, values=parts):
                 several = [self.value(x) for x in parts]
                 kind = joined(several, "MBN")
                 if kind == "M" and any(v.kind != "M" for v in several):
                     self.refuse(e, "a mask is joined with masks only")
                 sign = self.say("and" if isinstance(op, ast.And) else "or", kind)
-                return Value(self._joined(sign, several), kind)
+                return TypedExpression(self._joined(sign, several), kind)
         self.refuse(e, "this expression is not in the grammar of the integrator")
 
-    def _joined(self, sign: str, values: Sequence[Value]) -> str:
+    def _joined(self, sign: str, values: Sequence[TypedExpression]) -> str:
         """Return values joined by a sign. An integer beside numbers of lanes becomes a number."""
         vector = any(v.kind == "V" for v in values)
         texts = []
@@ -127,45 +127,45 @@ class Writer:
         joint = f" {sign} ".join(texts)
         return f"({joint})"
 
-    def _name(self, name: str, e: ast.expr) -> Value:
+    def _name(self, name: str, e: ast.expr) -> TypedExpression:
         """Return the text and the kind of a variable or constant. ``e`` is its place in error messages."""
         if kind := self.kinds.get(name):
             here = self._here(kind)
             text = name if here == kind else self.say("of_lane", name)
-            return Value(text, here)
+            return TypedExpression(text, here)
         if name not in self.all.constants:
             self.refuse(e, f"{name} has no value here")
-        return Value(name, "N" if isinstance(self.all.constants[name], int) else "K")
+        return TypedExpression(name, "N" if isinstance(self.all.constants[name], int) else "K")
 
-    def _entry(self, e: ast.expr) -> Value:
+    def _entry(self, e: ast.expr) -> TypedExpression:
         """Return a member of an enumeration, or an entry of lanes, of a table or of a state, by its kind."""
         holder, _, entry = ast.unparse(e).partition(".")
         prefix, members = CODES.get(holder, ("", {}))
         if entry in members:
-            return Value(self.say("CODE", prefix + entry), "N")
+            return TypedExpression(self.say("CODE", prefix + entry), "N")
         what, kind = ENTRIES.get((self.kinds.get(holder, ""), entry), ("", ""))
         if not what:
             self.refuse(e, f"lanes, tables and states have no entry {entry}")
         middle, _, name = entry.rpartition(".")
         of = self.say("before", holder) if middle == "before" else holder
-        return Value(self.say(what, name, of=of), self._here(kind))
+        return TypedExpression(self.say(what, name, of=of), self._here(kind))
 
-    def _element(self, e: ast.Subscript) -> Value:
+    def _element(self, e: ast.Subscript) -> TypedExpression:
         """Return the text and the kind of an element of a constant, a series or an array."""
         index = bare(self.value(e.slice).text)
         match e.value:
             case ast.Name(id=name) if name in self.all.constants:
-                return Value(f"{name}[{index}]", "K")
+                return TypedExpression(f"{name}[{index}]", "K")
             case ast.Attribute(value=ast.Name(id=holder), attr="inverse") if holder == self.state:
-                return Value(self.say("inverse", index), "K")
+                return TypedExpression(self.say("inverse", index), "K")
             case ast.Attribute(value=ast.Name(id=holder), attr="coefficients") if self.kinds.get(holder) == "T":
-                return Value(self.say("coefficients", index, of=holder), self._here("V"))
+                return TypedExpression(self.say("coefficients", index, of=holder), self._here("V"))
         series = self.value(e.value)
         if series.kind == "S":
-            return Value(self.say("element", index, of=series.text), self._here("V"))
-        return Value(f"{series.text}[{index}]", "F")
+            return TypedExpression(self.say("element", index, of=series.text), self._here("V"))
+        return TypedExpression(f"{series.text}[{index}]", "F")
 
-    def _call(self, name: str, values: Sequence[Value], e: ast.Call) -> Value:
+    def _call(self, name: str, values: Sequence[TypedExpression], e: ast.Call) -> TypedExpression:
         """Return the text and the kind of a call of a function or primitive. ``e`` is its place in error messages."""
         function = self.all.functions.get(name)
         if name not in PRIMITIVES and not function:
@@ -178,12 +178,12 @@ class Writer:
             texts[0] = self.say("LANE" if one else "LANES")
         form = name if function else self.forms.get(f"{name}.{kind}") or self.forms.get(name, name)
         if "{" not in form:
-            return Value(f"{form}({', '.join(texts)})", kind)
+            return TypedExpression(f"{form}({', '.join(texts)})", kind)
         series = next((x for x, k in self.function.parameters.items() if k == "S"), f"{self.state}.registers[0]")
         operands = dict(zip("abc", (v.text for v in values), strict=False))
-        return Value(form.format(*texts, s=self.state, series=series, **operands), kind)
+        return TypedExpression(form.format(*texts, s=self.state, series=series, **operands), kind)
 
-    def _kind_of_call(self, name: str, values: Sequence[Value]) -> str:
+    def _kind_of_call(self, name: str, values: Sequence[TypedExpression]) -> str:
         """Return the kind of the result of calling the function or primitive ``name`` with these values."""
         if name in self.all.functions:
             kind = self.all.functions[name].returns
@@ -267,7 +267,7 @@ class Writer:
             case _:
                 self.refuse(s, "this assignment is not in the grammar of the integrator")
 
-    def _let(self, name: str, value: Value, s: ast.stmt, kind: str = "") -> Iterator[str]:
+    def _let(self, name: str, value: TypedExpression, s: ast.stmt, kind: str = "") -> Iterator[str]:
         """Yield the line that assigns a value to a name.
 
         Without ``kind`` the name keeps its kind or has the value's.
@@ -280,7 +280,7 @@ class Writer:
         self.kinds[name] = kind
         yield self.let(name, kind, value, new)
 
-    def _count(self, way: str, first: Value, last: Value, s: ast.For) -> Iterator[str]:
+    def _count(self, way: str, first: TypedExpression, last: TypedExpression, s: ast.For) -> Iterator[str]:
         """Yield the lines of a loop over integers from ``first`` to ``last``, both included. ``way`` is up or down."""
         if not {first.kind, last.kind} <= {"N"}:
             self.refuse(s, "a loop counts between integers that all lanes share")
@@ -310,7 +310,7 @@ class Writer:
             return
         yield from self._by_lane(test, s)
 
-    def _while(self, test: Value, s: ast.While) -> Iterator[str]:
+    def _while(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
         """Yield the lines of a loop.
 
         If lanes decide separately, it continues in the lanes where its condition is true.
@@ -321,7 +321,7 @@ class Writer:
         head = self.say("while", bare(test.text))
         yield from self.block(head, s.body)
 
-    def _by_lane(self, test: Value, s: ast.If) -> Iterator[str]:
+    def _by_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that lanes decide separately."""
         outside = set(self.kinds)
         assigned = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
@@ -343,7 +343,7 @@ class Writer:
 
     # Language-specific methods.
 
-    def let(self, name: str, kind: str, value: Value, new: bool) -> str:
+    def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
         raise NotImplementedError
 
@@ -351,11 +351,11 @@ class Writer:
         """Yield the lines of the statements ``body`` for each lane where ``mask``, a text, is true."""
         raise NotImplementedError
 
-    def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+    def while_of_lane(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
         """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
         raise NotImplementedError
 
-    def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
+    def of_lane(self, test: TypedExpression, s: ast.If, leaves: bool) -> Iterator[str]:
         """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane.
 
         ``leaves`` if it returns.
@@ -363,7 +363,7 @@ class Writer:
         raise NotImplementedError
 
 
-def joined(values: Sequence[Value], order: str = "VFIKN") -> str:
+def joined(values: Sequence[TypedExpression], order: str = "VFIKN") -> str:
     """Return the kind of a combination of values: the first letter of ``order`` that is the kind of one of them."""
     return next(k for k in order if any(v.kind == k for v in values))
 

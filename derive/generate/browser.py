@@ -24,12 +24,12 @@ FLAGS = (
 )
 
 
-def digest(source: str) -> str:
+def source_digest(source: str) -> str:
     """Return the digest of the source, the flags and the version of the compiler."""
     return hashlib.sha256("\n".join([source, *FLAGS, COMPILER]).encode()).hexdigest()
 
 
-def text(source: str, present: Path) -> str:
+def browser_text(source: str, present: Path) -> str:
     """Return the digest and the compressed module in base64, from the present file if it is valid.
 
     ``source`` is the text of `_flow.c`.
@@ -39,7 +39,7 @@ def text(source: str, present: Path) -> str:
     ProofError
         If the module must be compiled and the compiler is missing or has another version.
     """
-    expected = digest(source)
+    expected = source_digest(source)
     held = present.read_text("utf-8") if present.is_file() else ""
     if held.startswith(expected):
         return held

@@ -25,7 +25,7 @@ from derive.declare.symbols import in_words
 from derive.flow.equation import term
 
 
-def module() -> str:
+def effects_module() -> str:
     """Return the text of the module with effects and laws as plain data."""
     marks: dict[str, object] = {"LIMITS": LIMITS, "LEAST": LEAST, "USUAL": USUAL, "OTHER_UNITS": OTHER_UNITS}
     marks |= {"USUAL_FRICTION": USUAL_FRICTION, "QUESTIONED_FRICTION": QUESTIONED_FRICTION}

@@ -91,7 +91,7 @@ _TEXTS = {
 }
 
 
-def module() -> str:
+def slopes_module() -> str:
     """Return the text of `generated/slopes.py`."""
     several = {"closed": slopes.closed(), "rings": slopes.rings()}
     one = {"head": slopes.head()} | slopes.slices()

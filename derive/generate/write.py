@@ -17,12 +17,12 @@ from derive.approximate import certificates, search, shapes
 from derive.approximate.programs import parts_of_ends, variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
-from derive.check.records import Record, promised, read
+from derive.check.records import Record, promised, read_records
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
-from derive.stages import RECORDS, Stages, digest_of, report
+from derive.stages import RECORDS, Stages, digest_of, report_stage
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -30,21 +30,21 @@ MEND = "python -m derive"
 
 
 def flow_files(_: Stages) -> dict[str, str]:
-    """Return the files that depend on `derive.flow`, by name."""
+    """Return the files that depend on `derive.flow` and the declared laws and effects, by name."""
     integrator = restricted.integrator()
-    text = {"INTEGRATOR": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
-    c_flow = emit.filled("_flow.c", layout.c() | series.c() | straight.c() | text)
+    text = {"INTEGRATOR": restricted_c.c_functions(integrator), "PROCESSOR": emit.PROCESSOR}
+    c_flow = emit.filled("_flow.c", layout.c() | series.c_operations() | straight.c_programs() | text)
     texts = {
         "layout.py": layout.python(),
-        "effects.py": effects.module(),
-        "flow.py": module.module(),
+        "effects.py": effects.effects_module(),
+        "flow.py": module.flow_module(),
         "_flow.c": c_flow,
         "series.py": series.numpy_text(digest_of(c_flow)),
-        "integrator.py": emit.filled("_integrator.py.in", {"INTEGRATOR": restricted_numpy.functions(integrator)}),
+        "integrator.py": emit.filled("_integrator.py.in", {"INTEGRATOR": restricted_numpy.numpy_functions(integrator)}),
         "program.py": module.linker_module(),
     }
     written = _written(texts)
-    return written | {browser.NAME: browser.text(written["_flow.c"], FOLDER / browser.NAME)}
+    return written | {browser.NAME: browser.browser_text(written["_flow.c"], FOLDER / browser.NAME)}
 
 
 def kernel_files(stages: Stages) -> dict[str, str]:
@@ -54,9 +54,9 @@ def kernel_files(stages: Stages) -> dict[str, str]:
         if record:
             integrate.restore(moment, record["outcome"])
     compared = [shapes.agree(kernel) for kernel in shapes.kernels()]
-    report("kernels", "definition", "", f"{sum(compared)} comparisons with the checker's")
+    report_stage("kernels", "definition", "", f"{sum(compared)} comparisons with the checker's")
     stages.line("kernels", "search", search.complete, "new shapes: {}")
-    proved = stages.line("kernels", "certify", lambda: certificates.records(variants(), read()), "")
+    proved = stages.line("kernels", "certify", lambda: certificates.records(variants(), read_records()), "")
 
     def certified(*arguments: Any) -> Record:
         kernel, _, tier, form, _ = arguments
@@ -68,9 +68,14 @@ def kernel_files(stages: Stages) -> dict[str, str]:
     return stages.line("kernels", "emit", lambda: _kernel_texts(proved), "")
 
 
+def slope_files(_: Stages) -> dict[str, str]:
+    """Return the file that depends on `derive.algebra.slopes`, by name."""
+    return _written({"slopes.py": slopes.slopes_module()})
+
+
 def _kernel_texts(proved: list[Record]) -> dict[str, str]:
     """Return all files that do not depend on `derive.flow`, from the records of the kernels."""
-    kernels = functions.kernels(proved)
+    kernels = functions.public_functions(proved)
     closed = integrate.closed_forms()
     c_kernels = emit_c.source((*variants(), *variants_of_ends()), functions.comments(kernels, proved))
     texts = {
@@ -78,15 +83,14 @@ def _kernel_texts(proved: list[Record]) -> dict[str, str]:
         "definitions.py": definitions_module(closed),
         "_evaluate.py": emit.filled("_evaluate.py"),
         "kernels.pyi": emit.stub(kernels),
-        "kernels.py": emit.module(
+        "kernels.py": emit.functions_module(
             "Moments, weights and quotients of the arc, from their definitions.", kernels, parts_of_ends()
         ),
         "_kernels.c": c_kernels,
-        "slopes.py": slopes.module(),
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
-        "shapes.json": shapes.text(),
+        "shapes.json": shapes.shapes_text(),
     }
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
     comparison = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
@@ -162,7 +166,7 @@ def _package(names: list[str]) -> str:
     )
 
 
-def present(folder: Path = FOLDER) -> dict[str, str]:
+def present_files(folder: Path = FOLDER) -> dict[str, str]:
     """Return the text of each file; caches, binaries, records of stages and files of a killed build are left out."""
     return {
         str(path.relative_to(folder)): path.read_text(encoding="utf-8")
@@ -200,7 +204,7 @@ def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], 
     parent folder and raises an error if the tree is wrong.
     """
     folder.mkdir(exist_ok=True)
-    old = present(folder)
+    old = present_files(folder)
     names = sorted(texts.keys() | old.keys())
     changed = [name for name in names if texts.get(name) != old.get(name)]
     if not changed:
@@ -222,7 +226,7 @@ def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], 
 
 def difference(texts: dict[str, str], folder: Path = FOLDER) -> str:
     """Return a unified diff from the folder's files to the given texts by name, empty if they are identical."""
-    present_texts = present(folder) if folder.is_dir() else {}
+    present_texts = present_files(folder) if folder.is_dir() else {}
     diff = ""
     for name in sorted(texts.keys() | present_texts.keys()):
         old = present_texts.get(name)

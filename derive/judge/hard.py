@@ -1,7 +1,7 @@
 """Hard cases declared as data: arguments at which printed forms lose digits, with errors of the kernels and of `solve`.
 
-`report` runs the programs and compares them with the closed form at hundreds of digits. The tests compare the same
-list with quadrature of the definitions.
+`hard_case_report` runs the programs and compares them with the closed form at hundreds of digits. The tests compare the
+same list with quadrature of the definitions.
 """
 
 import math
@@ -150,7 +150,7 @@ _OF_ENDS = (
 
 
 @cache
-def cases() -> tuple[HardCase, ...]:
+def hard_cases() -> tuple[HardCase, ...]:
     """Return cases of functions of alpha derived from their forms, and declared cases."""
     return *_kernels(), *_OF_ENDS
 
@@ -176,7 +176,7 @@ for line in sys.stdin:
 
 def _solved() -> dict[HardCase, float]:
     """Return the results of `solve` by hard case, from a separate process, as nothing here imports slipcircle."""
-    arcs = [case for case in cases() if case.function in _OF_SOLVE]
+    arcs = [case for case in hard_cases() if case.function in _OF_SOLVE]
     lines = [" ".join(map(repr, case.arguments)) for case in arcs]
     run = [sys.executable, "-c", _SOLVE]
     done = subprocess.run(run, input="\n".join(lines), capture_output=True, text=True, check=True)
@@ -190,7 +190,7 @@ def measured() -> list[Result]:
     programs = [v.program for v in every if v.tier == "best" and v.form != "fused"]
     ours = {p.name: p.run for p in programs}
     results = []
-    for case in track(cases(), "hard cases measured", len(cases())):
+    for case in track(hard_cases(), "hard cases measured", len(hard_cases())):
         form = forms()[case.function]
         arrays = [np.array(x) for x in case.arguments]
         with np.errstate(all="ignore"):
@@ -220,7 +220,7 @@ def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
         return lambdify(symbols, form.exact, "mpmath")(*map(mpmath.mpf, arguments))
 
 
-def report() -> str:
+def hard_case_report() -> str:
     """Return the hard cases with the errors of the printed form, of the kernel and of `solve`."""
     results = measured()
     lines = [

@@ -58,9 +58,9 @@ def rate(order: int) -> Pair:
     ``order`` is the order of the derivative, 1 or 2.
     """
     moving = Function("theta")(t)
-    known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
+    values = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
     position = (r * cos(moving), r * sin(moving))
-    x, y = (coordinate.diff(t, order).subs(known) for coordinate in position)
+    x, y = (coordinate.diff(t, order).subs(values) for coordinate in position)
     return basis(x, y)
 
 
@@ -101,7 +101,7 @@ def along_bisector(force: Pair) -> Expr:
     return force[0] * cos(u) - force[1] * sin(u)
 
 
-def end(start: Symbol) -> Expr:
+def end_angle(start: Symbol) -> Expr:
     """Return the polar angle of an end of the arc (1.2) at the time t, from its angle at the start.
 
     The variable of integration is separate.
@@ -153,7 +153,7 @@ def body(f: Expr) -> Expr:
     return body_star(f, R * CHORD, R)
 
 
-def scaled(f: Expr) -> Expr:
+def scaled_body(f: Expr) -> Expr:
     """Return `body` of f after the substitution r = R r*."""
     return body_star(f.subs(r, R * r) * R)
 
@@ -168,15 +168,15 @@ def radial() -> Expr:
     return expand(balance / pressure.coeff(sigma_n))
 
 
-def step(equation: str) -> Expr:
+def derived_form(equation: str) -> Expr:
     """Return a derived form of the balance by its equation number, such as "3.8", for a turning mass."""
     return dynamics.balance()[equation].subs({dynamics.j_r: j_r, dynamics.j_theta: j_theta})
 
 
 def momentum() -> Pair:
     """Return both sides of (3.8), over ell rho: the rate of angular momentum, and the moment."""
-    left = step("3.8 left") / (ell * rho)
-    right = step("3.8") / (ell * rho)
+    left = derived_form("3.8 left") / (ell * rho)
+    right = derived_form("3.8") / (ell * rho)
     return expand(left), expand(right)
 
 
@@ -209,7 +209,7 @@ def dimensional() -> dict[str, Expr]:
     return {"omega": rate, "phi": phi, "v": velocity, "s": displacement}
 
 
-def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
+def expanded_in_time(motion: Expr) -> tuple[Expr, Expr, Expr]:
     """Return a motion, the first term of its expansion in time, and the order of the second term.
 
     ``motion`` is an expression in t.
@@ -243,6 +243,6 @@ def names() -> dict[str, Any]:
 
 
 @cache
-def read(forms: str) -> tuple[Expr, ...]:
+def parse_forms(forms: str) -> tuple[Expr, ...]:
     """Return transcribed forms, separated by semicolons, as expressions in the symbols of `names`."""
     return tuple(parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))

@@ -18,13 +18,13 @@ from derive.algebra.dynamics import mu, omega_star, sigma_mean
 from derive.check.proof import ProofError
 from derive.declare.symbols import a, b, t, theta, u
 from derive.judge.mechanics import a_of, b_of, j_r, j_theta, mu_of, sigma, sigma_n, tau_n, turn
-from derive.judge.section import DIP, HALF, RESIDUAL, limit_friction, moment, reached, turned
+from derive.judge.section import DIP, HALF, RESIDUAL, change_by_rotation, limit_friction, moment, reached
 
 Along = Callable[[Any], mpf]  # a function of u = theta - theta_m, along the arc
 
 
 @dataclass(frozen=True)
-class State:
+class PaperState:
     """State of the paper's mass: friction, dip of the chord, omega*, and the normal stress over rho g R.
 
     ``stress`` is a function along the arc. Without it the scalar sum (2.5) is distributed uniformly.
@@ -57,7 +57,7 @@ def columns(u: mpf) -> mpf:
     return cos(DIP - u) * (1 - (cos(HALF) / cos(u)) ** 2) / 2
 
 
-def along_bisector(u: mpf) -> mpf:
+def bisector_stress(u: mpf) -> mpf:
     """Return the uniform normal stress over rho g R at rest, by the balance of forces along the bisector.
 
     Its resultant is 2 R sin(alpha) sigma, the shear is odd in u, and the weight is the segment's.
@@ -81,9 +81,9 @@ class Postulate:
 
     words: str
     put: tuple[tuple[Expr, Expr], ...]
-    gap: Callable[[State], mpf]
+    gap: Callable[[PaperState], mpf]
     alternative: str
-    state: Callable[[], State]
+    state: Callable[[], PaperState]
     effect: str
     size: Callable[[], mpf]
     printed_size: Callable[[], mpf] = mpf
@@ -91,15 +91,15 @@ class Postulate:
 
 def _of_uniform(stress: Along) -> mpf:
     """Return the relative excess of a stress in the middle of the arc over the uniform stress at rest."""
-    return stress(mpf(0)) / State().normal(0) - 1
+    return stress(mpf(0)) / PaperState().normal(0) - 1
 
 
 def _centripetal_share(as_printed: bool = False) -> mpf:
     """Return the centripetal over the static stress after 30 s of (3.20), on request with the paper's inputs."""
-    return State(omega=reached("omega*", as_printed)).total / State().total - 1
+    return PaperState(omega=reached("omega*", as_printed)).total / PaperState().total - 1
 
 
-def _changes(name: str) -> Callable[[State], mpf]:
+def _changes(name: str) -> Callable[[PaperState], mpf]:
     """Return the function of a state that computes the relative change of a moment by the state's dip."""
     return lambda x: moment(name, psi=x.psi) / moment(name) - 1
 
@@ -111,7 +111,7 @@ POSTULATES = (
         ((tau_n, mu * sigma_n),),
         lambda x: x.friction(HALF) / x.friction(-HALF) - 1,
         "friction that varies along the arc",
-        lambda: State(friction=uneven),
+        lambda: PaperState(friction=uneven),
         "20 % from end to end change the friction force by {} if columns stand alone",
         lambda: sum_of(lambda u: uneven(u) * columns(u)) / sum_of(lambda u: RESIDUAL * columns(u)) - 1,
     ),
@@ -120,25 +120,25 @@ POSTULATES = (
         ((u, Integer(0)),),
         lambda x: sum_of(x.normal) / x.total - 1,
         "vector balance along the bisector",
-        lambda: State(along_bisector),
+        lambda: PaperState(bisector_stress),
         "stress at rest larger by {}",
-        lambda: _of_uniform(along_bisector),
+        lambda: _of_uniform(bisector_stress),
     ),
     Postulate(
         "uniform stress, where the distribution is undetermined",
         ((sigma(theta), sigma_mean),),
         lambda x: x.normal(0) * 2 * HALF / sum_of(x.normal) - 1,
         "radial columns that stand alone",
-        lambda: State(columns),
+        lambda: PaperState(columns),
         "0 at the ends, {} above the mean in the middle",
         lambda: _of_uniform(columns),
     ),
     Postulate(
         "centripetal stress neglected, for slow rotation",
         ((omega_star, Integer(0)),),
-        lambda x: x.total / State(psi=x.psi).total - 1,
+        lambda x: x.total / PaperState(psi=x.psi).total - 1,
         "a mass that moves",
-        lambda: State(omega=reached("omega*")),
+        lambda: PaperState(omega=reached("omega*")),
         "{} of the static stress after 30 s of (3.20) with correct coefficients, {printed} with the paper's own",
         _centripetal_share,
         lambda: _centripetal_share(as_printed=True),
@@ -148,25 +148,25 @@ POSTULATES = (
         ((j_r, j_r.subs(turn, 0)),),
         _changes("radial_weight"),
         "the mass turns",
-        lambda: State(psi=DIP - reached("phi", as_printed=True)),
+        lambda: PaperState(psi=DIP - reached("phi", as_printed=True)),
         "{} over the paper's rotation in 30 s",
-        lambda: turned("radial_weight"),
+        lambda: change_by_rotation("radial_weight"),
     ),
     Postulate(
         "J_theta frozen",
         ((j_theta, j_theta.subs(turn, 0)),),
         _changes("weight_moment"),
         "the mass turns by twice its dip, which reverses J_theta and leaves J_r",
-        lambda: State(psi=-DIP),
+        lambda: PaperState(psi=-DIP),
         "{} over the paper's rotation in 30 s",
-        lambda: turned("weight_moment"),
+        lambda: change_by_rotation("weight_moment"),
     ),
     Postulate(
         "friction at its residual value from the start, and constant",
         ((mu_of(t), mu), (a_of(t), a), (b_of(t), b)),
         lambda x: x.friction(0) / RESIDUAL - 1,
         "friction that softens from its limit",
-        lambda: State(friction=lambda u: limit_friction()),
+        lambda: PaperState(friction=lambda u: limit_friction()),
         "drops by {} of the limit friction at once",
         lambda: 1 - RESIDUAL / limit_friction(),
     ),
@@ -175,7 +175,7 @@ POSTULATES = (
 
 def same_force() -> mpf:
     """Return the deviation from uniformity of a stress with the same friction force (3.5), for one coefficient."""
-    force = sum_of(columns) / sum_of(State().normal)
+    force = sum_of(columns) / sum_of(PaperState().normal)
     if abs(force - 1) > mpf(10) ** -20:
         raise ProofError("friction force of columns that stand alone, over that of the uniform stress", force, 1)
     return _of_uniform(columns)

@@ -57,12 +57,12 @@ with workdps(50):  # radians: theta_1, half the opening angle, psi, the dip of t
 
 
 @cache
-def derivation(name: str) -> Derivation:
+def moment_derivation(name: str) -> Derivation:
     """Return the derivation of the moment with this name in `MOMENTS`."""
     return derive(next(m for m in MOMENTS if m.name == name))
 
 
-def value(form: Expr, angle: Any = HALF, psi: Any = DIP) -> mpf:
+def section_value(form: Expr, angle: Any = HALF, psi: Any = DIP) -> mpf:
     """Return a closed form for the section, or for another half opening angle or dip ``psi`` of the chord, in rad."""
     return _function(form)(angle, psi, 3 * pi / 2 - psi)
 
@@ -74,12 +74,12 @@ def _function(form: Expr) -> Callable[..., mpf]:
 
 def moment(name: str, angle: Any = HALF, psi: Any = DIP) -> mpf:
     """Return the dimensionless value of the moment ``name`` of `MOMENTS`, for a half angle and a dip ``psi`` in rad."""
-    return value(derivation(name).closed, angle, psi)
+    return section_value(moment_derivation(name).closed, angle, psi)
 
 
 def factor(angle: Any = HALF) -> mpf:
     """Return the resistance factor lambda (3.14) for half the opening angle in rad."""
-    return value(2 * alpha * mechanics.deepest() / R, angle)
+    return section_value(2 * alpha * mechanics.deepest() / R, angle)
 
 
 def dynamic(angle: Any = HALF) -> mpf:
@@ -105,7 +105,7 @@ def second_end(radial_weight: mpf) -> mpf:
 
 def second_appendix() -> mpf:
     """Return the value of the integral in Appendix II."""
-    return value(simplify(APPENDIX_II).expression)
+    return section_value(simplify(APPENDIX_II).expression)
 
 
 def limit_friction(as_printed: bool = False) -> mpf:
@@ -114,7 +114,7 @@ def limit_friction(as_printed: bool = False) -> mpf:
     return weight_moment / moment("radial_weight")
 
 
-def degrees(friction: mpf) -> mpf:
+def friction_degrees(friction: mpf) -> mpf:
     """Return the friction angle in degrees of a friction coefficient."""
     return mp.degrees(atan(friction))
 
@@ -148,12 +148,12 @@ def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mpf:
     return quantities[name]
 
 
-def both(name: str) -> list[mpf]:
+def both_results(name: str) -> list[mpf]:
     """Return two results of `reached` for a name, from the printed and from the corrected inputs."""
     return [reached(name, as_printed=True), reached(name)]
 
 
-def turned(name: str, rotation: mpf | None = None) -> mpf:
+def change_by_rotation(name: str, rotation: mpf | None = None) -> mpf:
     """Return the relative change of the moment ``name`` by a rotation in rad, by default the paper's own after 30 s."""
     phi = reached("phi", as_printed=True) if rotation is None else rotation
     return moment(name, psi=DIP - phi) / moment(name) - 1

@@ -135,15 +135,15 @@ def _homogeneous(form: Expr, dimension: str) -> bool:
 def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
     """Return whether a form in alpha is the double integral of a weight, by quadrature at points of its domain."""
     low, high = limits(domain)["alpha"]
-    points = [s.value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
+    points = [s.section_value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
     allowed = mp.mpf(10) ** -13
-    differences = (s.value(form, x) - quadrature(weight, -x, x, 15) for x in points)
+    differences = (s.section_value(form, x) - quadrature(weight, -x, x, 15) for x in points)
     return all(abs(difference) < allowed for difference in differences)
 
 
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
     """Return whether transcribed forms equal the derived forms after the postulates are put into these."""
-    printed = m.read(forms)
+    printed = m.parse_forms(forms)
     derived = _derived(claim)
     replaced = [pair for x in postulates for pair in x.put]
     if len(printed) != len(derived):
@@ -190,7 +190,7 @@ def _assumed(claim: Claim) -> list[str]:
     """Return the assumptions of a claim in words: domains of its symbols, and given relations."""
     symbols = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
-        for form in (*m.read(claim.expression), *_derived(claim)):
+        for form in (*m.parse_forms(claim.expression), *_derived(claim)):
             symbols |= {x.name for x in form.free_symbols}
     assumed = []
     for x, (low, high) in limits(claim.domain).items():
@@ -223,7 +223,7 @@ def _number(claim: Claim) -> Judgement:
 
 def _bounds(claim: Claim) -> Iterator[mp.mpf]:
     """Yield the least and the greatest value that a claim allows."""
-    return (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
+    return (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.parse_forms(claim.expression))
 
 
 def _small(claim: Claim) -> Judgement:
@@ -327,12 +327,12 @@ def _appendix(claim: Claim) -> Judgement:
     before, after = proof.operations
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
     brackets = _brackets(appendix)
-    (claimed,) = m.read(claim.expression)
+    (claimed,) = m.parse_forms(claim.expression)
     remarks = [brackets] if brackets else []
     if real_arithmetic_fails(appendix).subs(theta_m, float(s.FIRST_END + s.HALF)):
         remarks.append("NaN in real arithmetic here")
     if not vanishes(proof.integrand - claimed):
-        number = _digits(s.value(proof.expression))
+        number = _digits(s.section_value(proof.expression))
         remarks.insert(0, f"integrates {words(proof.integrand)}, not {words(claimed)}: {number} here")
         return computed, "wrong", "; ".join(remarks)
     if brackets:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from flint import arb
 
-from derive.check.truth import limit, value, working
+from derive.check.truth import enclosure, half_disc_limit, working
 from derive.theorem.swing import Standstill, Swing, Undecided, between
 
 BITS = 3.33  # a digit
@@ -54,29 +54,29 @@ class Theorem:
         return min((x.rel_accuracy_bits() for x in self.numbers.values()), default=0) / BITS
 
 
-def moment(statement: str, alpha: arb) -> arb:
+def _moment(statement: str, alpha: arb) -> arb:
     """Return a moment of an arc up to a half disc, with half the opening angle alpha in rad.
 
     ``statement`` is its integrand, such as "r^2 cos u". A moment increases with the angle, as the integrand is
     positive.
     """
     if alpha < arb.pi() / 2:
-        return value((statement,), alpha)
-    return value((statement,), alpha.lower()).union(limit((statement,)))
+        return enclosure((statement,), alpha)
+    return enclosure((statement,), alpha.lower()).union(half_disc_limit((statement,)))
 
 
 def first_swing(slide: Slide) -> Swing:
     """Return the coefficients of the first swing over Theta*; an arc that faces the other way is mirrored."""
     middle = (slide.theta_1 + slide.theta_2) / 2
     alpha = ((slide.theta_2 - slide.theta_1) / 2).min(arb.pi() / 2)
-    inertia = moment("r^3", alpha)
+    inertia = _moment("r^3", alpha)
     over_stress = 2 * alpha / (slide.radius * inertia)  # lambda/Theta* over sigma_ref = gamma f R
     peak = slide.friction if slide.peak_friction is None else slide.peak_friction
     return Swing(
         dip=abs(arb.pi() * 3 / 2 - middle),
-        weight=moment("r^2 cos u", alpha) / inertia,
-        press=moment("r^1 cos u", alpha) / inertia,
-        polar=moment("r^2", alpha) / inertia * slide.centripetal,
+        weight=_moment("r^2 cos u", alpha) / inertia,
+        press=_moment("r^1 cos u", alpha) / inertia,
+        polar=_moment("r^2", alpha) / inertia * slide.centripetal,
         cohesion=slide.cohesion * over_stress,
         pore=slide.pore_pressure * over_stress,
         residual=slide.friction,

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from flint import arb
 
-from derive.check.truth import fraction, number
+from derive.check.truth import as_ball, fraction
 from derive.progress import track
 from derive.theorem.motion import EFFORTS, Slide, Theorem, first_swing, theorem
 
@@ -20,7 +20,7 @@ VAIONT = {"radius_m": "1492.6", "theta_1_deg": "215.2", "theta_2_deg": "276.9", 
 SOFTENING = {"peak_friction_deg": "22.5", "length_m": "1"}
 SCENES: dict[str, dict[str, Any]] = {"vaiont": {}, "vaiont-frozen": {"rotation": False}, "vaiont-softening": SOFTENING}
 PARTS = 2000  # largest number of parts of uncertain inputs
-PART_DIGITS = 4  # of each part; uncertain inputs allow no more
+PART_DIGITS = 1  # of each part, with the spare digits one more than are shown; uncertain inputs allow no more
 SHOWN_DIGITS = 6
 FINE = 1 / 16  # share of a part that is not divided further once it is decided, so that enclosures are narrow
 STRESSES = ("cohesion_kPa", "pore_pressure_kPa")  # divided by the unit weight
@@ -39,7 +39,7 @@ BOUNDS: dict[str, tuple[Fraction | int, int]] = {
 }
 
 
-class Interval(NamedTuple):
+class _Interval(NamedTuple):
     """Closed interval between two rational numbers."""
 
     low: Fraction
@@ -49,47 +49,47 @@ class Interval(NamedTuple):
         """Return a ball that covers the interval, at the current precision."""
         middle = (self.low + self.high) / 2
         radius = (self.high - self.low) / 2
-        return number(middle) + number(radius) * arb(0, 1)
+        return as_ball(middle) + as_ball(radius) * arb(0, 1)
 
 
-def interval(text: str) -> Interval:
+def interval(text: str) -> _Interval:
     """Return the interval of a decimal, "10" or "10+-0.1" with an uncertainty; raise ArithmeticError for other text."""
     decimals = [Decimal(part) for part in text.split("+-", 1)]
     if not all(x.is_finite() and abs(x.adjusted()) <= 100 for x in decimals):
         raise ArithmeticError
     centre, radius = (*map(Fraction, decimals), Fraction(0))[:2]
-    return Interval(centre - radius, centre + radius)
+    return _Interval(centre - radius, centre + radius)
 
 
-def read(texts: Mapping[str, str]) -> dict[str, Interval]:
+def _intervals(texts: Mapping[str, str]) -> dict[str, _Interval]:
     """Return the intervals of quantities by name from their decimals, or raise a ValueError that lists all mistakes."""
-    given, faults = dict[str, Interval](), list[str]()
+    intervals, faults = dict[str, _Interval](), list[str]()
     for name, text in texts.items():
         least, most = BOUNDS[name]
         try:
-            given[name] = interval(text)
+            intervals[name] = interval(text)
         except ArithmeticError:
             faults.append(f"{name} {text!r}: give a decimal, or one with its uncertainty: 10 or 10+-0.1")
             continue
-        if not (least <= given[name].low and given[name].high <= most):
+        if not (least <= intervals[name].low and intervals[name].high <= most):
             faults.append(f"{name} {text}: allowed are {least} to {most}")
     if faults:
         raise ValueError("\n".join(faults))
-    first = given["theta_1_deg"]
-    second = given["theta_2_deg"]
+    first = intervals["theta_1_deg"]
+    second = intervals["theta_2_deg"]
     if not first.high < second.low <= second.high <= first.low + 180:
         raise ValueError(
             "theta_2_deg: has to be above theta_1_deg, by 180 at most: beyond a half disc it is in tension"
         )
-    if "peak_friction_deg" in given and given["friction_deg"].high > given["peak_friction_deg"].low:
+    if "peak_friction_deg" in intervals and intervals["friction_deg"].high > intervals["peak_friction_deg"].low:
         raise ValueError("peak_friction_deg: has to be at least friction_deg, to which friction falls")
     for name in STRESSES:
-        if given[name].high and "unit_weight_kN_m3" not in given:
+        if intervals[name].high and "unit_weight_kN_m3" not in intervals:
             raise ValueError(f"{name}: add unit_weight_kN_m3, over which it acts")
-    return given
+    return intervals
 
 
-def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
+def _slide(given: Mapping[str, _Interval], **switches: bool) -> Slide:
     """Return the slide with these valid quantities, at the current precision.
 
     ``switches`` are the fields rotation and centripetal.
@@ -128,15 +128,15 @@ class Division(NamedTuple):
 
     minus_share: float
     number: int
-    quantities: dict[str, Interval]
+    quantities: dict[str, _Interval]
 
-    def halves(self) -> Iterator[dict[str, Interval]]:
+    def halves(self) -> Iterator[dict[str, _Interval]]:
         """Yield the halves of the part by name, divided where this narrows the coefficients of the motion most."""
 
         def spread(name: str) -> float:
             low, high = self.quantities[name]
             middle = (low + high) / 2
-            swing = first_swing(slide(self.quantities | {name: Interval(middle, middle)}))
+            swing = first_swing(_slide(self.quantities | {name: _Interval(middle, middle)}))
             coefficients = (*swing[:-1], swing.drop * swing.decay)
             return sum(float(x.rad()) for x in coefficients)
 
@@ -144,11 +144,11 @@ class Division(NamedTuple):
         divided = min(uncertain, key=spread)
         low, high = self.quantities[divided]
         middle = (low + high) / 2
-        for half in (Interval(low, middle), Interval(middle, high)):
+        for half in (_Interval(low, middle), _Interval(middle, high)):
             yield self.quantities | {divided: half}
 
 
-def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[Theorem, float]:
+def divided(whole: dict[str, _Interval], parts: int, **switches: bool) -> tuple[Theorem, float]:
     """Return the theorem on all decided parts of uncertain inputs, and the share of the undecided parts.
 
     ``whole`` has the intervals of the inputs by name, and ``switches`` are the fields rotation and centripetal.
@@ -163,7 +163,7 @@ def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[T
         if not waiting:
             break
         part = heappop(waiting)
-        proof = theorem(partial(slide, part.quantities, **switches), PART_DIGITS, EFFORTS[:1])
+        proof = theorem(partial(_slide, part.quantities, **switches), PART_DIGITS, EFFORTS[:1])
         if proof.status == "undecided" or -part.minus_share > FINE:
             reason = proof.reason
             for k, half in enumerate(part.halves()):
@@ -179,7 +179,7 @@ def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[T
     return Theorem(status, proved, numbers, reason if undecided else ""), undecided
 
 
-def report(options: Mapping[str, Any], digits: int, form: str, parts: int = PARTS) -> tuple[str, bool]:
+def theorem_report(options: Mapping[str, Any], digits: int, form: str, parts: int = PARTS) -> tuple[str, bool]:
     """Return the theorem on the slide of these options, by default on each scene, and whether all are decided.
 
     ``options`` are decimals of quantities by name and the switches rotation and centripetal. ``form`` is "text" or
@@ -189,9 +189,9 @@ def report(options: Mapping[str, Any], digits: int, form: str, parts: int = PART
     rows = []
     for name, chosen in scenes.items():
         switches = {key: chosen[key] for key in ("rotation", "centripetal") if key in chosen}
-        quantities = read(VAIONT | OTHERS | {key: text for key, text in chosen.items() if key not in switches})
+        quantities = _intervals(VAIONT | OTHERS | {key: text for key, text in chosen.items() if key not in switches})
         uncertain = [name for name, x in quantities.items() if x.low < x.high]
-        proof = theorem(partial(slide, quantities, **switches), digits, EFFORTS[:1] if uncertain else EFFORTS)
+        proof = theorem(partial(_slide, quantities, **switches), digits, EFFORTS[:1] if uncertain else EFFORTS)
         undecided = float(proof.status == "undecided")
         if undecided and uncertain:
             digits = min(digits, SHOWN_DIGITS)

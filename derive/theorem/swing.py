@@ -130,17 +130,17 @@ def step(swing: Swing, x: arb, omega: arb, length: arb, tolerance: arb) -> Step:
 def zero(f: arb_poly, length: arb) -> arb:
     """Return a ball around the single zero of a decreasing polynomial on [0, length], by Newton's method."""
     slope = f.derivative()
-    found = until(length)
+    root = until(length)
     for _ in range(ctx.prec):
-        middle = found.mid()
-        closer = found.intersection(middle - f(middle) / slope(found))
-        if not closer.rad() < found.rad() / 2:
+        middle = root.mid()
+        closer = root.intersection(middle - f(middle) / slope(root))
+        if not closer.rad() < root.rad() / 2:
             break
-        found = closer
-    return found
+        root = closer
+    return root
 
 
-def standstill(swing: Swing, tolerance: arb) -> Standstill:
+def next_standstill(swing: Swing, tolerance: arb) -> Standstill:
     """Return the next standstill of a swing that starts: omega' > 0 up to the peak, where its sign changes once.
 
     ``tolerance`` bounds the relative remainder of each step.
@@ -180,7 +180,7 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
 
     ``tolerance`` bounds the relative remainder of each step.
     """
-    stand = standstill(swing, tolerance)
+    stand = next_standstill(swing, tolerance)
     if all(x.rad() < tolerance for x in swing):
         return stand
     ends = []
@@ -190,7 +190,7 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
         for name, end in extremes.items():
             ball = getattr(swing, name)
             coefficients[name] = getattr(ball, end)()
-        ends.append(standstill(swing._replace(**coefficients), tolerance))
+        ends.append(next_standstill(swing._replace(**coefficients), tolerance))
     longest, shortest = ends
     return stand._replace(
         rest=stand.rest.intersection(shortest.rest.union(longest.rest)),

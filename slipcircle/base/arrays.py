@@ -13,6 +13,7 @@ from slipcircle.base.kinds import Shape
 
 EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
+FLOATS = frozenset((float, np.float64))
 _WITHOUT_WARNING: Any = nullcontext()
 
 

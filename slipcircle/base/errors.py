@@ -1,107 +1,21 @@
-"""Input errors and checks. Each mistake has one message with the field, its value and the allowed values."""
+"""Checks of input. Each mistake has one message with the field, its value and the allowed values."""
 
-import math
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Self
+from importlib import import_module
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import Parameter
-from slipcircle.base.arrays import INFINITY, array_of
-from slipcircle.base.kinds import Rename, Shape, Texts, Values
+from slipcircle.base.arrays import FLOATS
+from slipcircle.base.kinds import Shape, Texts, Values
 
 Fault = tuple[Any, Callable[[int], str]]  # mask of invalid lanes, and a function that describes a lane
-_ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
-
-
-class Message(str):
-    """Sentence about input in which ``{name}`` marks an argument, so that a file reader can show its own key.
-
-    For ``{~path.name}`` only the last part is shown, if the path is already given.
-    """
-
-    __slots__ = ("template",)
-    template: str
-
-    def __new__(cls, template: str) -> Self:
-        """Create a message from a template with fields in braces."""
-        text = _worded(template, str)
-        message = super().__new__(cls, text)
-        message.template = template
-        return message
-
-    def worded(self, name_of: Rename) -> str:
-        """Return the sentence with each argument renamed by a function, for example to the key of a file."""
-        return _worded(self.template, name_of)
-
-    def within(self, path: str) -> "Message":
-        """Return the sentence for arguments nested in ``path``. The first argument is shown with its full path."""
-        by_path = rf"{{\g<1>{path}.\g<2>}}"
-        by_last_part = rf"{{~{path}.\g<2>}}"
-        template = _ARGUMENT.sub(by_path, self.template, count=1)
-        head, brace, rest = template.partition("}")
-        others = _ARGUMENT.sub(by_last_part, rest)
-        return Message(head + brace + others)
-
-    @classmethod
-    def of(cls, text: str) -> "Message":
-        """Return a text as a message."""
-        if isinstance(text, Message):
-            return text
-        return Message(text)
-
-
-def _worded(template: str, name_of: Rename) -> str:
-    """Return a template with each argument in braces replaced by the name that a function returns for it."""
-
-    def name(match: re.Match[str]) -> str:
-        short, path = match.groups()
-        full = name_of(path)
-        _, _, last = full.rpartition(".")
-        return last if short else full
-
-    return _ARGUMENT.sub(name, template)
-
-
-class InputError(ValueError):
-    """Error about invalid input with one `Message` per mistake. Its text names arguments as in Python."""
-
-    def __init__(self, what: str, messages: Iterable[str]) -> None:
-        self.what = what
-        self.messages = tuple(map(Message.of, messages))
-        super().__init__(_lines(self.messages, what))
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Return the constructor's arguments for pickle."""
-        templates = [message.template for message in self.messages]
-        return InputError, (self.what, templates)
-
-    def worded(self, name_of: Rename, what: str = "") -> str:
-        """Return the messages with arguments renamed by a function, one per line; ``what`` precedes each of them."""
-        return _lines([message.worded(name_of) for message in self.messages], what)
-
-
-def _lines(sentences: Iterable[str], what: str) -> str:
-    """Return sentences as lines, each preceded by the name of the invalid object, ``what``, unless it is empty."""
-    return "\n".join(f"{what}: {sentence}" if what else sentence for sentence in sentences)
 
 
 class UnusualInput(UserWarning):
     """Warning about a number that was probably meant in another unit."""
-
-
-def abridged(value: Any) -> str:
-    """Return the representation of a value on one line, or its type and beginning if it is long."""
-    if isinstance(value, int) and abs(value) >= 10**100:
-        return f"an integer of {value.bit_length()} bits"
-    words = repr(value).split()
-    text = " ".join(words)
-    if len(text) <= 80:
-        return text
-    kind = type(value).__name__
-    return f"{kind} {text[:60]}..."
 
 
 def mistakes(given: Values, declared: Mapping[str, Parameter]) -> Texts:
@@ -112,39 +26,16 @@ def mistakes(given: Values, declared: Mapping[str, Parameter]) -> Texts:
     sentences: Texts = []
     for name, p in declared.items():
         value = given[name]
-        plausible = type(value) is float and p.lower < value < p.upper  # usual; arrays take twenty times as long
+        plausible = type(value) in FLOATS and p.lower < value < p.upper  # usual; arrays take twenty times as long
         if not plausible:
-            sentences += map(Message, _number_mistakes(name, p, value))
+            number_mistakes = import_module("slipcircle.base.bounds").number_mistakes
+            sentences += number_mistakes(name, p, value)
     return sentences
 
 
 def one_number(lower: float, upper: float, allowed: str) -> Parameter:
     """Return the declaration of a single number with open bounds and the allowed values in words."""
     return Parameter("", "", lower, upper, allowed=allowed, kind="fixed")
-
-
-_SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
-
-
-def _number_mistakes(name: str, p: Parameter, value: Any) -> Texts:
-    """Return a message if the value of a number violates its declaration ``p``. ``name`` is its name in the message."""
-    array = array_of(value)
-    if p.kind == "fixed" and not p.axes and array.ndim:
-        return [f"{{{name}}} = {abridged(value)}: must be one number"]
-    sign = _SIGNS.get(min(p.lower, 0.0), "")
-    allowed = p.allowed or f"{p.help}{sign} ({p.unit})"
-    if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
-        return [f"{{{name}}} = {abridged(value)}: must be {allowed}"]
-    outside = array[~p.allows(array)]
-    if not outside.size:
-        return []
-    first = float(outside[0])
-    least = min(p.lower, 0.0)
-    sign_is_right = first > least and first != 0.0
-    if sign_is_right and math.isfinite(first) and p.upper < INFINITY:
-        least = 0.0 if p.lower == -5e-324 else p.lower
-        allowed = f"{allowed}, between {least:g} and {p.upper:g}"
-    return [f"{{{name}}} = {first:.10g}: must be {allowed}"]
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> Texts:
@@ -167,7 +58,7 @@ def shape_mistakes(fields: Mapping[str, ArrayLike]) -> Texts:
 def raise_all(what: str, sentences: Sequence[str]) -> None:
     """Raise one `InputError` with all messages, if there are any. The invalid object is named ``what``."""
     if sentences:
-        raise InputError(what, sentences)
+        raise import_module("slipcircle.base.inputerror").InputError(what, sentences)
 
 
 def complaint(faults: Iterable[Fault], shape: Shape) -> Texts:
@@ -182,5 +73,5 @@ def complaint(faults: Iterable[Fault], shape: Shape) -> Texts:
             index = np.unravel_index(first, shape)
             place = ", ".join(map(str, index))
             message = f"lane [{place}]: {message}"
-        return [Message(message)]
+        return [import_module("slipcircle.base.inputerror").Message(message)]
     return []

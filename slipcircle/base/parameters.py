@@ -5,7 +5,9 @@ from os import PathLike
 from typing import Any
 
 from generated.effects import Parameter
-from slipcircle.base.errors import Message, abridged, mistakes
+from slipcircle.base.bounds import abridged
+from slipcircle.base.errors import mistakes
+from slipcircle.base.inputerror import Message
 from slipcircle.base.kinds import Texts, Values
 
 _KINDS = {

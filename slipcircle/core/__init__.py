@@ -6,54 +6,45 @@ The names listed here are public and sufficient for the workbench and other prog
 only some scenes need are imported lazily. `slipcircle.core.lazy` lists them.
 """
 
-from slipcircle.core.integrator.compiled import numpy_only, program_integers
+from slipcircle.core.integrator.compiled import numpy_only
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
-from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
+from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.scene.arc import DIP, GRAVITY, WIDTH, Arc
-from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_names, law_parts, may_have_rate
+from slipcircle.core.scene.arc import DIP, Arc
+from slipcircle.core.scene.declarations import STORED, Parts, declared, number, present
+from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked_scene
-from slipcircle.core.scene.tree import STORED, Leaf, Parts, declared, leaves, number, numbers, path_of_part, present
 
 __all__ = [
     "ANSWERED",
     "AS_ENTERED",
     "DIP",
-    "GRAVITY",
     "RATE_LAWS",
     "STATUS_OF_END",
     "STORED",
-    "WIDTH",
     "Arc",
     "Dimensionless",
-    "Leaf",
     "Mass",
     "Motion",
     "Parts",
     "Plan",
     "Problem",
     "Scene",
-    "State",
     "Status",
     "checked_scene",
     "declared",
     "depends_on",
-    "path_of_part",
-    "law_names",
     "law_parts",
     "lazy_import",
-    "leaves",
     "may_have_rate",
     "number",
-    "numbers",
     "numpy_only",
     "plan",
     "present",
     "problem_of",
-    "program_integers",
     "solve",
 ]

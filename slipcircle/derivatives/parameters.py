@@ -16,7 +16,7 @@ from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, float_or_array, real_number
 from slipcircle.base.kinds import Flags, Floats, Values
 from slipcircle.core.scene.scene import Scene, checked_scene
-from slipcircle.core.scene.tree import Leaf, leaves, mapped, put, replace_unchecked
+from slipcircle.tree import Leaf, leaves, mapped, put, replace_unchecked
 
 USUAL_WEIGHT = 2e4  # usual unit weight of soils, N/m^3
 

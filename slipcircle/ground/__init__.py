@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any
 from slipcircle.ground.ground import FAR, continued, points_errors, slope_errors
 
 if TYPE_CHECKING:
-    from slipcircle.ground.construction import circle_through, circle_touching, simple_slope
-    from slipcircle.ground.errors import outside_between
+    from slipcircle.ground.construction import circle_through, circle_touching, outside_between, simple_slope
     from slipcircle.ground.ponds import Ponds, ends_above, free_water, water_fault
     from slipcircle.ground.section import Section
 
@@ -27,9 +26,8 @@ __all__ = [
     "water_fault",
 ]
 _MODULES = {
-    **dict.fromkeys(("circle_through", "circle_touching", "simple_slope"), "construction"),
+    **dict.fromkeys(("circle_through", "circle_touching", "outside_between", "simple_slope"), "construction"),
     "Section": "section",
-    "outside_between": "errors",
 }
 
 

@@ -1,4 +1,4 @@
-"""Simple slopes, and circles through two points of a ground."""
+"""Simple slopes, circles through two points of a ground, and a check of the mass that they cut off."""
 
 from typing import Any
 
@@ -6,8 +6,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import Parameter
-from slipcircle.base.errors import mistakes, raise_all
+from slipcircle.base.errors import Fault, mistakes, raise_all
 from slipcircle.base.kinds import Floats, Texts, ValueDict
+from slipcircle.ground.errors import x_of_ends
+from slipcircle.ground.ground import AS_PRINTED
 from slipcircle.ground.plane import Vectors
 
 
@@ -158,3 +160,22 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     x = np.where(left_is_higher, from_left, from_right)
     centre = Vectors(x, base + radius)
     return centre.points, radius[()]
+
+
+def outside_between(section: Any) -> Fault:
+    """Return the error of masses that exceed the range of x that selects them, ``between``.
+
+    It is a mask of lanes and a function from the index of a lane to its message.
+    """
+    left, right = x_of_ends(section)
+    low, high = section.between or (-np.inf, np.inf)
+    rounding = AS_PRINTED * (right - left)
+    interval = f"{{between}} = [{low:.6g}, {high:.6g}]"
+    begins_before = left < low - rounding
+    ends_after = right > high + rounding
+
+    def sentence(k: int) -> str:
+        return f"{interval}: does not contain the mass from x = {left[k]:.6g} to {right[k]:.6g}"
+
+    is_outside = begins_before | ends_after
+    return is_outside, sentence

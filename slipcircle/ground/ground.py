@@ -9,7 +9,7 @@ from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, quiet
 from slipcircle.base.errors import Fault, complaint, mistakes, shape_mistakes
 from slipcircle.base.kinds import Floats, Shape, Texts, Values
-from slipcircle.core.scene.tree import present
+from slipcircle.core.scene.declarations import present
 
 FAR = 1e9  # bound of coordinates, m
 AS_PRINTED = 1e-3  # tolerance relative to the radius or the width of a mass, for circles rounded to printed digits

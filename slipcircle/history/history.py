@@ -19,10 +19,11 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Log
 from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import State, before, state_of
+from slipcircle.core.motion.state import State
 from slipcircle.core.problem.plan import recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.scene import Scene
+from slipcircle.history.ends import before, state_of
 from slipcircle.history.forces import Forces, energy_unit, stress_unit, with_outputs
 from slipcircle.history.phases import Energy, Phase
 from slipcircle.history.states import States, read

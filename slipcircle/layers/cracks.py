@@ -12,11 +12,11 @@ import numpy as np
 
 from slipcircle.base.errors import Fault, complaint, raise_all
 from slipcircle.base.kinds import ArrayTriple, Floats
-from slipcircle.core.scene.tree import replace_unchecked
 from slipcircle.ground.errors import geometry_errors
 from slipcircle.ground.plane import each_lane
 from slipcircle.ground.section import Section
 from slipcircle.layers.strips import arc_crossings, edge_below
+from slipcircle.tree import replace_unchecked
 
 
 class CrackedSection(Section):

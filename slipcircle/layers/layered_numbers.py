@@ -13,10 +13,11 @@ import numpy as np
 
 from generated.effects import Parameter
 from slipcircle.base.kinds import Values
+from slipcircle.core.scene.declarations import STORED, Parts
 from slipcircle.core.scene.effects import Law
-from slipcircle.core.scene.tree import STORED, Parts, numbers
 from slipcircle.layers.cracks import CrackedSection
 from slipcircle.layers.soils import TOP, Soil, share_one_law
+from slipcircle.tree import numbers
 
 Load = tuple[float, float, Any, Any]  # surcharge: x1, x2, and the pressures at these ends
 PRESSURE = Parameter(

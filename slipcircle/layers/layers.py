@@ -22,11 +22,11 @@ from slipcircle.base.arrays import array_of, freeze
 from slipcircle.base.errors import Fault, complaint, mistakes, raise_all
 from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Texts, Values
 from slipcircle.base.units import take_units
+from slipcircle.core.scene.declarations import number
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.laws import rate_mistakes
 from slipcircle.core.scene.mass import Farther
 from slipcircle.core.scene.piecewise import Tables
-from slipcircle.core.scene.tree import number, numbers
 from slipcircle.ground.circles import MEASURES
 from slipcircle.ground.ground import FAR
 from slipcircle.ground.section import Section, copy_computed
@@ -38,6 +38,7 @@ from slipcircle.layers.soils import Layers, Soil, datum_mistakes, layer_mistakes
 from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
 from slipcircle.layers.strips import Strips, cut_into_strips
+from slipcircle.tree import numbers
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,7 @@ import numpy as np
 from generated import effects as declared
 from slipcircle.base.errors import UnusualInput
 from slipcircle.core.scene.scene import Scene
-from slipcircle.core.scene.tree import leaves
+from slipcircle.tree import leaves
 
 _STRONG = 1e6  # Pa, g
 _STRONGEST = 5.0

@@ -24,8 +24,8 @@ from slipcircle.stiff.radau import (
     LEAST_SIZE,
     TOLERANCE,
     WEIGHTS,
+    ImplicitStep,
     Present,
-    Step,
     falling_zero,
     newton_correction,
     step_factor,
@@ -252,7 +252,7 @@ class _Implicit(integrator.Lanes):
         """Return the present state with its registers, from a dimensionless time and the states, (states, 1)."""
         return Present(time, states, self._registers_at(np.array([time]), states))
 
-    def _within(self, step: Step, start: Present, time: float) -> Present:
+    def _within(self, step: ImplicitStep, start: Present, time: float) -> Present:
         """Return states and registers at a time within a step, which begins at `start`. Times are dimensionless."""
         return self._at(time, step.states(np.array([time - start.time])))
 
@@ -283,7 +283,7 @@ class _Implicit(integrator.Lanes):
         greatest[1] = max(peak, omega)
         return greatest
 
-    def _newton(self, now: Present, h: float) -> Step | None:
+    def _newton(self, now: Present, h: float) -> ImplicitStep | None:
         """Return a step of dimensionless length h, or None if Newton's iteration does not converge."""
         times = now.time + AT * h
         start = now.states.T
@@ -316,7 +316,7 @@ class _Implicit(integrator.Lanes):
 
     # --- events ------------------------------------------------------------------------------------------------------
 
-    def _first_event(self, step: Step, now: Present, end: float) -> tuple[float, int]:
+    def _first_event(self, step: ImplicitStep, now: Present, end: float) -> tuple[float, int]:
         """Return time and kind of the first event of a step that begins at `now`, up to the time `end`.
 
         Without an event the time is `end` and the kind `EVENT_NONE`.
@@ -329,7 +329,7 @@ class _Implicit(integrator.Lanes):
                 first = event.kind
         return end, first
 
-    def _first_time(self, event: Event, step: Step, now: Present) -> float:
+    def _first_time(self, event: Event, step: ImplicitStep, now: Present) -> float:
         """Return the time of the first event of a kind within a step from `now`, infinity without an event."""
 
         def margin(time: float) -> float:
@@ -344,7 +344,7 @@ class _Implicit(integrator.Lanes):
                 return falling_zero(margin, low, high)
         return np.inf
 
-    def _keep_peak(self, step: Step, now: Present, end: float) -> None:
+    def _keep_peak(self, step: ImplicitStep, now: Present, end: float) -> None:
         """Store the greatest speed within the step up to the time `end`, where the net moment passes zero."""
         peak = Event(ix.EVENT_NONE, self.roles.net)
         time = self._first_time(peak, step, now)
@@ -354,7 +354,7 @@ class _Implicit(integrator.Lanes):
             zero = np.zeros(1)
             integrator.keep_faster(self, _HERE, omega, zero + time, x, zero)
 
-    def _write(self, step: Step, begin: float, end: float) -> None:
+    def _write(self, step: ImplicitStep, begin: float, end: float) -> None:
         """Evaluate the states at sample times between two dimensionless times of a step, and store the samples."""
         if self.samples is None:
             return

@@ -54,7 +54,7 @@ class Present(NamedTuple):
     registers: Floats
 
 
-class Step(NamedTuple):
+class ImplicitStep(NamedTuple):
     """Implicit step: Legendre coefficients of its states, times and registers at its points, and its relative error.
 
     `legendre` is (coefficients, states) in ascending order, and `registers` is (registers, points).
@@ -72,7 +72,9 @@ class Step(NamedTuple):
         return np.asarray(legendre.legval(place, self.legendre))
 
 
-def step_through(start: Present, h: float, points: Floats, registers: Floats, rates: Floats, rounding: Floats) -> Step:
+def step_through(
+    start: Present, h: float, points: Floats, registers: Floats, rates: Floats, rounding: Floats
+) -> ImplicitStep:
     """Return the step through states at the points, (points, states), and its error.
 
     `h` is the length of the step, and `rates` are the derivatives of the states at the points. The error is the
@@ -89,13 +91,13 @@ def step_through(start: Present, h: float, points: Floats, registers: Floats, ra
     tail = np.abs(coefficients[-2:]).max(axis=0)
     error = np.max(tail / size)
     times = start.time + AT * h
-    return Step(h, coefficients, times, registers, float(error))
+    return ImplicitStep(h, coefficients, times, registers, float(error))
 
 
 def step_factor(error: float) -> float:
     """Return the ratio of the next step to this step for which the error equals the tolerance.
 
-    The error is `Step.error`.
+    The error is `ImplicitStep.error`.
     """
     ratio = TOLERANCE / max(error, LEAST_SIZE)
     return float(SAFETY * ratio ** (1 / POINTS))

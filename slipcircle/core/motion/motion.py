@@ -4,11 +4,13 @@ Final cells have the shape (cells, *shape), and are numbers for a single scene. 
 SI units: times by sqrt(R/g), lengths by R. ``notebooks/0_the_method.ipynb`` defines phases, events and signs.
 """
 
+from __future__ import annotations  # so that a signature says ArrayLike
+
 import math
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any, Generic, Self
+from typing import TYPE_CHECKING, Any, Generic, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,9 +21,12 @@ from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.motion.states import State, Status, state_of, statuses
+from slipcircle.core.motion.states import Status, statuses
 from slipcircle.core.problem.plan import Plan, recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
+
+if TYPE_CHECKING:
+    from slipcircle.core.motion.state import State
 
 
 class Motion(Conversions, Generic[Numbers]):
@@ -129,12 +134,9 @@ class Motion(Conversions, Generic[Numbers]):
         """Run-out, peak velocity and duration by name (`run_out`, `peak_velocity`, `duration`), in SI units."""
         final = self._final
         with may_overflow(self.shape):
-            angular_velocity = final[ix.PEAK_OMEGA] / self._time_scale
-            values = {
-                "run_out": self._radius * final[ix.REACH_ROTATION],
-                "peak_velocity": self._radius * angular_velocity,
-            }
-        return {name: self._known(value) for name, value in values.items()} | {"duration": self.duration}
+            run_out = self._known(self._radius * final[ix.REACH_ROTATION])
+            peak_velocity = self._known(self._radius * (final[ix.PEAK_OMEGA] / self._time_scale))
+        return {"run_out": run_out, "peak_velocity": peak_velocity, "duration": self.duration}
 
     @cached_property
     def duration(self) -> Numbers:
@@ -173,40 +175,20 @@ class Motion(Conversions, Generic[Numbers]):
     @cached_property
     def end(self) -> State:
         """State at the end of the motion, in SI units."""
-        return self._final_state(self.duration, ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
+        state: State = lazy_import("ends").end(self)
+        return state
 
     @cached_property
     def farthest(self) -> State:
         """State at the greatest displacement along the arc, in SI units."""
-        final = self._final
-        at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
-        time = choose(at_end, self.duration, final[ix.REACH_TIME] * self._time_scale)
-        return self._final_state(time, ix.REACH_ROTATION, ix.END_OMEGA, ix.END_RATE, moving=at_end)
+        state: State = lazy_import("ends").farthest(self)
+        return state
 
     @cached_property
     def peak(self) -> State:
         """State at the greatest speed, in SI units."""
-        final = self._final
-        peak_time = final[ix.PEAK_TIME]
-        ended = final[ix.STATUS] == ix.ENDED
-        last = peak_time == final[ix.END_TIME]
-        at_end = last & ended | (final[ix.PHASES] == 0.0)
-        time = choose(at_end, self.duration, peak_time * self._time_scale)
-        if not self.shape and self._varies_in_time and 0.0 < time < self.duration:
-            return self.at(time)  # at the rounded time; where a force jumps, its value after the jump
-        return self._final_state(time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)
-
-    @property
-    def _varies_in_time(self) -> bool:
-        return any(table.kind == "time" for table in self.problem.program.tables)
-
-    def _final_state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
-        """Return the state at ``time`` in s from cells with these indices. Speed and rate are 0 unless ``moving``."""
-        speed = choose(moving, self._final[omega], 0.0)
-        gain = choose(moving, self._final[rate], 0.0)
-        angle, speed, gain = map(self._known, (self._final[rotation], speed, gain))
-        rows = angle, speed, gain
-        return state_of(self.plan.scene, time + 0.0, *rows, lambda: self._history.final_stress(time, angle, speed))
+        state: State = lazy_import("ends").peak(self)
+        return state
 
     @property
     def journey(self) -> Any:

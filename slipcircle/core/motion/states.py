@@ -1,16 +1,13 @@
-"""Status of a motion at its end, and its state at a time."""
+"""Status of a motion at its end."""
 
-from collections.abc import Callable
-from dataclasses import InitVar, dataclass, field
 from enum import IntEnum
 from typing import Any, Self
 
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose, float_or_array, may_overflow
+from slipcircle.base.arrays import choose
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.scene.scene import Scene
 
 
 class Status(IntEnum):
@@ -87,67 +84,3 @@ def statuses(final: Any, invalid: Any, scene: Any) -> Any:
     strength_factor = scene.strength_factor
     status = choose(strength_factor != strength_factor, int(Status.UNSTARTED), status)
     return choose(invalid, int(Status.INVALID), status)
-
-
-@dataclass(frozen=True)
-class State:
-    """State of a motion at one or several times, positive down-slope.
-
-    Attributes
-    ----------
-    time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
-        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (computed on first use).
-
-    Notes
-    -----
-    ``normal_stress`` is the mean total normal stress over the arc, including water pressure, by (2.20) from the weight
-    in its position with free water above it, the rotation and shaking. It does not depend on the layers below the arc.
-    `slipcircle.layers.mean_normal_stress` returns the means over parts of the arc.
-    """
-
-    time: Any
-    rotation: Any
-    angular_velocity: Any
-    velocity: Any
-    displacement: Any
-    acceleration: Any
-    normal_stress: Any = field(init=False)
-    stress: InitVar[Callable[[], Any]] = field(kw_only=True)
-
-    def __post_init__(self, stress: Callable[[], Any]) -> None:
-        """Store the function that computes the normal stress when it is requested."""
-        object.__setattr__(self, "_stress", stress)
-
-    def __getattr__(self, name: str) -> Any:
-        """Return the normal stress, computed at its first use, since the program must be evaluated for it."""
-        if name != "normal_stress":
-            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-        object.__setattr__(self, name, self._stress())
-        return self.normal_stress
-
-
-def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stress: Callable[[], Any]) -> State:
-    """Return a state in SI units.
-
-    ``time`` is in s and ``rotation`` in rad. ``omega`` and ``rate`` are the angular velocity times sqrt(R/g) and its
-    derivative times R/g. Their arrays have the shape of the scene followed by the shape of the times. ``stress`` is a
-    function without arguments that returns the normal stress in Pa.
-    """
-    axes = getattr(time, "ndim", 0) - len(scene.shape)
-    scale = before(scene.arc.time_scale, axes)
-    radius = before(float_or_array(scene.arc.radius), axes)
-    with may_overflow(scene.shape):
-        angular_velocity = omega / scale
-        velocity = radius * angular_velocity
-        acceleration = radius * rate / scale**2
-        displacement = radius * rotation
-    columns = (rotation, angular_velocity, velocity, displacement, acceleration)
-    return State(time, *(column + 0.0 for column in columns), stress=stress)
-
-
-def before(values: Any, axes: int) -> Any:
-    """Return an array over lanes, followed by as many axes of length 1 as the times have ``axes``.
-
-    A single number is returned unchanged.
-    """
-    return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))

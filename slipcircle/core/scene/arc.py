@@ -12,17 +12,18 @@ from numpy.typing import ArrayLike
 
 from generated import kernels
 from generated.effects import Parameter
-from slipcircle.base.arrays import choose, float_or_array, freeze, two_sum
+from slipcircle.base.arrays import FLOATS, choose, float_or_array, freeze, two_sum
 from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_mistakes
-from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
+from slipcircle.base.kinds import Array, Numbers, Values, cached_property
 from slipcircle.base.units import take_units
-from slipcircle.core.lazy import lazy_import
+from slipcircle.core.lazy import lazy_import, lazy_message
+from slipcircle.core.scene.declarations import Parts, declared, number
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
-from slipcircle.core.scene.tree import Parts, declared, number
 
 GRAVITY = 9.81  # default
 WIDTH = 1.0
 DIP = Parameter("dip", "rad", -5e-324, np.pi / 2, "dip of the chord", "arc.dip_deg", np.pi / 180, kind="derived")
+_ANGLE = partial(number, "rad", -1e3, 1e3, "a finite angle in rad", per_unit=np.pi / 180)
 
 
 @dataclass(frozen=True)
@@ -63,26 +64,10 @@ class Arc(Mass, Generic[Numbers]):
         metadata=number("m", 1e-6, 1e20, "a positive length in m", help="radius of the slip circle", key="arc.radius_m")
     )
     theta_1: Numbers | float = field(
-        metadata=number(
-            "rad",
-            -1e3,
-            1e3,
-            "a finite angle in rad",
-            help="polar angle of the arc's first end; 270 is below the centre",
-            key="arc.theta_1_deg",
-            per_unit=np.pi / 180,
-        )
+        metadata=_ANGLE(help="polar angle of the arc's first end; 270 is below the centre", key="arc.theta_1_deg")
     )
     theta_2: Numbers | float = field(
-        metadata=number(
-            "rad",
-            -1e3,
-            1e3,
-            "a finite angle in rad",
-            help="polar angle of the arc's second end, above the first",
-            key="arc.theta_2_deg",
-            per_unit=np.pi / 180,
-        )
+        metadata=_ANGLE(help="polar angle of the arc's second end, above the first", key="arc.theta_2_deg")
     )
     unit_weight: Numbers | float = field(
         metadata=number(  # 1000 kN/m^3 exceeds gold
@@ -159,6 +144,7 @@ class Arc(Mass, Generic[Numbers]):
         raise_all("Arc", self._mistakes())
         if not self.has_plain_numbers:
             freeze(self, self.quantities)
+            vars(self).pop("has_plain_numbers")  # NumPy's numbers have become floats
 
     def _mistakes(self) -> list[str]:
         """Return messages about the fields: numbers out of bounds, shapes that do not broadcast, impossible arcs."""
@@ -173,8 +159,9 @@ class Arc(Mass, Generic[Numbers]):
     @property
     def _is_plain_arc(self) -> bool:
         """Whether the ends are two floats of a valid arc with normal load, so that `geometry_errors` is not needed."""
-        first, last = self.theta_1, self.theta_2
-        if type(first) is not float or type(last) is not float:
+        first: Any = self.theta_1
+        last: Any = self.theta_2
+        if not FLOATS.issuperset((type(first), type(last))):
             return False
         if not 0.0 < last - first <= np.pi:
             return False
@@ -208,12 +195,7 @@ class Arc(Mass, Generic[Numbers]):
             "without_load": normal_load <= 0.0,
         }
         for fault, lanes in faults.items():
-            yield lanes, partial(self._complaint, fault)
-
-    def _complaint(self, fault: str, lane: int) -> str:
-        """Return the message about one lane; ``fault`` is the name of a function of `slipcircle.messages.arc`."""
-        sentence: str = getattr(lazy_import("arc"), fault)(self, lane)
-        return sentence
+            yield lanes, lazy_message("arc", fault, self)
 
     @cached_property
     def half_angle(self) -> Any:
@@ -266,14 +248,6 @@ class Arc(Mass, Generic[Numbers]):
         ratio = kernels.weight_moment_per_radial_weight(self.half_angle)
         limit_friction = self.facing * (cosine / sine * ratio)  # (3.21): tan(psi) C_theta/C_r
         return limit_friction, static, polar_per_inertia
-
-    def _limit_parts(self, shape: Shape, lanes: Any) -> Any:
-        """Return the exact limit friction of some lanes as the next float above and the rest, (2, lanes).
-
-        ``shape`` is the scene's shape, and ``lanes`` are indices into its flattened lanes.
-        """
-        ends = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (self.theta_1, self.theta_2)]
-        return np.array([*map(lazy_import("decimals").limit_parts, *ends)]).T
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:

@@ -16,9 +16,9 @@ from slipcircle.base.arrays import EPS, float_or_array
 from slipcircle.base.errors import Fault
 from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Shape, Values, cached_property
 from slipcircle.core.lazy import lazy_import
+from slipcircle.core.scene.declarations import Parts, declared
 from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.core.scene.piecewise import Data, Tables
-from slipcircle.core.scene.tree import Parts, declared, parts_of_fields, replace_unchecked
 
 
 @dataclass(frozen=True)
@@ -128,7 +128,6 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
-    _limit_parts: Any = None  # optional method: the exact limit friction of some lanes in two parts
     in_standing_water: Any = False
     rotation_range: Any = (-math.pi / 6, math.pi / 6)
 
@@ -166,8 +165,8 @@ class Mass:
 
         ``cohesion`` contains the parameters of that effect; each law has a name and parameters.
         """
-        law = cohesion_law(cohesion)
-        return () if law is None else ((law[0] + OF_COHESION, law[1]),)
+        law = cohesion_law(cohesion) if cohesion else None
+        return ((law[0] + OF_COHESION, law[1]),) if law else ()
 
     def effects_of_means(self, effects: Effects) -> Effects:
         """Return the effects for unweighted means over the arc, unchanged for homogeneous ground.
@@ -202,11 +201,12 @@ class Mass:
 
         A node is an object or a mapping, such as a soil, points, or the parameters of an effect.
         """
-        return parts_of_fields(self)
+        by_name: Parts = lazy_import("tree").parts_of_fields(self)
+        return by_name
 
     def with_parts(self, changed: Values) -> Any:
         """Return the mass with other values of some parts, by the names in `parts`. Nothing is checked."""
-        return replace_unchecked(self, changed)
+        return lazy_import("tree").replace_unchecked(self, changed)
 
     def together(self, values: Values) -> Values:
         """Return ``values`` of some numbers by name, with the values of further numbers that they determine."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Generic, overload
 
@@ -11,15 +11,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, LEAST, LIMITS, QUESTIONED_FRICTION
 from slipcircle.base.arrays import EMPTY, INFINITY, Frozen, float_or_array, freeze
-from slipcircle.base.errors import InputError, mistakes, one_number, raise_all, shape_mistakes
+from slipcircle.base.errors import mistakes, one_number, raise_all, shape_mistakes
 from slipcircle.base.kinds import MAPPING, Array, Effects, Function, Numbers, Parameters, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
+from slipcircle.core.scene.declarations import Parts, declared, number
+from slipcircle.core.scene.effects import Law, named, resolved
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.mass import Mass
-from slipcircle.core.scene.tree import Parts, declared, number, numbers, parts_of_fields, replace_unchecked
 
 One = float | str | Function | Mapping[str, float | str]  # parameter of a single scene
 AS_ENTERED = 1.0  # strength factor
@@ -176,10 +176,8 @@ class Scene(Generic[Numbers]):
         else:
             object.__setattr__(self, "friction", own_friction)
         for name, parameters in effects.items():
-            try:
-                effects[name] = resolved(name, parameters)
-            except InputError as error:
-                faults += error.messages
+            effects[name], messages = resolved(name, parameters)
+            faults += messages
         object.__setattr__(self, "effects", Frozen(effects))
         if not (faults or self._has_plain_numbers):
             freeze(self, _NUMBERS)
@@ -194,7 +192,7 @@ class Scene(Generic[Numbers]):
         """Whether a strength or weight is outside the usual range, by a quick check."""
         arc: Any = self.arc
         if arc.friction is not None:
-            return any(map(_is_unusual, numbers(arc).items()))
+            return any(map(_is_unusual, lazy_import("tree").numbers(arc).items()))
         friction: Any = self.friction
         weight = arc.unit_weight
         effects: Any = self.effects
@@ -259,11 +257,13 @@ class Scene(Generic[Numbers]):
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """Numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ..."""
-        return numbers(self)
+        by_path: Mapping[str, ArrayLike] = lazy_import("tree").numbers(self)
+        return by_path
 
     def parts(self) -> Parts:
         """Return the parts of the mass, the friction, the start and end, and the effects, each with its declaration."""
-        by_name: Parts = self.arc.parts() | parts_of_fields(self)
+        tree = lazy_import("tree")
+        by_name: Parts = self.arc.parts() | tree.parts_of_fields(self)
         if self.arc.friction is not None:  # its soils have the numbers of friction
             del by_name["friction"]
         if type(self.strength_factor) is float and self.strength_factor == AS_ENTERED:
@@ -272,7 +272,7 @@ class Scene(Generic[Numbers]):
         for name in (*effects, *EFFECTS):
             if name not in self.arc.own_effects:
                 one = effects.get(name, EMPTY)
-                by_name[name] = one, declared_parameters(name, one)
+                by_name[name] = one, tree.declared_parameters(name, one)
         return by_name
 
     def with_parts(self, changed: Values) -> Any:
@@ -284,7 +284,7 @@ class Scene(Generic[Numbers]):
             fields["arc"] = self.arc.with_parts(of_mass)
         if effects:
             fields["effects"] = {**self.checked_effects, **effects}
-        return replace_unchecked(self, fields)
+        return lazy_import("tree").replace_unchecked(self, fields)
 
     @cached_property
     def _has_plain_numbers(self) -> bool:
@@ -305,11 +305,6 @@ class Scene(Generic[Numbers]):
 
 
 _MOST, _OF_WEIGHT, _OF_STRENGTH = QUESTIONED_FRICTION, LEAST["N/m^3"], LEAST["Pa"]
-_UNUSUAL: Mapping[str, Callable[[Any], bool]] = {
-    **dict.fromkeys(("friction", "peak", "residual"), lambda value: value > _MOST),
-    "cohesion": lambda value: 0.0 < value < _OF_STRENGTH,
-    "unit_weight": lambda value: value < _OF_WEIGHT,
-}
 
 
 def _is_unusual(number: tuple[str, Any]) -> bool:
@@ -318,8 +313,16 @@ def _is_unusual(number: tuple[str, Any]) -> bool:
     ``number`` is a pair of name and value in SI units; the last part of the name determines the check.
     """
     name, value = number
-    check = _UNUSUAL.get(name.rpartition(".")[2])
-    return check is not None and isinstance(value, int | float) and check(value)
+    if not isinstance(value, int | float):
+        return False
+    match name.rpartition(".")[2]:
+        case "friction" | "peak" | "residual":
+            return value > _MOST
+        case "cohesion":
+            return 0.0 < value < _OF_STRENGTH
+        case "unit_weight":
+            return value < _OF_WEIGHT
+    return False
 
 
 _NUMBERS = ("initial_velocity", "strength_factor", "end_time")

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.errors import abridged
+from slipcircle.base.bounds import abridged
 from slipcircle.base.kinds import Names, NumberMap, Pair, Texts, ValueDict, Values
 from slipcircle.base.optional import optional
 

@@ -200,7 +200,7 @@ def results(motion: Any) -> tuple[Quantity, ...]:
     return (*RESULTS, *of_one, *of_section, *JOURNEY)
 
 
-def factors(scene: Any, of_motion: Any) -> ValueDict:
+def factors_by_method(scene: Any, of_motion: Any) -> ValueDict:
     """Return factors of safety at the start by method.
 
     A scene on a ground with known strength has the factors of all methods. Other scenes have only the closure's factor,
@@ -214,7 +214,7 @@ def factors(scene: Any, of_motion: Any) -> ValueDict:
 
 def factors_of(motion: Any) -> ValueDict:
     """Return the factors of safety of a motion at its start by method; floats for a single motion, else arrays."""
-    by_method = factors(motion.plan.scene, motion.factor_of_safety)
+    by_method = factors_by_method(motion.plan.scene, motion.factor_of_safety)
     return by_method if motion.shape else {method: float(factor) for method, factor in by_method.items()}
 
 

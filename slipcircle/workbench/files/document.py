@@ -13,8 +13,8 @@ from itertools import chain
 from typing import Any
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
-from slipcircle.core import path_of_part
 from slipcircle.ground import points_errors
+from slipcircle.tree import path_of_part
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
 from slipcircle.workbench.files.keys import VARYING, Key, KeyTable

@@ -17,7 +17,8 @@ from generated.effects import EFFECTS
 from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
 from slipcircle.base.text import output_unit
-from slipcircle.core import Scene, leaves, path_of_part
+from slipcircle.core import Scene
+from slipcircle.tree import leaves, path_of_part
 from slipcircle.workbench.common.distributions import (
     Gaussian,
     Triangle,

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from generated.effects import EFFECTS, LAWS, Effect, Law
-from slipcircle.core import path_of_part
+from slipcircle.tree import path_of_part
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.files.keys import EFFECT_TABLES, FRICTION, TOP, WITH_ARC, KeyTable
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, WITH_LAYERS

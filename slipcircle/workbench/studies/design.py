@@ -16,7 +16,7 @@ from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
-from slipcircle.workbench.common.quantities import OUTCOMES, factors
+from slipcircle.workbench.common.quantities import OUTCOMES, factors_by_method
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import Uncertain
 from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHODS
@@ -117,7 +117,7 @@ class Design:
         """NumPy type of each result by its name."""
         names = [*RESULTS]
         if self.with_factors:
-            names += [f"{FACTOR}{method}" for method in factors(self.scene, math.nan)]
+            names += [f"{FACTOR}{method}" for method in factors_by_method(self.scene, math.nan)]
         if self.search_each:
             names += [f"{FACTOR}{SEARCHED}{method}" for method in STABILITY_METHODS]
         return {name: np.dtype(_TYPES.get(name, np.float64)) for name in (*names, "status")}
@@ -225,7 +225,7 @@ class Design:
         del motion.end  # refers to its motion; without this only the garbage collector would free both
         by_method: ArrayDict = {}
         if self.with_factors:
-            by_method = factors(motion.plan.scene, motion.factor_of_safety)
+            by_method = factors_by_method(motion.plan.scene, motion.factor_of_safety)
         if self.search_each:
             is_searched = (motion.status < Status.INVALID) & (index < self.sample_blocks)
             by_method |= searched_factors(self.scene, si, is_searched)

@@ -9,7 +9,7 @@ from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.core import Motion, Scene, plan, problem_of, solve
 from slipcircle.derivatives import with_parameter_arrays
 from slipcircle.history import Forces
-from slipcircle.workbench.common.quantities import factors
+from slipcircle.workbench.common.quantities import factors_by_method
 
 
 def motions(scene: Scene, values: Values, accuracy: float | None = None) -> Motion:
@@ -28,7 +28,7 @@ def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict
     with quiet():
         lanes, invalid = _lanes(scene, values)
         statics = Forces(problem_of(plan(lanes, accuracy), invalid)).statics
-        return factors(lanes, statics["factor_of_safety"])
+        return factors_by_method(lanes, statics["factor_of_safety"])
 
 
 def _lanes(scene: Scene, values: Values) -> tuple[Scene, Any]:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.arrays import array_of
-from slipcircle.base.errors import abridged
+from slipcircle.base.bounds import abridged
 from slipcircle.base.kinds import Function, Texts, Values
 from slipcircle.core import Scene, checked_scene
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers

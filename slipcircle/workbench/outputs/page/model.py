@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from generated import layout as ix
+from generated.program import integers_of
 from slipcircle.base.kinds import Names, ValueDict
-from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, program_integers, solve
+from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays
 from slipcircle.history import OUTPUTS, of_means
 from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
@@ -151,7 +152,7 @@ def _program(problem: Problem, names: Names) -> ValueDict:
     """Return a program as integers, and the places of its inputs, outputs and additional states."""
     program = problem.program
     return {
-        "code": program_integers(program),
+        "code": integers_of(program),
         "cells": len(program.cells),
         "registers": len(program.registers),
         "places": [program.places.get(name, -1) for name in names],

@@ -13,17 +13,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import INFINITY, LAWS, Parameter
+from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Parameter
 from slipcircle.base.arrays import EMPTY
-from slipcircle.base.errors import InputError, raise_all
-from slipcircle.base.kinds import MAPPING, Shape, ValueDict, Values
+from slipcircle.base.errors import raise_all
+from slipcircle.base.inputerror import InputError
+from slipcircle.base.kinds import MAPPING, Parameters, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
+from slipcircle.core.scene.declarations import Parts, declared
+from slipcircle.core.scene.effects import OF_GROWTH
 
-Parts = dict[str, tuple[Any, Any]]  # value and declaration by name
+__all__ = ["Leaf", "leaves", "mapped", "numbers", "parts_of_fields", "path_of_part", "put", "replace_unchecked"]
 _LISTED = ("number", "series", "lens")
 _POSSIBLE = (*_LISTED, "derived", "set")
 _STORED = ("number", "series", "set", "stored")
-STORED = Parameter("", kind="stored")
 _DETERMINED = {"peak": "scale", "scale": "peak"}  # two factors of shaking, of which one is stored
 
 
@@ -34,45 +36,6 @@ class Leaf(NamedTuple):
     key: str
     number: Parameter
     value: Any
-
-
-def number(
-    unit: str, lower: float = -INFINITY, upper: float = INFINITY, allowed: str = "", **more: Any
-) -> dict[str, Parameter]:
-    """Return the metadata of a dataclass field that is a number, with its SI unit and open bounds.
-
-    ``allowed`` describes the allowed values in messages, and ``more`` are further fields of `Parameter`.
-    """
-    return {"number": Parameter("", unit, lower, upper, allowed=allowed, **more)}
-
-
-@lru_cache
-def declared(kind: Any) -> dict[str, Parameter]:
-    """Return the declarations of the numbers among the fields of a dataclass, by field.
-
-    ``kind`` is the class. A declaration without key has the field's name as key.
-    """
-    declarations = {}
-    for field in fields(kind):
-        p = field.metadata.get("number")
-        if p:
-            key = p.key or field.name
-            declarations[field.name] = replace(p, name=field.name, key=key)
-    return declarations
-
-
-def present(node: Any, numbers: Mapping[str, Parameter]) -> dict[str, Parameter]:
-    """Return the declarations of the numbers of a dataclass that have a value and allowed values in words, by field.
-
-    ``numbers`` are the declarations by field. A field is absent if it is None and may be.
-    """
-    found = {}
-    for field in fields(node):
-        name = field.name
-        is_absent = field.default is None and getattr(node, name) is None
-        if name in numbers and numbers[name].allowed and not is_absent:
-            found[name] = numbers[name]
-    return found
 
 
 def parts_of_fields(node: Any) -> Parts:
@@ -90,6 +53,19 @@ def parts_of_fields(node: Any) -> Parts:
     return by_field
 
 
+def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, ...]:
+    """Return the declarations of the parameters that an effect may have.
+
+    For cohesion they depend on its law, which ``parameters``, its parameters by name, contains.
+    """
+    if name != "cohesion" or "law" not in parameters:
+        return EFFECTS[name].parameters
+    law = COHESION_LAWS.get(parameters["law"])
+    if law is None:
+        return ()
+    return (*law.parameters, *OF_GROWTH)
+
+
 def parts(node: Any, kind: Any = None) -> Parts:
     """Return the parts of a node by name, each with its value and its declaration.
 
@@ -104,7 +80,9 @@ def parts(node: Any, kind: Any = None) -> Parts:
         return {}
     if isinstance(kind, Parameter):
         return _of_points(node, kind)
-    return _of_effect(node, kind) if isinstance(kind, tuple) else _of_law(node, kind)
+    if isinstance(kind, tuple):
+        return _of_effect(node, kind)
+    return _of_law(node, kind)
 
 
 def _of_points(points: Any, p: Parameter) -> Parts:
@@ -115,8 +93,10 @@ def _of_points(points: Any, p: Parameter) -> Parts:
     lanes: Any = np.asarray(points)
     declarations = [replace(p, axes=0, key=axis) for axis in "xy"]
     coordinates: Parts = {}
-    for place, index in _places(lanes.shape[lanes.ndim - p.axes :]).items():
-        coordinates[place] = lanes[(..., *index)], declarations[index[-1]]
+    shape_of_points = lanes.shape[lanes.ndim - p.axes :]
+    for place, index in _places(shape_of_points).items():
+        *_, axis = index
+        coordinates[place] = lanes[(..., *index)], declarations[axis]
     return coordinates
 
 
@@ -169,13 +149,14 @@ def walked(
             continue
         is_anonymous = not name and kind is not None
         at = path if is_anonymous else path_of_part(path, name)
-        if isinstance(what, Parameter):
+        is_declared = isinstance(what, Parameter)
+        if is_declared:
             *within, _ = name.split(".")
             keys = [one for one in (key, *within, what.key) if one]
             inside = ".".join(keys)
         else:
             inside = path_of_part(key, name)
-        if isinstance(what, Parameter) and not what.axes:
+        if is_declared and not what.axes:
             changed = visit(Leaf(at, inside, what, value))
         else:
             changed = walked(value, visit, absent, what, at, inside)
@@ -213,7 +194,8 @@ def put(node: Any, values: Values) -> Any:
     """Return a node with other values of its numbers, by path such as ``friction.peak``. Values are not checked."""
     remaining = dict(values)
     changed = walked(node, lambda leaf: remaining.pop(leaf.path, leaf.value))
-    raise_all("", [f"{path}: is not a number of this scene" for path in remaining])
+    unknown = [f"{path}: is not a number of this scene" for path in remaining]
+    raise_all("", unknown)
     return changed
 
 
@@ -222,8 +204,9 @@ def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
 
     def visit(leaf: Leaf) -> Any:
         value = leaf.value
-        is_changed = leaf.number.kind in _STORED and not callable(value)
-        return change(value) if is_changed else value
+        if callable(value) or leaf.number.kind not in _STORED:
+            return value
+        return change(value)
 
     return walked(node, visit, absent=False)
 
@@ -237,17 +220,20 @@ def _with_parts(node: Any, new: Values, every_part: Parts) -> Any:
         return node.with_parts(new)
     if hasattr(type(node), "parts"):
         return replace_unchecked(node, new)
-    if "" in new and not isinstance(node, MAPPING):  # a constant in place of a law
-        return new[""]
     if not isinstance(node, MAPPING):
-        return _with_coordinates(np.asarray(node, float), new, whole=len(new) == len(every_part))
+        if "" in new:  # a constant in place of a law
+            return new[""]
+        points = np.asarray(node, float)
+        is_whole = len(new) == len(every_part)
+        return _with_coordinates(points, new, is_whole)
     if new.keys() >= _DETERMINED.keys():
         both = " and ".join(f"{{shaking.{name}}}" for name in new if name in _DETERMINED)
         raise InputError("", [f"{both} exclude each other: one is the other times the record's peak; vary one"])
     kept = {name: value for name, value in node.items() if _DETERMINED.get(name) not in new}
     _, anonymous = every_part.get("", (None, None))
     own_name = getattr(anonymous, "name", "")  # of the constant in a law; a soil may have no name
-    return kept | {name or own_name: value for name, value in new.items()}
+    replaced = {name or own_name: value for name, value in new.items()}
+    return kept | replaced
 
 
 def replace_unchecked(instance: Any, values: Values) -> Any:
@@ -277,7 +263,8 @@ def _with_coordinates(points: Any, new: Values, whole: bool) -> Any:
     if not whole:
         changed[...] = points
     for place, value in new.items():
-        changed[(..., *_places(shape_of_points)[place])] = value
+        index = _places(shape_of_points)[place]
+        changed[(..., *index)] = value
     return changed
 
 
