@@ -5,7 +5,7 @@ from itertools import chain
 from typing import Any
 
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Texts
 
 _FIELDS = {  # by SI unit: fields that no effect or law declares

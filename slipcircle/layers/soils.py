@@ -15,10 +15,10 @@ from slipcircle.base.bounds import abridged
 from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Texts
 from slipcircle.base.units import take_units
-from slipcircle.core.scene.declarations import Parts, declared, number, present
+from slipcircle.core.scene.declarations import Parts, declared, number
 from slipcircle.core.scene.effects import cohesion_law
 from slipcircle.core.scene.laws import law_mistakes
-from slipcircle.ground.ground import FAR, WEIGHT, points_errors
+from slipcircle.ground.ground import FAR, WEIGHT, points_errors, present
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, least_friction
 from slipcircle.tree import parts_of_fields
 
@@ -157,15 +157,7 @@ class Soil:
     @property
     def residual(self) -> Any:
         """Friction coefficient tan(phi) after much slip."""
-        if not isinstance(self.friction, Mapping):
-            return self.friction
-        if "residual" in self.friction:
-            return self.friction["residual"]
-        coefficient = self.friction.get("coefficient", 0.0)
-        is_table = not {"slip", "speed", "time"}.isdisjoint(self.friction)
-        if is_table:
-            return coefficient[-1]
-        return coefficient
+        return friction_at_rest(self.friction, slipped=True)
 
 
 Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer

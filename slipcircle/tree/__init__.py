@@ -15,7 +15,8 @@ import numpy as np
 
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Parameter
 from slipcircle.base.arrays import EMPTY
-from slipcircle.base.errors import InputError, raise_all
+from slipcircle.base.errors import raise_all
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import MAPPING, Parameters, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.declarations import Parts, declared

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, LEAST, LIMITS, QUESTIONED_FRICTION
 from slipcircle.base.arrays import EMPTY, INFINITY, Frozen, float_or_array, freeze
-from slipcircle.base.errors import InputError, mistakes, one_number, raise_all, shape_mistakes
+from slipcircle.base.errors import mistakes, one_number, raise_all, shape_mistakes
 from slipcircle.base.kinds import MAPPING, Array, Effects, Function, Numbers, Parameters, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
@@ -176,10 +176,8 @@ class Scene(Generic[Numbers]):
         else:
             object.__setattr__(self, "friction", own_friction)
         for name, parameters in effects.items():
-            try:
-                effects[name] = resolved(name, parameters)
-            except InputError as error:
-                faults += error.messages
+            effects[name], messages = resolved(name, parameters)
+            faults += messages
         object.__setattr__(self, "effects", Frozen(effects))
         if not (faults or self._has_plain_numbers):
             freeze(self, _NUMBERS)
