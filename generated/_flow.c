@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "665d72a6f23714072c92760fe1b8d39ac81ed979643f08d634b981413d98a539"
+#define DIGEST "a44ea38fe81ad05fc3bda2dfe82dbf8cf86267c34bfae1430e3da99dcb73b468"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1178,7 +1178,6 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
 #define BENT 0x1.4cccccccccccdp+0
-static const double GROWTH[] = {1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889, 0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06};
 #define SHIFT 5
 #define CONSTANT 8
 #define SINE 16
@@ -2952,12 +2951,7 @@ INLINE V softening_energy(V *e, V *f)
     V lost = f[0] - (e[4] * f[1]);
     V terms = (f[4] * constant) + ((of_vers * f[2]) - (of_sine * (f[0] - f[3])));
     terms = terms + ((e[4] * above) * lost);
-    V shift = e[SHIFT] * left;
-    V grown = broadcast(0.0);
-    for (int k = 9; k >= 0; k--) {
-        grown = (grown * shift) + GROWTH[k];
-    }
-    return grown * (energy(e, f) + terms);
+    return (1.0 + expm1_of(e[SHIFT] * left)) * (energy(e, f) + terms);
 }
 
 /* Compute E and its first two derivatives behind the functions of which it consists. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ed4159529d00e7b2155e2b81010635c88dc6ee45a4462449bcea031fac99cbcc
+# sha256 of the text below: 78f855a886ee9b1591138c1fa71a38eca3af5bac286ff44d7241ebb7e8465df6
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -304,8 +304,6 @@ GREATEST = 0.0625
 DRIVEN = 1024.0
 ALIKE = 3.814697265625e-06
 BENT = 1.3
-GROWTH = (1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889,
-    0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06)
 SHIFT = 5
 CONSTANT = 8
 SINE = 16
@@ -1949,11 +1947,7 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
     lost = f[0] - e[4] * f[1]
     terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
     terms = terms + e[4] * above * lost
-    shift = e[SHIFT] * left
-    grown: Floats = 0.0
-    for k in range(9, 0 - 1, -1):
-        grown = grown * shift + GROWTH[k]
-    return grown * (energy(e, f) + terms)
+    return (1.0 + np.expm1(e[SHIFT] * left)) * (energy(e, f) + terms)
 
 
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:

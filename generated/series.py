@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 838c6e4b55c32bdb8ee10aa5073284930e2c2664f8279865587dff530864d97c
+# sha256 of the text below: f7aa19050548070c1f363c0c9e932f7e1b83a3f1b4281eb638d8f877407f22f4
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "665d72a6f23714072c92760fe1b8d39ac81ed979643f08d634b981413d98a539"  # of the compiled integrator's source
+DIGEST = "a44ea38fe81ad05fc3bda2dfe82dbf8cf86267c34bfae1430e3da99dcb73b468"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
