@@ -16,11 +16,11 @@ from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
-from flint import arb, ctx, fmpq, fmpq_series
+from flint import arb, arb_poly, ctx, fmpq, fmpq_series
 from sympy import Dummy, Expr, atanh, cos, diff, expand, expand_trig, pi
 
 from derive.algebra.integrate import closed_forms
-from derive.approximate.minimax import GUARD, Function, Samples, evaluate, horner, minimax, nearest, rounded, sample
+from derive.approximate.minimax import GUARD, Function, Samples, evaluate, minimax, nearest, rounded, sample
 from derive.approximate.minimax import value as at
 from derive.check import truth
 from derive.check.proof import ProofError
@@ -343,9 +343,9 @@ def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> 
     """Return the samples for R alone, after subtraction of Q, with coefficients ``q``, times ``logs`` at each point."""
     values = []
     with ctx.workprec(GUARD):
-        coefficients = [number(c) for c in q]
+        subtracted = arb_poly([number(c) for c in q])
         for w, value, log in zip(samples.points, samples.values, logs, strict=True):
-            values.append((value - horner(coefficients, w) * log).mid())
+            values.append((value - subtracted(w) * log).mid())
     return Samples(samples.points, values, samples.weights)
 
 
@@ -373,16 +373,16 @@ def _far_samples(closed: Expr, far: Far, constant: float, tilt: float, seam: flo
         at_end = number(HALF_PI)
         straight = number(far.slope) * at_end + number(far.line) + number(constant)
         if about.odd:
-            known = [straight, number(tilt) - number(far.slope), number(0.0)]  # by powers of b
+            known = arb_poly([straight, number(tilt) - number(far.slope)])
         else:
-            known = [straight, number(tilt), -number(far.bend)]
+            known = arb_poly([straight, number(tilt), -number(far.bend)])
 
         def rest(w: arb) -> arb:
             b = w.sqrt()
-            return (at(closed, at_end - b) - horner(known, b)) / b**power
+            return (at(closed, at_end - b) - known(b)) / b**power
 
         def weight(w: arb, left: arb) -> arb:
             b = w.sqrt()
-            return b**power / (left * b**power + horner(known, b))
+            return b**power / (left * b**power + known(b))
 
         return sample(rest, weight, number(HALF_PI - seam) ** 2, unknowns, 2)
