@@ -45,7 +45,8 @@ from slipcircle.base import VERSION
 from slipcircle.base.conversions import use_conversions
 
 if TYPE_CHECKING:
-    from slipcircle.core import Arc, Dimensionless, Motion, Plan, Scene, State, Status, plan, solve
+    from slipcircle.core import Arc, Dimensionless, Motion, Plan, Scene, Status, plan, solve
+    from slipcircle.core.motion.state import State
     from slipcircle.derivatives.parameters import parameters
     from slipcircle.ground import Section
     from slipcircle.history import Energy
@@ -67,7 +68,8 @@ __version__ = VERSION
 use_conversions("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Module of each public name, imported at the first access.
 _PLACES = {
-    "core": "Arc Dimensionless Motion Plan Scene State Status plan solve",
+    "core": "Arc Dimensionless Motion Plan Scene Status plan solve",
+    "core.motion.state": "State",
     "derivatives": "parameters",
     "ground": "Section",
     "history": "Energy",

@@ -123,7 +123,13 @@ def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
 
 @pytest.fixture
 def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Replace pictures by empty ones, as drawing takes most of the time of some tests of other outputs."""
+    """Replace pictures by empty ones and give live pages one slider; both take most of the time of other outputs."""
+    from slipcircle.workbench.outputs.page import model  # which loads much
+
+    interpolates = model.interpolates
+    monkeypatch.setattr(
+        model, "interpolates", lambda scene, sliders, *most: not sliders[1:] and interpolates(scene, sliders, *most)
+    )
     monkeypatch.setattr(
         "slipcircle.workbench.outputs.pictures.files.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
     )

@@ -343,6 +343,11 @@ def test_a_new_mass_is_one_class(house: Any) -> None:
     by_name = grid(motion.plan.scene, {"load": [*loads, -5.0]}, accuracy=1e-13).samples
     assert by_name["run_out"][:2] == pytest.approx(both.run_out, rel=1e-11)
     assert [Status(status) == Status.INVALID for status in by_name["status"]] == [False, False, True]
+    drive, load, _ = turned(0.0, house)
+    for friction, moves in ((drive / load * (1 - 1e-4), True), (drive / load * (1 + 1e-4), False)):
+        close = solve(Scene(LoadedArc(*RIGHT, **house), friction, ["rotation"]))
+        assert close.moves == moves
+        assert close.limit_friction == pytest.approx(drive / load, rel=1e-12)
     if house["load"]:
         step = 1e-4 * house["load"]
         low, high = (solve(Scene(LoadedArc(*RIGHT, **{**house, "load": house["load"] + by}), MU, ["rotation"]))

@@ -39,8 +39,14 @@ def motion(name: str) -> Motion:
 
 
 @cache
+def sliders_of(name: str) -> list[Slider]:
+    """Return the sliders of a scene's page, which of a layered scene take three seconds."""
+    return default_sliders(load(name))
+
+
+@cache
 def page(name: str) -> str:
-    return live.page(motion(name))
+    return live.page(motion(name), sliders_of(name))
 
 
 def tree(page: str) -> Any:
@@ -124,7 +130,7 @@ def asked(scene: Scene, sliders: list[Slider], positions: Any, folder: Path) -> 
 def test_a_browser_solves_as_solve_does(name: str, tmp_path: Path) -> None:
     """Outcomes, states, stresses and energy agree at random positions of all sliders, within the stated errors."""
     scene = load(name)
-    sliders = default_sliders(scene)
+    sliders = sliders_of(name)
     ends = np.array([slider.ends for slider in sliders])
     positions = np.random.default_rng(11).uniform(-1.0, 1.0, (POSITIONS, len(sliders)))
     positions[0] = 1.0
@@ -187,17 +193,17 @@ def test_without_the_engine_the_motion_as_given_is_played(damaged: Any, said: st
 
 def test_the_first_sliders_change_the_run_out_most_and_residual_strength_is_among_them() -> None:
     scene = load("real-slope")
-    sliders = default_sliders(scene)
+    sliders = sliders_of("real-slope")
     changes = []
     for slider in sliders:
         ends = [solve(with_parameters(scene, {slider.number.name: float(end)})).run_out for end in slider.ends]
         changes.append(np.ptp([*ends, motion("real-slope").run_out]))
     assert sorted(changes, reverse=True) == changes
     assert {"friction.peak_deg", "friction.residual_deg", "cohesion.cohesion_kPa"} <= {x.number.key for x in sliders}
-    assert len(default_sliders(load("weak-toe"))) >= 4
-    first, *more = [slider.number.key for slider in default_sliders(load("layered-slope"))]
+    assert len(sliders_of("weak-toe")) >= 4
+    first, *more = [slider.number.key for slider in sliders_of("layered-slope")]
     assert (first, len(more)) == ("soils.clay.friction.residual_deg", 3)  # quotients by the friction lost with slip
-    assert "friction.peak_deg" in [slider.number.key for slider in default_sliders(load("shaken-slope"))]
+    assert "friction.peak_deg" in [slider.number.key for slider in sliders_of("shaken-slope")]
 
 
 def test_a_page_in_us_units() -> None:
@@ -261,7 +267,7 @@ def test_the_mass_is_drawn_to_scale_where_it_turns_to(name: str) -> None:
 
 def test_soils_are_drawn_in_the_ground_and_in_the_mass_with_their_names() -> None:
     section = profile("constant friction")
-    root = tree(live.page(solve(Scene(section, effects=TURNING))))
+    root = tree(live.page(solve(Scene(section, effects=TURNING)), sliders=[]))
     bands = [e for e in root.iter("path") if e.get("class", "").startswith("band ")]
     assert len(bands) == 2 * len(section.layers)
     assert {soil.name for soil, _ in section.layers} <= {e.text for e in root.iter("text")}
@@ -270,7 +276,7 @@ def test_soils_are_drawn_in_the_ground_and_in_the_mass_with_their_names() -> Non
 def test_surcharges_are_arrows_onto_the_ground_with_their_values() -> None:
     section = replace(profile("constant friction"), surcharge=[(-8.0, -2.0, 10e3, 30e3)])
     m = solve(Scene(section, effects=TURNING))
-    root = tree(live.page(m))
+    root = tree(live.page(m, sliders=[]))
     (line,) = (e.get("d") for e in root.iter("path") if e.get("class") == "surcharge")
     tail, *arrows = [
         np.array(re.findall(r"-?[\d.]+", part), dtype=float).reshape(-1, 2) for part in line.split("M")[1:]
@@ -283,13 +289,13 @@ def test_surcharges_are_arrows_onto_the_ground_with_their_values() -> None:
     anchors = {e.text: e.get("text-anchor") for e in root.iter("text") if e.get("data-line")}
     assert anchors.pop("10 to 30 kPa") == "middle"
     assert {*anchors.values()} == {"start"}  # names at the left edge end within the page
-    assert "surcharges" in "".join(tree(live.page(m)).find(".//figcaption").itertext())
+    assert "surcharges" in "".join(root.find(".//figcaption").itertext())
 
 
 def test_free_water_is_filled_and_the_ground_of_an_arc_continues_beyond_its_toe() -> None:
     ground = [(-24, 20), (0, 20), (40, 0), (47, 0)]
     m = solve(Scene(Section(ground, (26.0, 34.0), 38.0, 19e3, ponds=[(36.0, 47.0, 2.0)]), 0.1, TURNING))
-    (pond,) = (e.get("d") for e in tree(live.page(m)).iter("path") if e.get("class") == "pond")
+    (pond,) = (e.get("d") for e in tree(live.page(m, sliders=[])).iter("path") if e.get("class") == "pond")
     frame = livesection.frame_around(m, 1.0)
     corners = np.array(re.findall(r"-?[\d.]+", pond), dtype=float).reshape(-1, 2)
     wanted = frame.points(np.array([[36.0, 2.0], [40.0, 2.0], [47.0, 2.0], [47.0, 0.0], [40.0, 0.0], [36.0, 2.0]]))

@@ -175,6 +175,10 @@ def test_quantities_of_pint() -> None:
     for make, said in (
         (lambda: Arc(q(3, "s"), 3.7, 4.8, 2e4), r"radius = 3 second: must be m, or another unit"),
         (lambda: Scene(plain, q(20, "deg")), "friction = 20 degree: must be a number without unit"),
+        (
+            lambda: Section(np.array(points), [120, 90], 80, 19e3, level=q([[0, 30], [180, 30]], "kPa")),
+            r"level = .* kilopascal: must be m, or another unit",
+        ),
         (lambda: Soil(q(19, "")), "unit_weight = 19 dimensionless: must be N/m"),
     ):
         with pytest.raises(ValueError, match=said):

@@ -5,7 +5,7 @@ from itertools import chain
 from typing import Any
 
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Texts
 
 _FIELDS = {  # by SI unit: fields that no effect or law declares
@@ -56,5 +56,4 @@ def _units(name: str) -> Texts:
     parameters = chain.from_iterable(each.parameters for each in declaring)
     of_fields = [unit for unit, names in _FIELDS.items() if name in names.split()]
     declared = [parameter.unit for parameter in parameters if parameter.name == name]
-    every = dict.fromkeys(of_fields + declared)
-    return list(every)
+    return list(dict.fromkeys(of_fields or declared))

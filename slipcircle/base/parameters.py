@@ -6,7 +6,8 @@ from typing import Any
 
 from generated.effects import Parameter
 from slipcircle.base.bounds import abridged
-from slipcircle.base.errors import Message, mistakes
+from slipcircle.base.errors import mistakes
+from slipcircle.base.inputerror import Message
 from slipcircle.base.kinds import Texts, Values
 
 _KINDS = {

@@ -1,10 +1,12 @@
 """Recognition of quantities with units, such as quantities of pint, in the fields of a scene and its parts."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from importlib import import_module
 from typing import Any
 
 import numpy as np
+
+from slipcircle.base.kinds import MAPPING
 
 _PLAIN = frozenset((bool, int, float, str, np.float64))
 
@@ -29,7 +31,7 @@ def _has_units(value: Any) -> bool:
     kind = type(value)
     if kind in _PLAIN:
         return False
-    if isinstance(value, Mapping):
+    if isinstance(value, MAPPING):
         return any(map(_has_units, value.values()))
     if kind is list or kind is tuple:
         others = set(map(type, value)) - _PLAIN

@@ -10,12 +10,12 @@ from slipcircle.core.integrator.compiled import numpy_only
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
-from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
+from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.scene.arc import DIP, GRAVITY, WIDTH, Arc
+from slipcircle.core.scene.arc import DIP, Arc
 from slipcircle.core.scene.declarations import STORED, Parts, declared, number, present
-from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_names, law_parts, may_have_rate
+from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked_scene
 
@@ -23,11 +23,9 @@ __all__ = [
     "ANSWERED",
     "AS_ENTERED",
     "DIP",
-    "GRAVITY",
     "RATE_LAWS",
     "STATUS_OF_END",
     "STORED",
-    "WIDTH",
     "Arc",
     "Dimensionless",
     "Mass",
@@ -36,12 +34,10 @@ __all__ = [
     "Plan",
     "Problem",
     "Scene",
-    "State",
     "Status",
     "checked_scene",
     "declared",
     "depends_on",
-    "law_names",
     "law_parts",
     "lazy_import",
     "may_have_rate",

@@ -10,7 +10,7 @@ MODULES = {
     "tabulated": "slipcircle.tabulated",  # tabulated coefficients replace the computed ones
     "arc": "slipcircle.messages.arc",  # an arc is invalid
     "section": "slipcircle.messages.section",  # a section is invalid
-    "decimals": "slipcircle.base.decimals",  # the friction of an arc is close to its limit
+    "limits": "slipcircle.core.problem.limits",  # the friction of an arc is close to its limit
     "history": "slipcircle.history.history",  # states, forces, stresses or energy are requested
     "ends": "slipcircle.history.ends",  # states at the end, the farthest position or the peak are requested
     "journey": "slipcircle.history.journey",  # the displacement of toe or centroid is requested
@@ -22,10 +22,11 @@ MODULES = {
     "functions": "slipcircle.tables.functions",  # friction is a Python function of slip
     "ponds": "slipcircle.ground.ponds",  # a section has a water level or ponds
     "heights": "slipcircle.ground.heights",  # a section has a water level, or its arc overhangs
-    "water": "slipcircle.ground.water",  # a section has a water level
+    "water": "slipcircle.ground.water",  # a section has water, or tables of the rotation
     "depths": "slipcircle.layers.depths",  # cohesion of one soil grows with depth
     "standing": "slipcircle.layers.standing",  # free water covers the exit of a section
     "creep": "slipcircle.stiff.creep",  # a viscous layer without end time, or the slow run-out is requested
+    "beyond": "slipcircle.stiff.beyond",  # explicit steps are too many, or a mass swings without end
     "stiff": "slipcircle.stiff.implicit",  # explicit steps are too many
     "plan": "slipcircle.messages.choice",  # the description of a plan is requested
     "equation": "slipcircle.messages.equation",  # the equation of motion is requested

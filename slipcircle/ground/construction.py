@@ -173,7 +173,9 @@ def outside_between(section: Any) -> Fault:
     interval = f"{{between}} = [{low:.6g}, {high:.6g}]"
     begins_before = left < low - rounding
     ends_after = right > high + rounding
-    return (
-        begins_before | ends_after,
-        lambda k: f"{interval}: does not contain the mass from x = {left[k]:.6g} to {right[k]:.6g}",
-    )
+
+    def sentence(k: int) -> str:
+        return f"{interval}: does not contain the mass from x = {left[k]:.6g} to {right[k]:.6g}"
+
+    is_outside = begins_before | ends_after
+    return is_outside, sentence

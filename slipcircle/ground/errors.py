@@ -25,7 +25,8 @@ def geometry_errors(section: Any) -> Iterator[Fault]:
     yield _not_one_stretch(section)
     first, last = section._angles
     is_below = circles.below_ground(section._cut, section._mine)  # the ground may pass over it outside the circle
-    yield is_below | (last <= first), lazy_message("section", "centre_below", section)
+    is_swapped = last <= first
+    yield is_below | is_swapped, lazy_message("section", "centre_below", section)
     yield _one_point(section)
     if section.level is not None:
         yield lazy_import("ponds").ends_above(section._level, *x_of_ends(section))

@@ -12,12 +12,14 @@ from slipcircle.ground.circles import Cut
 from slipcircle.ground.ground import AS_PRINTED, leading_shape
 from slipcircle.ground.pieces import integral_inside
 from slipcircle.ground.plane import Vectors
-from slipcircle.ground.turning import TurningMass
 
 
-class SectionGeometry(TurningMass):
+class SectionGeometry:
     """Circles through a ground. Internal arrays have one axis of lanes; results have the shape of the fields."""
 
+    ground: Any
+    centre: Any
+    level: Any
     radius: Any
     between: Any
     confined: Any
@@ -218,6 +220,18 @@ class SectionGeometry(TurningMass):
     def exit(self) -> Any:
         """Lower end of the slip surface, the toe at the start, x and y in m."""
         return self._end(-1.0)
+
+    @cached_property
+    def surface(self) -> Floats:
+        """Points of the ground above the mass of a single section, from its left to its right end, (V, 2), m."""
+        ends = [tuple(self.entry), tuple(self.exit)]
+        left, right = sorted(ends)
+        ground = np.asarray(self.ground, float)
+        x = ground[:, 0]
+        after_left = x > left[0]
+        before_right = x < right[0]
+        between = ground[after_left & before_right]
+        return np.concatenate([[left], between, [right]])
 
     @cached_property
     def area(self) -> Any:

@@ -46,7 +46,8 @@ class HeightIntegrals(NamedTuple):
         turns = turn * np.floor(ahead / turn)
         new_first = first - turns
         new_last = last - turns
-        first_angle, last_angle = new_first[..., None], new_last[..., None]
+        first_angle = new_first[..., None]
+        last_angle = new_last[..., None]
         total = np.zeros(np.shape(first))
         arcs = max(1, np.size(first))
         together = max(1, _TOGETHER // arcs)
@@ -118,7 +119,8 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     has_width = every.span > 0.0
     used = np.flatnonzero(has_width.any(axis=0))
     pieces = every.only(used)
-    return HeightIntegrals(pieces, slope[:, used % slope.shape[1]])
+    edge = used % slope.shape[1]
+    return HeightIntegrals(pieces, slope[:, edge])
 
 
 def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[GroundPieces], list[GroundPieces]]:

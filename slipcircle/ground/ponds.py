@@ -66,7 +66,8 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
     bodies = [_bodies(ground, level, confined, ponds) for ground, level in pairs]
     lanes = len(bodies)
     count = max(map(len, bodies), default=0)
-    x, y = grounds[:, 0].min(axis=0, initial=np.inf)
+    first_points = grounds[:, 0]
+    x, y = first_points.min(axis=0, initial=np.inf)
     outside = x - 1.0
     nothing = [outside, outside, y, 0.0]  # where a lane has less water
     padded = []
@@ -139,11 +140,13 @@ def _below(ground: Floats, level: Floats) -> Bodies:
     shores = np.flatnonzero(changes)
     bodies = []
     for first, last in shores.reshape(-1, 2).tolist():
-        heights = np.interp(x[first : last + 1], *level.T)
+        wet = x[first : last + 1]
+        heights = np.interp(wet, *level.T)
         low = heights.min()
         high = heights.max()
         middle_height = (low + high) / 2
-        bodies.append([x[first], x[last], middle_height, high - low])
+        most_depth = high - low
+        bodies.append([x[first], x[last], middle_height, most_depth])
     return bodies
 
 

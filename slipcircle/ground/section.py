@@ -2,7 +2,6 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
@@ -18,7 +17,6 @@ from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.declarations import declared, number
-from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.errors import geometry_errors, motion_errors
@@ -280,28 +278,7 @@ class Section(SectionGeometry, Mass):
         rotation : float or array_like
             Rotations in rad, positive down-slope, with the shape of the section as last axes.
         """
-        if self.level is None:
-            return 0.0 * np.add(rotation, np.zeros(self.shape))
-        shape, by_lane = self._rotations(rotation)
-        turned = by_lane * self._facing
-        first, last = self._angles
-        integral = self._water.integral(first + turned, last + turned)
-        mean_height = (integral / (last - first)).reshape(shape)
-        pressure = mean_height * np.multiply(self.radius, self.water_unit_weight)
-        return pressure[()]
-
-    def _rotations(self, rotation: Any) -> tuple[Shape, Floats]:
-        """Return the shape of results after rotations in rad, and the rotations by lane, (rotations, lanes).
-
-        ``rotation`` broadcasts with the section's shape as its last axes.
-        """
-        turn = np.asarray(rotation, float)
-        shape = np.broadcast_shapes(turn.shape, self.shape)
-        axes = len(self.shape)
-        rotations = math.prod(shape[: len(shape) - axes])
-        by_shape = np.broadcast_to(turn, shape)
-        by_lane = by_shape.reshape(rotations, len(self._facing))
-        return shape, by_lane
+        return lazy_import("water").mean_pressure(self, rotation)
 
     def mean_lift(self, rotation: Any = 0.0) -> Any:
         """Return the mean pressure that reduces the normal stress of the weight, Pa, after rotations in rad.
@@ -309,31 +286,14 @@ class Section(SectionGeometry, Mass):
         Below standing water it consists of the pressure in excess of hydrostatic pressure and the weight of displaced
         water.
         """
-        pressure = self.mean_pressure(rotation)
-        if not self.in_standing_water:
-            return pressure
-        shape, turned = self._rotations(rotation)
-        first, last = self._span
-        to_exit = np.broadcast_to(last, (1, *turned.shape))
-        standing = lazy_import("standing")
-        (normal,), _ = standing.displaced(self, turned, to_exit)
-        hydrostatic = standing.relieved(self.standing_level, first + turned, last + turned)
-        taken = (normal - hydrostatic) / (last - first)
-        height = taken.reshape(shape)
-        return pressure + height * np.multiply(self.radius, self.water_unit_weight)
+        return lazy_import("water").mean_lift(self, rotation)
 
     def standing_moment(self, rotation: Any = 0.0) -> Any:
         """Return the moment of the weight of displaced water over gamma R^3 Theta*, after rotations in rad.
 
         It is the weight of water that the mass displaces below standing water; gamma is the mean unit weight.
         """
-        shape, turned = self._rotations(rotation)
-        nowhere = np.empty((0, *turned.shape))
-        _, moment = lazy_import("standing").displaced(self, turned, nowhere)
-        lighter = np.divide(self.water_unit_weight, self.mean_unit_weight)
-        of_weight = lighter / self.moments["moment_of_inertia"]
-        by_rotation = moment.reshape(shape)
-        return by_rotation[()] * of_weight
+        return lazy_import("standing").standing_moment(self, rotation)
 
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape
@@ -344,41 +304,23 @@ class Section(SectionGeometry, Mass):
         tables, and ``shape`` is the scene's shape. Since they extend to the loss of contact, no function to extend them
         is returned.
         """
-        turns = rotates(effects)
-        tables = {}
-        for effect, parameters in effects.items():
-            symbols = symbols_of(effect)
-            for name in ("level", "standing", "depth"):
-                function = parameters.get(name)
-                if function is None:
-                    continue
-                table = lazy_import("water").table_of_rotation(self, function, turns, upslope, tolerance)
-                symbol = symbols[name]
-                tables[symbol] = table
-        return self._for_lanes(tables, shape), None
+        tables: Tables = lazy_import("water").tables_of(self, effects, upslope, tolerance, shape)
+        return tables, None
 
-    def _for_lanes(self, tables: Tables, shape: Shape) -> Tables:
-        """Return tables for the lanes of a scene of this shape from tables for the lanes of the section."""
-        shape_of_lanes = self.lanes_shape
-        if shape_of_lanes in ((), shape):
-            return tables
-        numbers = np.arange(math.prod(shape_of_lanes)).reshape(shape_of_lanes)
-        lanes = np.broadcast_to(numbers, shape).ravel()
-        return {name: table.lanes(lanes) for name, table in tables.items()}
+    # Rotations at which the mean pressure is not smooth, rad, sorted, (..., kinks).
+    pressure_kinks = cached_property(lambda self: lazy_import("water").pressure_kinks(self))
 
-    @cached_property
-    def pressure_kinks(self) -> Any:
-        """Rotations at which the mean pressure is not smooth, rad, sorted, (..., kinks)."""
-        kinks = [np.empty((len(self._facing), 0))]
-        if self.level is not None:
-            water_kinks = self._water.kinks
-            until_kink = [water_kinks - end[:, None] for end in self._angles]
-            turns = np.concatenate(until_kink, axis=1)
-            kinks.append(turns * self._facing[:, None])
-        if self.in_standing_water:
-            kinks.append(lazy_import("standing").vertex_kinks(self))
-        every = np.concatenate(kinks, axis=1)
-        return self._shaped(np.sort(every, axis=1))
+    def drowned(self, *rotations: float) -> float:
+        """Return the greatest depth below the water level of the ground over one section's mass after rotations, m.
+
+        The rotations are in rad, positive down-slope; the greatest depth after any of them counts.
+
+        Below standing water at the exit, which is included, how far below a higher level elsewhere.
+        """
+        if self.level is None or self.confined:
+            return 0.0
+        depth: float = lazy_import("standing").drowned_depth(self, rotations)
+        return depth
 
 
 def copy_computed(source: object, target: object, names: Collection[str]) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.arrays import choose, float_or_array, may_overflow
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import State
+from slipcircle.core.motion.state import State
 from slipcircle.core.scene.scene import Scene
 
 

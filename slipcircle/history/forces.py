@@ -12,6 +12,7 @@ from slipcircle.base.arrays import EPS, float_or_array, quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names
 from slipcircle.core.integrator.compiled import engine
 from slipcircle.core.integrator.lanes import BLOCK
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
@@ -178,7 +179,7 @@ class Forces:
         The program supplies all forces. The excess of drive over resistance is linear in k_h and vanishes at k_y.
         """
         if self.problem.lanes == 1:
-            self.problem.refine(np.zeros(1))
+            lazy_import("limits").refine(self.problem, np.zeros(1))
         # The same lanes with a constant horizontal coefficient, initially 0, instead of their shaking.
         effects, laws, moving, absent = self.problem.recipe
         shaking = symbols_of("shaking").values()

@@ -19,7 +19,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Log
 from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import State
+from slipcircle.core.motion.state import State
 from slipcircle.core.problem.plan import recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.scene import Scene

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import State
+from slipcircle.core.motion.state import State
 
 _ROUNDS = 11  # each round gains five bits
 _PARTS = 33

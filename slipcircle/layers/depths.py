@@ -11,6 +11,7 @@ import numpy as np
 from slipcircle.base.kinds import ArrayPair, Effects, Floats
 from slipcircle.ground.ground import continued
 from slipcircle.ground.heights import HeightIntegrals, height_integrals
+from slipcircle.ground.water import turned_by
 from slipcircle.layers.at_rest import cohesion_at_rest
 from slipcircle.layers.standing import relieved
 from slipcircle.layers.strips import edge_below
@@ -94,7 +95,7 @@ class MeanDepth(NamedTuple):
 
     def __call__(self, rotation: Any) -> Any:
         """Return the mean depth in m at rotations in rad, in the shape of the rotations."""
-        shape, turned = self.section._rotations(rotation)
+        shape, turned = turned_by(self.section, rotation)
         return self.depths.mean(turned).reshape(shape) * self.section.radius
 
     @property

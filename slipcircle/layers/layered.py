@@ -8,7 +8,7 @@ import numpy as np
 
 from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data, Tables
-from slipcircle.ground.water import first_rotation, upright
+from slipcircle.ground.water import first_rotation, for_lanes, upright
 from slipcircle.layers.strength import OfRotation
 from slipcircle.tables.interpolation import between_kinks, continuous
 
@@ -51,7 +51,7 @@ class RotationTables(NamedTuple):
         else:
             farthest = np.broadcast_to(contact_lost, (lanes,))
         last = np.minimum(farthest, reach)
-        return self.section._for_lanes(self._between(first_rotation(last, self.upslope), last), self.shape)
+        return for_lanes(self.section, self._between(first_rotation(last, self.upslope), last), self.shape)
 
     def reach_farther(self, data: dict[str, Data], rotation: Floats, lane: Any) -> bool:
         """Extend tables to their full range if a lane exceeds them, and return whether one does.

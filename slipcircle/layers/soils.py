@@ -157,15 +157,7 @@ class Soil:
     @property
     def residual(self) -> Any:
         """Friction coefficient tan(phi) after much slip."""
-        if not isinstance(self.friction, Mapping):
-            return self.friction
-        if "residual" in self.friction:
-            return self.friction["residual"]
-        coefficient = self.friction.get("coefficient", 0.0)
-        is_table = not {"slip", "speed", "time"}.isdisjoint(self.friction)
-        if is_table:
-            return coefficient[-1]
-        return coefficient
+        return friction_at_rest(self.friction, slipped=True)
 
 
 Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer

@@ -6,11 +6,15 @@ displaces water from the arc up to the ground or the level, whichever is lower. 
 turns backwards relative to the mass.
 """
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.ground.plane import Vectors
+from slipcircle.ground.water import turned_by
 from slipcircle.layers.profile import AREA, MOMENT_Y, RADIAL_X, RADIAL_Y, over_height
 
 _GAUSS = np.polynomial.legendre.leggauss(12)
@@ -183,7 +187,7 @@ def comes_to_cover(section: Any, reached: Any, end: Any) -> Any:
     visited = np.stack([reached, end, np.zeros_like(end)])
     between = np.linspace(visited.min(axis=0), visited.max(axis=0), _PLACES)
     turns = np.concatenate([visited[2:], between])
-    shape, turned = section._rotations(turns)
+    shape, turned = turned_by(section, turns)
     first, last = section._span
     entry = first + turned
     exit_ = last + turned
@@ -238,3 +242,55 @@ def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
     below_centre = np.sin(end) - np.sin(start)
     integral = above_level + below_centre
     return integral
+
+
+def displaced_height(section: Any, rotation: Any) -> Any:
+    """Return the mean normal stress by displaced water less the hydrostatic one, over gamma_w R, after rotations."""
+    shape, turned = turned_by(section, rotation)
+    first, last = section._span
+    to_exit = np.broadcast_to(last, (1, *turned.shape))
+    (normal,), _ = displaced(section, turned, to_exit)
+    hydrostatic = relieved(section.standing_level, first + turned, last + turned)
+    taken = (normal - hydrostatic) / (last - first)
+    return taken.reshape(shape)
+
+
+def standing_moment(section: Any, rotation: Any) -> Any:
+    """Return the moment of the weight of displaced water. See `Section.standing_moment`."""
+    shape, turned = turned_by(section, rotation)
+    nowhere = np.empty((0, *turned.shape))
+    _, moment = displaced(section, turned, nowhere)
+    lighter = np.divide(section.water_unit_weight, section.mean_unit_weight)
+    of_weight = lighter / section.moments["moment_of_inertia"]
+    by_rotation = moment.reshape(shape)
+    return by_rotation[()] * of_weight
+
+
+def drowned_depth(section: Any, rotations: Iterable[float]) -> float:
+    """Return the greatest depth below the water level of the ground over the mass. See `Section.drowned`."""
+    level = Vectors.of(np.asarray(section.level, float))
+    (standing,) = section.standing_level
+    lowest = section.centre[1] + section.radius * standing
+    greatest = 0.0
+    for rotation in rotations:
+        x, y = section.placed(section.surface, rotation).T
+        dry = np.maximum(y, lowest)
+        turned = np.stack([x, dry], axis=1)
+        depth = _depth_below(level, Vectors.of(turned))
+        greatest = max(greatest, depth)
+    return greatest
+
+
+def _depth_below(level: Vectors, line: Vectors) -> float:
+    """Return the greatest depth of a line below a level, at the vertices of both, m; at most 0 if it is above."""
+    at_points = np.interp(line.x, level.x, level.y)
+    below_level = at_points - line.y
+    start = line.starts
+    edge = line.edges
+    vertex = level[:, None]
+    with quiet():
+        share = (vertex.x - start.x) / edge.x  # position of each vertex of the level on each edge
+    on_edge = (share > 0.0) & (share < 1.0)
+    height = start.y + share * edge.y
+    below_vertices = np.where(on_edge, vertex.y - height, 0.0)
+    return float(max(below_level.max(), below_vertices.max()))

@@ -10,7 +10,7 @@ import numpy as np
 
 from generated import layout as ix
 from generated.program import Program
-from slipcircle.base.arrays import EPS, choose
+from slipcircle.base.arrays import EPS, choose, quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import OutputSamples
 from slipcircle.core.integrator.lanes import integrate_problem
@@ -45,6 +45,7 @@ CLOSER = 1e-3
 CLOSEST = 1e-13
 # Cells by which single motions are compared.
 COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.REACH_ROTATION, ix.PEAK_OMEGA])
+AT_END = {ix.ARRESTED, ix.PAUSED, ix.ENDED}  # at rest and at the end time, which differ in their durations only
 # Fractions of the duration at which the states of all runs are compared.
 SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
@@ -89,10 +90,9 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
     start = problem.cells()
     cells = start * _moves(problem.program, rounding)[:, runs]
     is_refined = start[ix.LIMIT_REST] != 0.0
-    if np.any(is_refined):
+    if is_refined.any():
         cells = np.where(is_refined, start * _moves(problem.program, rounding, True)[:, runs], cells)
-    orders = cells[ix.ORDER]
-    orders += FURTHER[runs]
+    cells[ix.ORDER] += FURTHER[runs]
     return cells
 
 
@@ -105,36 +105,34 @@ def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
     rounding decides whether the mass moves.
     """
     rounding = plan.scene.arc.rounding
-    error: Any
-    unlike: Any
     if problem.lanes == 1:
-        spread, unlike = _of_single(problem, final, rounding)
-        error = max(ROUNDED * spread, LEAST)
-        error = min(error, 1.0)
+        spread: Any = _of_single(problem, final, rounding)
+        error: Any = min(max(ROUNDED * spread, LEAST), 1.0)
     else:
-        spreads, unlike = _of_ensemble(_closer(plan, problem), final, rounding)
-        error = np.maximum(CUT * spreads, LEAST)
-        error = np.minimum(error, 1.0)
-    return choose(unlike | (final[ix.CLOSE] < UNDECIDED), 1.0, choose(final[ix.PHASES] == 0.0, 0.0, error))
+        spread = _of_ensemble(_closer(plan, problem), final, rounding)
+        error = np.clip(CUT * spread, LEAST, 1.0)
+    is_still = (final[ix.PHASES] == 0.0) & (spread < np.inf)
+    return choose(final[ix.CLOSE] < UNDECIDED, 1.0, choose(is_still, 0.0, error))
 
 
-def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Floats, Any]:
-    """Return the greatest relative difference of any run from each lane's results, and whether a run ends otherwise.
+def _of_ensemble(problem: Problem, final: Final, rounding: float) -> Floats:
+    """Return the greatest relative difference of any run from each lane's results, (lanes,).
 
-    Both are (lanes,). ``rounding`` is the relative error by which inputs are perturbed.
+    It is infinite if a run ends otherwise. ``rounding`` is the relative error by which inputs are perturbed.
     """
     of_motion = np.array(_summary(final))
     sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
     spread = np.zeros(problem.lanes)
-    unlike = np.zeros(problem.lanes, bool)
     for run in range(1, RUNS):
-        cells = integrate_problem(problem, perturbed_runs(problem, slice(run, run + 1), rounding))
+        with quiet():  # cells that are not initial may contain anything
+            begin = perturbed_runs(problem, slice(run, run + 1), rounding)
+        cells = integrate_problem(problem, begin)
         greatest = np.fmax.reduce(np.abs(np.array(_summary(cells)) - of_motion) / sizes)
-        spread = np.fmax(spread, greatest)
         # Whether runs end with another status than the motion, or move where the motion does not.
         other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
-        unlike |= other_status | ((cells[ix.PHASES] > 0.0) != (final[ix.PHASES] > 0.0))
-    return spread, unlike
+        unlike = other_status | ((cells[ix.PHASES] > 0.0) != (final[ix.PHASES] > 0.0))
+        spread = np.fmax(spread, np.where(unlike, np.inf, greatest))
+    return spread
 
 
 def _closer(plan: Plan, problem: Problem) -> Problem:
@@ -145,8 +143,8 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
     return replace(problem, data=closer.data, farther=closer.farther)
 
 
-def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, bool]:
-    """Return the greatest relative difference of any run of one lane, and whether a run ends otherwise.
+def _of_single(problem: Problem, final: Final, rounding: float) -> float:
+    """Return the greatest relative difference of any run of one lane, infinite if a run ends otherwise.
 
     The states during the motion are included. All runs are solved in one call. Results are compared as Python floats,
     since a few floats cost less than an array.
@@ -156,35 +154,29 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     samples = OutputSamples(of_motion[0] * SHARES, states)
     cells = integrate_problem(problem, perturbed_runs(problem, slice(None), rounding), samples)
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
-    moves = final[ix.PHASES] > 0.0
-    move_alike = min(phases) > 0.0 if moves else max(phases) == 0.0
-    if not (_end_alike(status, final) and move_alike):
-        return 1.0, True
-    in_time = [code == ix.ENDED and final[ix.TIME] < np.inf for code in status]
-    rows = np.where(in_time, end_times, rests).tolist(), run_outs, [*map(abs, peaks)]
+    moves = min(phases) > 0.0
+    if not ((moves or max(phases) == 0.0) and _end_alike({*status})):
+        return np.inf
+    if ix.ENDED in status and final[ix.TIME] < np.inf:
+        rests = [end if code == ix.ENDED else rest for code, end, rest in zip(status, end_times, rests, strict=True)]
+    rows = rests, run_outs, [*map(abs, peaks)]
     greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
         rotation_and_velocity = states[:2]
         change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
         greatest += np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
     sizes = [max(abs(of), LEAST_SIZE) for of in of_motion]
-    return max(map(truediv, greatest, sizes + sizes[1:])), False
+    return max(map(truediv, greatest, sizes + sizes[1:]))
 
 
-def _end_alike(status: list[float], final: Final) -> bool:
-    """Return whether all runs end like the motion, where rest and the end time count as one.
-
-    ``status`` contains the status cell of each run.
-    """
-    return {*map(_ending, status)} == {_ending(final[ix.STATUS])}
+def _end_alike(endings: set[float]) -> bool:
+    """Return whether status cells are the same, where rest and the end time count as one."""
+    return len(endings) == 1 or endings <= AT_END
 
 
-def _ending(status: Any) -> Any:
-    """Return status cells with one code for lanes at rest and lanes at their end time.
-
-    Their durations are compared instead.
-    """
-    return choose((status >= ix.ARRESTED) & (status <= ix.ENDED), float(ix.ENDED), status)
+def _ending(status: Floats) -> Floats:
+    """Return status cells with one code for lanes at rest and lanes at their end time."""
+    return np.where(np.isin(status, [*AT_END]), ix.ENDED, status)
 
 
 def _summary(final: Any) -> tuple[Any, Any, Any]:

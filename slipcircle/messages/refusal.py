@@ -5,7 +5,7 @@ from typing import Any
 
 from generated.layout import MOST_TURNS, TIME
 from slipcircle.base.arrays import float_or_array
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.core import Status
 from slipcircle.core.scene.effects import rotates
 

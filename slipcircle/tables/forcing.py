@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.arrays import array_of
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Effects, Parameters, ValueDict
 from slipcircle.tables.series import Pulse, Series
 

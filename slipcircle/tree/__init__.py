@@ -13,12 +13,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import LAWS, Parameter
+from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Parameter
 from slipcircle.base.arrays import EMPTY
-from slipcircle.base.errors import InputError, raise_all
-from slipcircle.base.kinds import MAPPING, Shape, ValueDict, Values
+from slipcircle.base.errors import raise_all
+from slipcircle.base.inputerror import InputError
+from slipcircle.base.kinds import MAPPING, Parameters, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.declarations import Parts, declared
+from slipcircle.core.scene.effects import OF_GROWTH
 
 __all__ = ["Leaf", "leaves", "mapped", "numbers", "parts_of_fields", "path_of_part", "put", "replace_unchecked"]
 _LISTED = ("number", "series", "lens")
@@ -49,6 +51,19 @@ def parts_of_fields(node: Any) -> Parts:
         if what:
             by_field[field.name] = getattr(node, field.name), what
     return by_field
+
+
+def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, ...]:
+    """Return the declarations of the parameters that an effect may have.
+
+    For cohesion they depend on its law, which ``parameters``, its parameters by name, contains.
+    """
+    if name != "cohesion" or "law" not in parameters:
+        return EFFECTS[name].parameters
+    law = COHESION_LAWS.get(parameters["law"])
+    if law is None:
+        return ()
+    return (*law.parameters, *OF_GROWTH)
 
 
 def parts(node: Any, kind: Any = None) -> Parts:

@@ -8,7 +8,7 @@ from generated import layout as ix
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import Log, OutputSamples, engine
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.problem.problem import Problem
+from slipcircle.core.problem.problem import NEAR, Problem
 
 
 def integrate_problem(
@@ -49,9 +49,9 @@ def _integrate(problem: Problem, begin: Floats | None, samples: OutputSamples | 
         status = cells[ix.STATUS]
         if not status.size or status[status.argmax()] < ix.TOO_LONG:  # for one lane a third of the time of max()
             return cells
-        if begin is None and _stop_swinging(problem, cells):
+        if begin is None and lazy_import("beyond").stop_swinging(problem, cells):
             continue
-        _go_on(problem, cells, samples, log)
+        lazy_import("beyond").go_on(problem, cells, samples, log)
         if not np.any(cells[ix.STATUS] == ix.NEED):
             return cells
         # One lane determines how far a Python function is needed. Then all lanes start again with the complete table.
@@ -63,43 +63,14 @@ def _decide_again(problem: Problem, cells: Floats) -> None:
 
     ``cells`` are the final cells of the first solution, (cells, lanes), in which these lanes are replaced.
     """
-    lanes = problem.refine(cells[ix.CLOSE])
+    margins = cells[ix.CLOSE]
+    if not margins.size or margins[margins.argmin()] >= NEAR:
+        return
+    lanes = lazy_import("limits").refine(problem, margins)
     if len(lanes):
         refined = problem.cells(lanes)
         engine().integrate(problem.program, problem.tables(lanes), refined)
         cells[:, lanes] = refined
-
-
-def _stop_swinging(problem: Problem, cells: Floats) -> bool:
-    """Change the problem so that lanes that turned back too often end at their first standstill.
-
-    ``cells`` are the final cells of the first solution. Return whether there are such lanes, so that the problem must
-    be solved again.
-    """
-    turns_on = cells[ix.TURNS] > ix.MOST_TURNS
-    ends = np.isfinite(cells[ix.END_TIME])
-    swings = turns_on & ~ends & (cells[ix.STATUS] == ix.TOO_LONG)
-    if not swings.any():
-        return False
-    problem.begin_with(FIRST_ONLY=np.where(swings, 1.0, cells[ix.FIRST_ONLY]))
-    return True
-
-
-def _go_on(problem: Problem, cells: Floats, samples: OutputSamples | None, log: Log | None) -> None:
-    """Continue lanes that exceed the number of explicit steps and still move, by implicit steps.
-
-    Their final ``cells`` (cells, lanes), samples and log are updated in place.
-    """
-    many_steps = cells[ix.STEPS] > ix.MOST_STEPS
-    moving = cells[ix.OMEGA] > 0.0
-    stopped = cells[ix.STATUS] == ix.TOO_LONG
-    (which,) = np.nonzero(stopped & many_steps & moving)
-    while which.size:
-        lazy_import("stiff").integrate_implicitly(problem, cells, samples, log, which)
-        waiting = cells[ix.STATUS, which] == ix.NEED
-        which = which[waiting]
-        if which.size:
-            lazy_import("functions").extend(problem, cells[:, which])
 
 
 BLOCK = 8200  # lanes per block, which fit into the cache; not a power of two, since rows would share cache lines

@@ -4,11 +4,13 @@ Final cells have the shape (cells, *shape), and are numbers for a single scene. 
 SI units: times by sqrt(R/g), lengths by R. ``notebooks/0_the_method.ipynb`` defines phases, events and signs.
 """
 
+from __future__ import annotations  # so that a signature says ArrayLike
+
 import math
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any, Generic, Self
+from typing import TYPE_CHECKING, Any, Generic, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,9 +21,12 @@ from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.motion.states import State, Status, statuses
+from slipcircle.core.motion.states import Status, statuses
 from slipcircle.core.problem.plan import Plan, recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
+
+if TYPE_CHECKING:
+    from slipcircle.core.motion.state import State
 
 
 class Motion(Conversions, Generic[Numbers]):
@@ -129,12 +134,9 @@ class Motion(Conversions, Generic[Numbers]):
         """Run-out, peak velocity and duration by name (`run_out`, `peak_velocity`, `duration`), in SI units."""
         final = self._final
         with may_overflow(self.shape):
-            angular_velocity = final[ix.PEAK_OMEGA] / self._time_scale
-            values = {
-                "run_out": self._radius * final[ix.REACH_ROTATION],
-                "peak_velocity": self._radius * angular_velocity,
-            }
-        return {name: self._known(value) for name, value in values.items()} | {"duration": self.duration}
+            run_out = self._known(self._radius * final[ix.REACH_ROTATION])
+            peak_velocity = self._known(self._radius * (final[ix.PEAK_OMEGA] / self._time_scale))
+        return {"run_out": run_out, "peak_velocity": peak_velocity, "duration": self.duration}
 
     @cached_property
     def duration(self) -> Numbers:

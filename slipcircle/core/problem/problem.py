@@ -5,9 +5,9 @@ independent of individual laws and effects.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -43,7 +43,7 @@ class Problem:
 
     Attributes
     ----------
-    recipe : Recipe
+    plan : Plan
     program : Program
     start : mapping
         Initial cells by name, each a number or an array over lanes.
@@ -55,20 +55,20 @@ class Problem:
         Python functions of slip, by the name of their table.
     farther : callable or None
         Function that extends the functions of the rotation.
-    near : callable
-        Function that returns the least margin of a decision at rest, in units of rounding, for which the rounded limit
-        friction suffices, and the function of the exact limit friction of some lanes as the next float above and the
-        rest. It is called where a margin is below `NEAR`.
     """
 
-    recipe: Recipe
+    plan: Plan
     program: Program
     start: Values
     data: dict[str, Data]
     lanes: int
     functions: Mapping[str, Function] = field(default_factory=dict)
     farther: Farther | None = None
-    near: Callable[[], tuple[float, Callable[[Any], Any]]] = lambda: (0.0, bool)
+
+    @property
+    def recipe(self) -> Recipe:
+        """Effects, laws and parameters from which the program is linked."""
+        return self.plan.recipe
 
     def cells(self, which: Any = EVERY) -> Floats:
         """Return the initial cells of all or some lanes, (cells, lanes).
@@ -77,12 +77,12 @@ class Problem:
         """
         if self.lanes == 1 and which is EVERY:
             return self._only_lane.copy()
-        places = self.program.places
+        program = self.program
         count = np.arange(self.lanes)[which].size
-        cells = np.zeros((len(places), count))
-        for name, value in self.start.items():
-            if name in places:  # not every program needs it
-                cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
+        cells = np.empty((len(program.cells), count))  # others are computed where phases begin
+        for name in (*program.cells[: program.given], *program.constants):
+            value = self.start.get(name, 0.0)
+            cells[program.places[name]] = value[which] if isinstance(value, np.ndarray) else value
         return cells
 
     def begin_with(self, **cells: Any) -> "Problem":
@@ -93,34 +93,12 @@ class Problem:
         vars(self).pop("_only_lane", None)
         return self
 
-    def refine(self, margins: Floats) -> Any:
-        """Use the exact limit friction in lanes that decide close to it; return the indices of these lanes.
-
-        ``margins`` are the least margins of the decisions at rest in a first solution, in units of rounding, (lanes,).
-        """
-        if not margins.size or margins[margins.argmin()] >= NEAR or "LIMIT_REST" in self.start:
-            return ()
-        least, limit_parts = self.near()
-        (lanes,) = np.nonzero(margins < least)
-        if not lanes.size:
-            return ()
-        parts = np.zeros((2, self.lanes))
-        parts[0] = self.start["LIMIT"]
-        parts[:, lanes] = limit_parts(lanes)
-        limits, rests = parts
-        self.begin_with(LIMIT=limits, LIMIT_REST=rests)
-        return lanes
-
     @cached_property
     def _only_lane(self) -> Floats:
         """Column of the initial cells of a single lane, (cells, 1), computed once."""
-        place_of = self.program.places.get
-        column = np.zeros(len(self.program.cells))
-        for name, value in self.start.items():
-            place = place_of(name)
-            if place is not None:
-                column[place] = value  # five times as fast as into a matrix
-        return column[:, None]
+        column = np.zeros(len(self.program.cells) + 1)
+        column[_places(self.program, tuple(self.start))] = [*self.start.values()]
+        return column[:-1, None]
 
     def tables(self, which: Any = None) -> list[Data]:
         """Return the tables (piecewise functions) of all or some lanes in the order of the program.
@@ -136,6 +114,12 @@ class Problem:
         ``rotation`` is in rad, and ``lane`` is the index of the lane of each rotation, by default all lanes in order.
         """
         return self.farther is not None and self.farther(self.data, rotation, lane)
+
+
+@lru_cache(maxsize=256)
+def _places(program: Program, names: Names) -> Any:
+    """Return the places of cells by name; names that the program does not need have the place after its cells."""
+    return np.array([program.places.get(name, len(program.cells)) for name in names])
 
 
 def problem_of(plan: Plan, invalid: Any = False) -> Problem:
@@ -167,21 +151,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
     start |= program.constants
-    near = partial(_near, plan, lanes, strength)
-    return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther, near)
-
-
-def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
-    """Return `Problem.near`, the margin of decisions and the function of the exact limit friction.
-
-    The margin is 0 where the exact limit friction is unknown, forces change in time or with the rotation, or strengths
-    are scaled.
-    """
-    arc = plan.scene.arc
-    if arc._limit_parts is None or arc.given is not None or plan.recipe.moving or np.any(strength != 1.0):
-        return 0.0, bool
-    least = NEAR if lanes == 1 else min(NEAR, 10.0 / plan.accuracy)
-    return least, partial(arc._limit_parts, plan.scene.shape)
+    return Problem(plan, program, start, numbers.tables, lanes, functions, farther)
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:

@@ -4,6 +4,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
@@ -13,7 +14,7 @@ from generated import kernels
 from generated.effects import Parameter
 from slipcircle.base.arrays import FLOATS, choose, float_or_array, freeze, two_sum
 from slipcircle.base.errors import Fault, complaint, mistakes, raise_all, shape_mistakes
-from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
+from slipcircle.base.kinds import Array, Numbers, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import, lazy_message
 from slipcircle.core.scene.declarations import Parts, declared, number
@@ -22,6 +23,7 @@ from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 GRAVITY = 9.81  # default
 WIDTH = 1.0
 DIP = Parameter("dip", "rad", -5e-324, np.pi / 2, "dip of the chord", "arc.dip_deg", np.pi / 180, kind="derived")
+_ANGLE = partial(number, "rad", -1e3, 1e3, "a finite angle in rad", per_unit=np.pi / 180)
 
 
 @dataclass(frozen=True)
@@ -62,26 +64,10 @@ class Arc(Mass, Generic[Numbers]):
         metadata=number("m", 1e-6, 1e20, "a positive length in m", help="radius of the slip circle", key="arc.radius_m")
     )
     theta_1: Numbers | float = field(
-        metadata=number(
-            "rad",
-            -1e3,
-            1e3,
-            "a finite angle in rad",
-            help="polar angle of the arc's first end; 270 is below the centre",
-            key="arc.theta_1_deg",
-            per_unit=np.pi / 180,
-        )
+        metadata=_ANGLE(help="polar angle of the arc's first end; 270 is below the centre", key="arc.theta_1_deg")
     )
     theta_2: Numbers | float = field(
-        metadata=number(
-            "rad",
-            -1e3,
-            1e3,
-            "a finite angle in rad",
-            help="polar angle of the arc's second end, above the first",
-            key="arc.theta_2_deg",
-            per_unit=np.pi / 180,
-        )
+        metadata=_ANGLE(help="polar angle of the arc's second end, above the first", key="arc.theta_2_deg")
     )
     unit_weight: Numbers | float = field(
         metadata=number(  # 1000 kN/m^3 exceeds gold
@@ -262,14 +248,6 @@ class Arc(Mass, Generic[Numbers]):
         ratio = kernels.weight_moment_per_radial_weight(self.half_angle)
         limit_friction = self.facing * (cosine / sine * ratio)  # (3.21): tan(psi) C_theta/C_r
         return limit_friction, static, polar_per_inertia
-
-    def _limit_parts(self, shape: Shape, lanes: Any) -> Any:
-        """Return the exact limit friction of some lanes as the next float above and the rest, (2, lanes).
-
-        ``shape`` is the scene's shape, and ``lanes`` are indices into its flattened lanes.
-        """
-        ends = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (self.theta_1, self.theta_2)]
-        return np.array([*map(lazy_import("decimals").limit_parts, *ends)]).T
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:

@@ -4,11 +4,10 @@ from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
-from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
+from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS
 from generated.program import OF_SOIL
 from slipcircle.base.arrays import EMPTY, Frozen, frozen
-from slipcircle.base.errors import raise_all
-from slipcircle.base.kinds import MAPPING, Names, Parameters, TextDict
+from slipcircle.base.kinds import MAPPING, Names, Parameters, TextDict, Texts
 from slipcircle.core.lazy import lazy_import
 
 Law = tuple[str, Parameters]  # name and parameters
@@ -76,17 +75,6 @@ def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
     return named, faults
 
 
-def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, ...]:
-    """Return the declarations of the parameters that an effect may have.
-
-    For cohesion they depend on its law, which ``parameters``, its parameters by name, contains.
-    """
-    if name != "cohesion" or "law" not in parameters:
-        return EFFECTS[name].parameters
-    law = COHESION_LAWS.get(parameters["law"])
-    return (*law.parameters, *OF_GROWTH) if law else ()
-
-
 def cohesion_law(cohesion: Any) -> Law | None:
     """Return the name and the parameters of the law of a cohesion that changes with slip; None for a number.
 
@@ -102,15 +90,12 @@ def cohesion_law(cohesion: Any) -> Law | None:
     return law.name, {"coefficient" if p.name == "cohesion" else p.name: cohesion[p.name] for p in law.parameters}
 
 
-def resolved(name: str, parameters: Frozen) -> Frozen:
-    """Return an effect's parameters after checks, with functions of time built from their parts.
+def resolved(name: str, parameters: Frozen) -> tuple[Frozen, Texts]:
+    """Return an effect's parameters, with functions of time built from their parts, and messages about mistakes.
 
     ``name`` is the name of the effect, and ``parameters`` are its parameters as entered.
     """
     if name in WITHOUT_PARAMETERS and not parameters:
-        return parameters
-    raise_all("", lazy_import("laws").effect_mistakes(name, parameters))
-    series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
-    if not series or (series.issuperset(parameters) and not any(map(callable, parameters.values()))):
-        return parameters
-    return Frozen(lazy_import("forcing").with_functions_of_time(name, parameters))
+        return parameters, []
+    of_effect: tuple[Frozen, Texts] = lazy_import("laws").resolved(name, parameters)
+    return of_effect

@@ -35,11 +35,6 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
     return ((name, parameters), *rate)
 
 
-def law_names(friction: Any) -> Names:
-    """Return the names of a scene's law of slip and of the law of speed that multiplies it, if any."""
-    return tuple(name for name, _ in law_parts(friction))
-
-
 def depends_on(laws: Names) -> Names:
     """Return the variables on which a product of laws depends, such as "slip", "speed" and "time"."""
     variables: dict[str, None] = {}

@@ -4,8 +4,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Law, Parameter
+from slipcircle.base.arrays import Frozen
 from slipcircle.base.bounds import abridged
 from slipcircle.base.errors import mistakes
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import MAPPING, Parameters, Texts
 from slipcircle.base.parameters import parameter_mistakes
 from slipcircle.core.lazy import lazy_import
@@ -92,3 +94,20 @@ def effect_mistakes(name: str, parameters: Parameters) -> Texts:
         names = ", ".join(effect.any_of)
         faults.append(f"{path}: one of {names} is missing")
     return faults + parameter_mistakes(path, parameters, effect.parameters)
+
+
+def resolved(name: str, parameters: Frozen) -> tuple[Frozen, Texts]:
+    """Return an effect's parameters, with functions of time built from their parts, and messages about mistakes.
+
+    ``name`` is the name of the effect, and ``parameters`` are its parameters as entered.
+    """
+    messages = effect_mistakes(name, parameters)
+    if messages:
+        return parameters, messages
+    series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
+    if not series or (series.issuperset(parameters) and not any(map(callable, parameters.values()))):
+        return parameters, []
+    try:
+        return Frozen(lazy_import("forcing").with_functions_of_time(name, parameters)), []
+    except InputError as error:
+        return parameters, list(error.messages)

@@ -128,7 +128,6 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
-    _limit_parts: Any = None  # optional method: the exact limit friction of some lanes in two parts
     in_standing_water: Any = False
     rotation_range: Any = (-math.pi / 6, math.pi / 6)
 
@@ -166,8 +165,8 @@ class Mass:
 
         ``cohesion`` contains the parameters of that effect; each law has a name and parameters.
         """
-        law = cohesion_law(cohesion)
-        return () if law is None else ((law[0] + OF_COHESION, law[1]),)
+        law = cohesion_law(cohesion) if cohesion else None
+        return ((law[0] + OF_COHESION, law[1]),) if law else ()
 
     def effects_of_means(self, effects: Effects) -> Effects:
         """Return the effects for unweighted means over the arc, unchanged for homogeneous ground.

@@ -11,13 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, LEAST, LIMITS, QUESTIONED_FRICTION
 from slipcircle.base.arrays import EMPTY, INFINITY, Frozen, float_or_array, freeze
-from slipcircle.base.errors import InputError, mistakes, one_number, raise_all, shape_mistakes
+from slipcircle.base.errors import mistakes, one_number, raise_all, shape_mistakes
 from slipcircle.base.kinds import MAPPING, Array, Effects, Function, Numbers, Parameters, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.declarations import Parts, declared, number
-from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
+from slipcircle.core.scene.effects import Law, named, resolved
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.mass import Mass
 
@@ -176,10 +176,8 @@ class Scene(Generic[Numbers]):
         else:
             object.__setattr__(self, "friction", own_friction)
         for name, parameters in effects.items():
-            try:
-                effects[name] = resolved(name, parameters)
-            except InputError as error:
-                faults += error.messages
+            effects[name], messages = resolved(name, parameters)
+            faults += messages
         object.__setattr__(self, "effects", Frozen(effects))
         if not (faults or self._has_plain_numbers):
             freeze(self, _NUMBERS)
@@ -264,7 +262,8 @@ class Scene(Generic[Numbers]):
 
     def parts(self) -> Parts:
         """Return the parts of the mass, the friction, the start and end, and the effects, each with its declaration."""
-        by_name: Parts = self.arc.parts() | lazy_import("tree").parts_of_fields(self)
+        tree = lazy_import("tree")
+        by_name: Parts = self.arc.parts() | tree.parts_of_fields(self)
         if self.arc.friction is not None:  # its soils have the numbers of friction
             del by_name["friction"]
         if type(self.strength_factor) is float and self.strength_factor == AS_ENTERED:
@@ -273,7 +272,7 @@ class Scene(Generic[Numbers]):
         for name in (*effects, *EFFECTS):
             if name not in self.arc.own_effects:
                 one = effects.get(name, EMPTY)
-                by_name[name] = one, declared_parameters(name, one)
+                by_name[name] = one, tree.declared_parameters(name, one)
         return by_name
 
     def with_parts(self, changed: Values) -> Any:

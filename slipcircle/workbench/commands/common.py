@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Callable
 from typing import TypeVar
 
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.text import PRINTED
 from slipcircle.core import Scene
 from slipcircle.workbench.common import files

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Rename, Texts, ValueDict, Values
 from slipcircle.layers import Soil, layer_mistakes
 from slipcircle.workbench.files.document import shown_value

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from generated.effects import EFFECTS
 from slipcircle.base.arrays import float_or_array
-from slipcircle.base.errors import InputError, Message
+from slipcircle.base.inputerror import InputError, Message
 from slipcircle.base.kinds import Rename, Tell, Texts, ValueDict, Values
 from slipcircle.core import Arc, Scene
 from slipcircle.ground import Section

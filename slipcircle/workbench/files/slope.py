@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass, replace
 
-from slipcircle.base.errors import InputError, complaint, raise_all
+from slipcircle.base.errors import complaint, raise_all
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Tell, Texts, ValueDict, Values
 from slipcircle.ground import Section, circle_through, circle_touching, outside_between, simple_slope
 from slipcircle.layers import LayeredSection

@@ -15,7 +15,7 @@ from typing import Any
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import tracked
 from slipcircle.base.text import number_text, output_unit
-from slipcircle.core import Motion, Plan, Scene, Status, law_names, plan
+from slipcircle.core import Motion, Plan, Scene, Status, law_parts, plan
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, html_table, html_terms, tag
 from slipcircle.workbench.common.quantities import json_text, prefixed
@@ -156,7 +156,7 @@ def input_parts(plan: Plan, file: bytes) -> Iterable[ResultTable | Raw]:
         use = "used" if name in plan.effects else "not included" if name in plan.left_out else "by the soils"
         effects.append([name, use, effect.help, effect.source])
     yield ResultTable(["effect", "", "what it does", "source"], effects)
-    laws = [f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction)]
+    laws = [f"{name}: {LAWS[name].help}" if name in LAWS else name for name, _ in law_parts(plan.scene.friction)]
     yield ResultTable([], [["friction law", " times ".join(laws)]])
     yield tag("h3", "Equation of motion")
     yield tag("pre", str(plan.equation))

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from slipcircle.base.errors import InputError, Message
+from slipcircle.base.inputerror import InputError, Message
 from slipcircle.base.kinds import Texts, ValueDict, Values
 from slipcircle.workbench.common.units import ACCELERATION, PORE_PRESSURE, RecordedQuantity
 from slipcircle.workbench.records.recordfiles import Options, RecordSamples

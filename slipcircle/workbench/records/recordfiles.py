@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from slipcircle.base.arrays import quiet
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Floats, Names, Texts
 from slipcircle.workbench.common.textfiles import (
     CLOCK,

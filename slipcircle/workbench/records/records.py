@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.arrays import EPS, INFINITY, array_of, frozen
-from slipcircle.base.errors import InputError, mistakes, one_number, raise_all
+from slipcircle.base.errors import mistakes, one_number, raise_all
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Floats, PathName, Texts
 from slipcircle.tables import Series, bad_sample
 from slipcircle.workbench.common.units import (

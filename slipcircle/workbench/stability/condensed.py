@@ -142,17 +142,17 @@ def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats
 
     ``q`` are the circles, and ``kept`` the indices of the ground vertices that the condensed ground retains.
     """
-    found = q.copy()
+    circles = q.copy()
     if len(condensed.boundary_edges) != len(search.boundary_edges):  # then boundaries have other numbers
         left = condensed.points(q[:, 0])
         right = condensed.points(q[:, 1])
         greatest = condensed.greatest_half_angle(left, right)
-        found[:, 2] = condensed.half_angles(q) / greatest
-        found[:, 3] = NONE
+        circles[:, 2] = condensed.half_angles(q) / greatest
+        circles[:, 3] = NONE
     ends = q[:, :2]
     along = search.along[kept]
-    found[:, :2] = np.interp(ends, condensed.along, along)
-    return found
+    circles[:, :2] = np.interp(ends, condensed.along, along)
+    return circles
 
 
 def salient(line: Floats, most: int, deviation: float) -> Integers:
@@ -211,8 +211,8 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
     weights[every, edge + 1] = share
     height = y[kept].copy()
     fitted = ~exact[kept]
-    known = np.where(fitted, 0.0, height)
-    missing = y - weights @ known
+    unchanged = np.where(fitted, 0.0, height)
+    missing = y - weights @ unchanged
     breadth = np.gradient(x)
     root = np.sqrt(breadth)
     matrix = weights[:, fitted] * root[:, None]

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.conversions import Pictured
-from slipcircle.base.errors import InputError, complaint, raise_all
+from slipcircle.base.errors import complaint, raise_all
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Floats, Names, Numbers, Pair, ValueDict, Values, cached_property
 from slipcircle.core import AS_ENTERED, STORED, Motion, Parts, Scene
 from slipcircle.ground import Section, ends_above

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.errors import InputError, raise_all
+from slipcircle.base.errors import raise_all
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import Floats, Pair, Tell, Texts, Values
 from slipcircle.base.text import amount_text
 from slipcircle.workbench.stability.condensed import least

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from generated.effects import COHESION_LAWS
 from slipcircle.base.arrays import freeze
-from slipcircle.base.errors import InputError, complaint, raise_all
+from slipcircle.base.errors import complaint, raise_all
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
 from slipcircle.core import present

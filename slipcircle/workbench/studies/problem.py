@@ -14,7 +14,7 @@ from slipcircle.base.bounds import abridged
 from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
-from slipcircle.core import ANSWERED, DIP, Scene, Status, depends_on, law_names
+from slipcircle.core import ANSWERED, DIP, Scene, Status, depends_on, law_parts
 from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.keys import Key
@@ -361,9 +361,8 @@ def _friction_range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     turns = any(EFFECTS[effect].turns for effect in scene.called)
     if is_constant and scene.end_time is None and not turns:
         shares = [np.ones(1)]  # with less friction the mass never rests
-    creeps = "speed" in depends_on(
-        law_names(scene.friction)
-    )  # with more friction the mass creeps, which takes long to solve
+    laws = tuple(name for name, _ in law_parts(scene.friction))
+    creeps = "speed" in depends_on(laws)  # with more friction the mass creeps, which takes long to solve
     has_speed = float_or_array(scene.initial_velocity) != 0.0
     if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))

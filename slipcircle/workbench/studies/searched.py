@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.errors import InputError
+from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import ArrayDict, Flags, Floats, Texts
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
