@@ -17,7 +17,8 @@ from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.declarations import declared, number
-from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
+from slipcircle.core.scene.dimensionless import Dimensionless
+from slipcircle.core.scene.mass import Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.errors import geometry_errors, motion_errors
 from slipcircle.ground.geometry import SectionGeometry
