@@ -48,8 +48,8 @@ class Claim:
     """Claim of the paper.
 
     ``expression`` transcribes ``printed``, and ``definition`` derives the form that it must equal. ``dimension`` (of
-    definitions) and ``law`` are further requirements. Assumptions are data: ``domain`` if it differs from `DOMAINS`,
-    and ``given``.
+    definitions) and ``law`` are further requirements, and ``weight`` is the integrand whose quadrature it must equal on
+    its whole domain. Assumptions are data: ``domain`` if it differs from `DOMAINS`, and ``given``.
     """
 
     id: str
@@ -63,6 +63,7 @@ class Claim:
     note: str | Callable[[], str] = ""  # remark if the claim is correct, or a function that computes it
     dimension: str = ""
     law: Callable[[Expr], Iterable[Expr]] | None = None
+    weight: Expr | None = None
     given: tuple[str, ...] = ()
     domain: tuple[tuple[str, Any, Any], ...] = ()
     subject: Appendix | None = None

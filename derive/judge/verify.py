@@ -21,6 +21,7 @@ from sympy import (
     Integral,
     Mul,
     Order,
+    Rational,
     Symbol,
     Tuple,
     atanh,
@@ -39,6 +40,7 @@ from sympy.core.function import AppliedUndef
 
 from derive.algebra.appendices import Appendix, parse, real_arithmetic_fails, repairs, simplify, unreadable
 from derive.algebra.dynamics import R
+from derive.algebra.integrate import quadrature
 from derive.algebra.prove import prove_zero, refute
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD
@@ -130,6 +132,15 @@ def _homogeneous(form: Expr, dimension: str) -> bool:
     return vanishes(scaled - parse_expr(dimension, local_dict=units) * form)
 
 
+def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
+    """Return whether a form in alpha is the double integral of a weight, by quadrature at points of its domain."""
+    low, high = limits(domain)["alpha"]
+    points = [s.section_value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
+    allowed = mp.mpf(10) ** -13
+    differences = (s.section_value(form, x) - quadrature(weight, -x, x, 15) for x in points)
+    return all(abs(difference) < allowed for difference in differences)
+
+
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
     """Return whether transcribed forms equal the derived forms after the postulates are put into these."""
     printed = m.parse_forms(forms)
@@ -146,6 +157,8 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
         if form != right and not vanishes(form - right, claim.domain):
             return False
     if claim.dimension and not _homogeneous(printed[0], claim.dimension):
+        return False
+    if claim.weight is not None and not _integrates(printed[0], claim.weight, claim.domain):
         return False
     if claim.law is None:
         return True
