@@ -7,7 +7,7 @@ import pytest
 
 from derive.approximate import search
 from derive.approximate.programs import variants
-from derive.approximate.shapes import Kernel, kernels, records
+from derive.approximate.shapes import Kernel, kernels, recorded_shapes
 from derive.check import midpoints
 from derive.check.proof import ProofError
 from derive.check.records import Record
@@ -48,7 +48,7 @@ def factor() -> Kernel:
 
 def test_degrees_that_round_wrongly_are_not_kept(factor: Kernel, monkeypatch: pytest.MonkeyPatch) -> None:
     """Though their bound is within the goal."""
-    ((_, above, below),) = [row for row in records()[factor.definition].cheap if row[0] == "float32"]
+    ((_, above, below),) = [row for row in recorded_shapes()[factor.definition].cheap if row[0] == "float32"]
 
     def rounds_wrongly(record: Record) -> list[str]:
         raise ProofError("float32: rounding", "one side", "the other")
@@ -60,4 +60,4 @@ def test_degrees_that_round_wrongly_are_not_kept(factor: Kernel, monkeypatch: py
 
 def test_the_recorded_shape_is_what_the_search_finds(factor: Kernel) -> None:
     """Nothing in the search is random or timed."""
-    assert search.search(factor) == records()[factor.definition]
+    assert search.search(factor) == recorded_shapes()[factor.definition]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from derive.approximate import certificates
-from derive.approximate.shapes import records
+from derive.approximate.shapes import recorded_shapes
 from derive.check.truth import TOP
 from generated import _compiled, kernels
 from tests.campaigns import float32, seen
@@ -19,7 +19,7 @@ from tests.support import oracle
 
 each_kernel = pytest.mark.parametrize("kernel", KERNELS)
 each_base = pytest.mark.parametrize("kernel", BASES)
-SEAMS = {kernel: records()[DEFINITIONS[kernel]].best[0].seam for kernel in BASES}
+SEAMS = {kernel: recorded_shapes()[DEFINITIONS[kernel]].best[0].seam for kernel in BASES}
 each_level = pytest.mark.parametrize("level", _compiled.LEVELS)
 
 

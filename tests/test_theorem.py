@@ -10,7 +10,7 @@ from flint import arb
 from mpmath import mpf
 
 from derive.__main__ import main
-from derive.check.truth import number, working
+from derive.check.truth import as_ball, working
 from derive.theorem import swing
 from derive.theorem.motion import Slide, first_swing, theorem
 from derive.theorem.report import pair
@@ -61,11 +61,11 @@ SCENES: list[tuple[dict[str, Any], float, float]] = [  # friction, cohesion and 
 
 def made(friction: dict[str, Any], cohesion: float, pressure: float) -> Slide:
     """Return the slide of doubles, which are exact."""
-    radius, theta_1, theta_2 = (number(ARC[name]) for name in ("radius", "theta_1", "theta_2"))
-    residual, peak, length = (number(friction[name]) for name in ("residual", "peak", "length"))
+    radius, theta_1, theta_2 = (as_ball(ARC[name]) for name in ("radius", "theta_1", "theta_2"))
+    residual, peak, length = (as_ball(friction[name]) for name in ("residual", "peak", "length"))
     softens = peak if friction["peak"] > friction["residual"] else None
-    loads = number(cohesion) / 19000, number(pressure) / 19000
-    return Slide(radius, theta_1, theta_2, residual, number(9.81), softens, length, loads[0], loads[1])
+    loads = as_ball(cohesion) / 19000, as_ball(pressure) / 19000
+    return Slide(radius, theta_1, theta_2, residual, as_ball(9.81), softens, length, loads[0], loads[1])
 
 
 @pytest.mark.parametrize(("friction", "cohesion", "pressure"), SCENES)

@@ -13,7 +13,7 @@ from typing import Any
 from flint import arb, arb_mat, ctx, fmpq
 from sympy import Expr, pi
 
-from derive.check.truth import fraction, number
+from derive.check.truth import as_ball, fraction
 
 BITS = 240  # of the fit; the functions themselves are evaluated with more
 GUARD = 400
@@ -46,7 +46,7 @@ def evaluate(expression: Expr, x: Any) -> Any:
     return getattr(first, type(expression).__name__)()  # sin, cos, atanh
 
 
-def value(closed: Expr, a: arb) -> arb:
+def value_at(closed: Expr, a: arb) -> arb:
     """Return a closed form at alpha, the ball ``a`` in rad, with additional bits for cancellation."""
     with ctx.workprec(GUARD):
         return arb(evaluate(closed, a)).mid()
@@ -230,6 +230,6 @@ def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, .
     for k in range(careful):
         fixed.append(nearest(fitted[0]))
         with ctx.workprec(BITS):
-            samples = samples.without(number(fixed[-1]))
+            samples = samples.without(as_ball(fixed[-1]))
         fitted, _, _ = minimax(samples, degree - k - 1)
     return (*fixed, *map(nearest, fitted)), error

@@ -337,7 +337,7 @@ def variants() -> tuple[Variant, ...]:
     """Return every kernel in every tier and form, from the recorded shapes."""
     every: list[Variant] = []
     for kernel in shapes.kernels():
-        every += of(kernel, shapes.records()[kernel.definition])
+        every += of(kernel, shapes.recorded_shapes()[kernel.definition])
     return tuple(every)
 
 
@@ -357,7 +357,7 @@ def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
     yield "limit_friction", ratio.name, (*ratio.definition, "tan psi")
 
 
-def inlined(name: str, steps: Sequence[ends.Step], part: Program | None = None) -> Program:
+def inlined(name: str, steps: Sequence[ends.RecordedValue], part: Program | None = None) -> Program:
     """Return the program of both ends whose outputs are these steps, which may call ``part``, a program of alpha."""
     code = Builder()
     values: list[Value] = []

@@ -15,10 +15,9 @@ from flint import arb
 from sympy import Expr, diff
 
 from derive.approximate import certificates, shapes
-from derive.approximate.minimax import minimax
-from derive.approximate.minimax import value as at
+from derive.approximate.minimax import minimax, value_at
 from derive.approximate.programs import Variant, variant
-from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, end, records
+from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, end, recorded_shapes
 from derive.check import certify, midpoints
 from derive.check.patches import patches
 from derive.check.proof import ProofError
@@ -77,8 +76,8 @@ def rises(closed: Expr, seam: float) -> bool:
     """
     step = math.ulp(math.nextafter(seam, 0.0))
     x = arb(seam)
-    f = float(at(closed, x))
-    slope = float(at(diff(closed, alpha), x))
+    f = float(value_at(closed, x))
+    slope = float(value_at(diff(closed, alpha), x))
     return slope * step > 1.4 * certify.ulp(f)
 
 
@@ -88,7 +87,7 @@ def baseline(closed: Expr, seam: float) -> Far:
     values = []
     for k in range(25):
         x = seam + (HALF_PI - seam) * k / 24
-        values.append((x, float(at(closed, arb(x)))))
+        values.append((x, float(value_at(closed, arb(x)))))
     about = end(closed)
 
     def rank(far: Far) -> tuple[float, ...]:
@@ -174,7 +173,7 @@ def _least_far(closed: Expr, seam: float) -> Far:
     for degree in range(3, 13):
         far = replace(baseline(closed, seam), degree=degree)
         fit = shapes.far_fit(closed, far, seam)
-        constant_error = math.ulp(fit.constant) / float(at(closed, arb(seam)))  # as the constant is rounded
+        constant_error = math.ulp(fit.constant) / float(value_at(closed, arb(seam)))  # as the constant is rounded
         if fit.error < NEGLIGIBLE + constant_error:
             break
     return far
@@ -334,8 +333,8 @@ def search(kernel: Kernel) -> Shape:
 
 def complete() -> str:
     """Search for the shapes of kernels without a record, record them for this run, and return their names."""
-    missing = {k.definition: k for k in shapes.kernels() if k.definition not in records()}
+    missing = {k.definition: k for k in shapes.kernels() if k.definition not in recorded_shapes()}
     searched = parallel(search, [[x] for x in missing.values()], "shapes searched")
-    records().update(zip(missing, searched, strict=True))
+    recorded_shapes().update(zip(missing, searched, strict=True))
     names = [" / ".join(definition) for definition in missing]
     return ", ".join(names) or "none"

@@ -20,11 +20,21 @@ from flint import arb, ctx, fmpq, fmpq_series
 from sympy import Dummy, Expr, atanh, cos, diff, expand, expand_trig, pi
 
 from derive.algebra.integrate import closed_forms
-from derive.approximate.minimax import GUARD, Function, Samples, evaluate, horner, minimax, nearest, rounded, sample
-from derive.approximate.minimax import value as at
+from derive.approximate.minimax import (
+    GUARD,
+    Function,
+    Samples,
+    evaluate,
+    horner,
+    minimax,
+    nearest,
+    rounded,
+    sample,
+    value_at,
+)
 from derive.check import truth
 from derive.check.proof import ProofError
-from derive.check.truth import number
+from derive.check.truth import as_ball
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import alpha
 
@@ -78,14 +88,14 @@ def agree(kernel: Kernel) -> int:
     """
     for closed, statement in zip(kernel.closed, kernel.definition, strict=True):
         definition = f"the checker's definition {statement}"
-        coefficients = zip(at_zero(closed), truth.at_zero(statement), strict=True)
+        coefficients = zip(at_zero(closed), truth.taylor_at_zero(statement), strict=True)
         for k, (derived, defined) in enumerate(coefficients):
             if derived != defined:
                 raise ProofError(f"{kernel.name}: coefficient of alpha^{k} in {definition}", derived, defined)
         for x in (0.25, 0.75, 1.25, HALF_PI):
             with truth.working(GUARD):
                 value = arb(evaluate(closed, arb(x)))
-                exact = truth.value([statement], arb(x))
+                exact = truth.enclosure([statement], arb(x))
                 if not abs(value / exact - 1) < arb(2) ** -200:
                     digits = (number.str(20, radius=False) for number in (value, exact))
                     raise ProofError(f"{kernel.name}: value at {x} by {definition}", *digits)
@@ -172,38 +182,38 @@ class Shape:
 
 
 @cache
-def records() -> dict[tuple[str, ...], Shape]:
+def recorded_shapes() -> dict[tuple[str, ...], Shape]:
     """Return the recorded shapes by definition, including shapes that were found in this run."""
     shapes = {}
-    for definition, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
+    for definition, record in json.loads(RECORDS.read_text(encoding="utf-8")).items():
         best = []
-        for piece in known["best"]:
+        for piece in record["best"]:
             far = piece["far"]
             if far is not None:
                 piece["far"] = Far(**far)
             best.append(Pieces(**piece))
-        cheap = tuple(map(tuple, known["cheap"]))
+        cheap = tuple(map(tuple, record["cheap"]))
         shapes[tuple(definition.split(" / "))] = Shape(tuple(best), cheap)
     return shapes
 
 
-def text() -> str:
+def shapes_text() -> str:
     """Return the file of records, one declared definition per line."""
     lines = []
     for definition in sorted({kernel.definition for kernel in kernels()}):
         name = json.dumps(" / ".join(definition))
-        shape = json.dumps(asdict(records()[definition]))
+        shape = json.dumps(asdict(recorded_shapes()[definition]))
         lines.append(f"{name}: {shape}")
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
 def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
     """Return F/alpha**3 as a function of alpha**2, times a constant so that its limit at 0 is ``limit_at_0``."""
-    factor = number(limit_at_0 / limit(closed))
+    factor = as_ball(limit_at_0 / limit(closed))
 
     def function(u: arb) -> arb:
         x = u.sqrt()
-        return factor * at(closed, x) / (u * x)
+        return factor * value_at(closed, x) / (u * x)
 
     return function
 
@@ -211,9 +221,9 @@ def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
 def near_samples(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> Samples:
     """Return samples of (W - limit)/u on [0, seam] for the least relative error, enough for ``count`` coefficients."""
     with ctx.workprec(GUARD):
-        upper = number(seam) ** 2
+        upper = as_ball(seam) ** 2
         samples = sample(scaled(closed, limit_at_0), lambda u, f: 1 / f, upper, count)
-        return samples.without(number(limit_at_0))
+        return samples.without(as_ball(limit_at_0))
 
 
 @cache
@@ -237,7 +247,7 @@ def logarithm_fit() -> tuple[float, tuple[float, ...]]:
 
     degree = 6
     with ctx.workprec(GUARD):
-        largest = number(Fraction(1, 25))
+        largest = as_ball(Fraction(1, 25))
         samples = sample(rest, lambda z, _: z * z.sqrt(), largest, degree)
         coefficients, _ = rounded(samples, degree, careful=1)
         return nearest(arb(2).log()), coefficients
@@ -269,8 +279,8 @@ def rounding_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...
     limit_at_0 = Fraction(1) if below else limit(closed)
     function = scaled(closed, limit_at_0)
     with ctx.workprec(GUARD):
-        largest = number(HALF_PI) ** 2
-        first = number(limit_at_0)
+        largest = as_ball(HALF_PI) ** 2
+        first = as_ball(limit_at_0)
 
         def square(z: arb) -> arb:
             return largest - z if below else z
@@ -329,7 +339,7 @@ def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
     q: tuple[float, ...] = ()
     if about.log:
         with ctx.workprec(GUARD):
-            scale = number(far.scale)
+            scale = as_ball(far.scale)
             logs = [w**shift * (scale * w.sqrt()).log() for w in samples.points]
         _, coefficients, error = minimax(samples, degree, logs=(logs, max(degree - shift, 0)))
         q = tuple(map(nearest, coefficients))
@@ -343,7 +353,7 @@ def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> 
     """Return the samples for R alone, after subtraction of Q, with coefficients ``q``, times ``logs`` at each point."""
     values = []
     with ctx.workprec(GUARD):
-        coefficients = [number(c) for c in q]
+        coefficients = [as_ball(c) for c in q]
         for w, value, log in zip(samples.points, samples.values, logs, strict=True):
             values.append((value - horner(coefficients, w) * log).mid())
     return Samples(samples.points, values, samples.weights)
@@ -353,14 +363,14 @@ def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
     """Return the excess of F over the baseline at fl(pi/2), and its slope by b if F is even in b."""
     about = end(closed)
     with ctx.workprec(GUARD):
-        at_end = number(HALF_PI)
-        excess = at(closed, at_end) - number(far.slope) * at_end - number(far.line)
+        at_end = as_ball(HALF_PI)
+        excess = value_at(closed, at_end) - as_ball(far.slope) * at_end - as_ball(far.line)
         constant = nearest(excess)
         if abs(constant) <= 2.0**-80:
             constant = 0.0
         tilt = 0.0
         if not about.odd and about.log != 2:  # where ln(b) starts at b**2 there is no second derivative
-            tilt = -nearest(at(diff(closed, alpha), at_end))
+            tilt = -nearest(value_at(diff(closed, alpha), at_end))
     return constant, tilt
 
 
@@ -370,19 +380,19 @@ def _far_samples(closed: Expr, far: Far, constant: float, tilt: float, seam: flo
     power, _ = powers(closed, far)
     unknowns = (2 if about.log else 1) * far.degree + 2
     with ctx.workprec(GUARD):
-        at_end = number(HALF_PI)
-        straight = number(far.slope) * at_end + number(far.line) + number(constant)
+        at_end = as_ball(HALF_PI)
+        straight = as_ball(far.slope) * at_end + as_ball(far.line) + as_ball(constant)
         if about.odd:
-            known = [straight, number(tilt) - number(far.slope), number(0.0)]  # by powers of b
+            known = [straight, as_ball(tilt) - as_ball(far.slope), as_ball(0.0)]  # by powers of b
         else:
-            known = [straight, number(tilt), -number(far.bend)]
+            known = [straight, as_ball(tilt), -as_ball(far.bend)]
 
         def rest(w: arb) -> arb:
             b = w.sqrt()
-            return (at(closed, at_end - b) - horner(known, b)) / b**power
+            return (value_at(closed, at_end - b) - horner(known, b)) / b**power
 
         def weight(w: arb, left: arb) -> arb:
             b = w.sqrt()
             return b**power / (left * b**power + horner(known, b))
 
-        return sample(rest, weight, number(HALF_PI - seam) ** 2, unknowns, 2)
+        return sample(rest, weight, as_ball(HALF_PI - seam) ** 2, unknowns, 2)

@@ -31,7 +31,7 @@ from derive.check.records import (
     check_goals,
     digest,
     of_both_ends,
-    read,
+    read_records,
     rejected,
     seal,
     unit,
@@ -234,7 +234,7 @@ def checked(record: Record) -> tuple[str, bool]:
     name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6}"
     try:
         if of_both_ends(record):
-            proved = losses.prove(record, read())
+            proved = losses.prove(record, read_records())
         else:
             proved = prove(record)
             if "hard" in record:
@@ -249,7 +249,7 @@ def checked(record: Record) -> tuple[str, bool]:
 
 def prove_all() -> bool:
     """Prove every certificate, print a table, and return whether all are accepted."""
-    records = read() + read(both_ends=True)
+    records = read_records() + read_records(both_ends=True)
     start = time.perf_counter()
     accepted = bool(records)
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")

@@ -37,24 +37,24 @@ PI = (3.1415926535846666, 5.1266883031679116e-12, 2.1125998133888136e-23, 8.6718
 
 
 @dataclass(frozen=True)
-class Step:
+class RecordedValue:
     """Value on a list of operations, as in certificates. Arithmetic appends to the list."""
 
     operations: list[list[Any]]
     place: int = 0
 
-    def put(self, kind: str, *others: Any, value: str | None = None) -> "Step":
+    def put(self, kind: str, *others: Any, value: str | None = None) -> "RecordedValue":
         """Return the step of an operation on this and other steps or numbers, appended unless it exists."""
         places = [self.place]
         for x in others:
-            if isinstance(x, Step):
+            if isinstance(x, RecordedValue):
                 place = x.place
             else:
                 constant = float(x).hex()
                 place = self._find(["const", [], constant])
             places.append(place)
         place = self._find([kind, places, value])
-        return Step(self.operations, place)
+        return RecordedValue(self.operations, place)
 
     def _find(self, operation: list[Any]) -> int:
         if operation not in self.operations:
@@ -67,12 +67,12 @@ class Step:
     __truediv__ = partialmethod(put, "div")
 
 
-def two_sum(a: Step, b: Step) -> tuple[Step, Step]:
+def _two_sum(a: RecordedValue, b: RecordedValue) -> tuple[RecordedValue, RecordedValue]:
     """Return fl(a + b) and its rounding error."""
     return a + b, a.put("lost", b)
 
 
-def horner(x: Step, coefficients: tuple[float, ...]) -> Step:
+def _horner(x: RecordedValue, coefficients: tuple[float, ...]) -> RecordedValue:
     """Return the polynomial with these coefficients, lowest first."""
     *others, second, last = coefficients
     result = x * last + second
@@ -81,31 +81,31 @@ def horner(x: Step, coefficients: tuple[float, ...]) -> Step:
     return result
 
 
-def sinc(x: Step, terms: int) -> Step:
+def sinc(x: RecordedValue, terms: int) -> RecordedValue:
     """Return sin(x)/x by its Taylor series of this many terms."""
     taylor = []
     for k in range(terms):
         size = 1 / math.factorial(2 * k + 1)
         taylor.append(-size if k % 2 else size)
-    return horner(x * x, tuple(taylor))
+    return _horner(x * x, tuple(taylor))
 
 
-def cotangent(x: Step) -> Step:
+def cotangent(x: RecordedValue) -> RecordedValue:
     """Return an approximation of x cot(x)."""
-    return horner(x * x, COTANGENT)
+    return _horner(x * x, COTANGENT)
 
 
-def passed(terms: list[Step]) -> list[Step]:
+def passed(terms: list[RecordedValue]) -> list[RecordedValue]:
     """Return the rounding errors of a sum, followed by the sum."""
     total = terms[0]
     losses = []
     for term in terms[1:]:
-        total, lost = two_sum(total, term)
+        total, lost = _two_sum(total, term)
         losses.append(lost)
     return [*losses, total]
 
 
-def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
+def reduced(one: RecordedValue, two: RecordedValue, odd: bool) -> tuple[RecordedValue, RecordedValue, RecordedValue]:
     """Return b, low k(b/2) and a sign by which sin((b + low)/2) becomes sin(psi) if odd, otherwise cos(psi)."""
     half = (one + two) * TURN
     if odd:
@@ -121,7 +121,7 @@ def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
         terms = passed(terms)
     high = terms.pop()
     rest = reduce(add, terms)
-    b, low = two_sum(high, rest)
+    b, low = _two_sum(high, rest)
     b = b.put("min", 2 * TOP)
     b = b.put("max", -2 * TOP)
     quarter = half * 0.5
@@ -131,7 +131,7 @@ def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
     return b, cotangent(b * 0.5) * low, sign
 
 
-def share(one: Step, two: Step) -> tuple[Step]:
+def share(one: RecordedValue, two: RecordedValue) -> tuple[RecordedValue]:
     """Return the relative change of C(alpha) by the rounding error of d = theta_2 - theta_1."""
     d = two - one
     alpha = (d * 0.5).put("min", TOP)
@@ -140,13 +140,13 @@ def share(one: Step, two: Step) -> tuple[Step]:
     return (cotangent(alpha) * 3.0 * (lost / divisor),)
 
 
-def both() -> tuple[Step, Step]:
+def both() -> tuple[RecordedValue, RecordedValue]:
     """Return the ends on a new list of operations."""
-    one = Step([["input", [], "theta_1"], ["input", [], "theta_2"]])
-    return one, Step(one.operations, 1)
+    one = RecordedValue([["input", [], "theta_1"], ["input", [], "theta_2"]])
+    return one, RecordedValue(one.operations, 1)
 
 
-def result(definition: Definition, tier: str, part: str) -> Step:
+def result(definition: Definition, tier: str, part: str) -> RecordedValue:
     """Return a function of both ends on its operations; ``part`` names the function that computes C(alpha).
 
     ``integer`` rounds to the nearest integer, ties to even, and ``lost`` is the rounding error of a sum.
@@ -156,16 +156,18 @@ def result(definition: Definition, tier: str, part: str) -> Step:
     alpha = ((two - one) * 0.5).put("min", TOP)
     amplitude = alpha.put("call", value=part)
     if direction == "tan psi":
-        above, sine, sign = turned(one, two, True, tier)
-        below, cosine, other = turned(one, two, False, tier)
+        above, sine, sign = _turned(one, two, True, tier)
+        below, cosine, other = _turned(one, two, False, tier)
         return above * (amplitude * sine / cosine) * (sign * other * 4.0) / below
-    b, sine, sign = turned(one, two, "sin" in direction, tier, *share(one, two))
+    b, sine, sign = _turned(one, two, "sin" in direction, tier, *share(one, two))
     if direction[0] == "-":
         sign = sign * -1.0
     return amplitude * sine * sign * b
 
 
-def turned(one: Step, two: Step, odd: bool, tier: str, share: Step | None = None) -> tuple[Step, Step, Step]:
+def _turned(
+    one: RecordedValue, two: RecordedValue, odd: bool, tier: str, share: RecordedValue | None = None
+) -> tuple[RecordedValue, RecordedValue, RecordedValue]:
     """Return b corrected by low and the rounding of alpha, its sinc, and the sign."""
     b, carried, sign = reduced(one, two, odd)
     if share is not None:

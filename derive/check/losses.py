@@ -12,7 +12,7 @@ from itertools import pairwise
 from flint import arb, arb_series
 
 from derive.check import truth
-from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, cotangent, result, sinc
+from derive.check.ends import LIMIT, PASSES, PI, TERMS, RecordedValue, cotangent, result, sinc
 from derive.check.patches import ideal
 from derive.check.proof import ProofError
 from derive.check.records import Record, check_goals, digest, rejected, seal
@@ -65,9 +65,9 @@ def reduction_loss() -> float:
     return worst * (1 + 2.0**-30)
 
 
-def traced(function: Callable[[Step], Step]) -> Tape:
+def traced(function: Callable[[RecordedValue], RecordedValue]) -> Tape:
     """Return the operations of a function of one number in [0, TOP], for the analysis of rounding."""
-    start = Step([["input", [], "x"]])
+    start = RecordedValue([["input", [], "x"]])
     output = function(start).place
     return specialise({"operations": start.operations, "output": output}, 0.0, TOP)
 
@@ -119,7 +119,7 @@ def slope_gap(statement: str) -> float:
         thin = arb(first.upper).cos() ** -(power + 2)
         worst = above(3 * (thin - 1))
         for segment in others:
-            model = truth.kernel(statement, segment)
+            model = truth.kernel_model(statement, segment)
             for x in boxes(segment.lower, segment.upper):
                 s, c = x.sin_cos()
                 half = (arb.pi() / 2 - x) / 2

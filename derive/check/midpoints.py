@@ -47,7 +47,7 @@ def _of_binade(statement: str, exponent: int) -> tuple[float, ...]:
     """
     with working(BITS):
         (nearest, *_) = SEGMENTS
-        model = truth.kernel(statement, nearest)
+        model = truth.kernel_model(statement, nearest)
         largest = above(model(truth.ball(0.0, 2.0**-40)))  # of F/alpha**3
         if largest * 8.0 ** (exponent + 1) < 2.0 ** (LEAST - 1):
             return ()
@@ -113,7 +113,7 @@ def _polynomial(statement: str, h: float, start: int, middle: int, stop: int) ->
 
 def _about(statement: str, segment: Segment, x: float, h: float, radius: int) -> tuple[arb_poly, arb]:
     """Return F(x + t h) as a polynomial in t, and a ball around zero that encloses its error for |t| <= radius."""
-    model: Model = truth.kernel(statement, segment)
+    model: Model = truth.kernel_model(statement, segment)
     offset = arb(x) - segment.centre
     reach = radius * arb(h)
     polynomial = model.main(arb_poly([offset, h]))
@@ -155,7 +155,7 @@ def hard(record: Record) -> list[str]:
     significands = set()
     for x in chain(hard_inputs(statement), (TOP,)):  # the float32 next to pi/2 lies above it and is clipped
         with working(DIGITS):
-            exact = truth.value([statement], arb(x)) if x < TOP else truth.limit([statement])
+            exact = truth.enclosure([statement], arb(x)) if x < TOP else truth.half_disc_limit([statement])
             near = record["bound"] * 2.0**-28 * _half_ulp(above(exact))
             if _rounds_to(exact, np.float32(float(exact)), near):
                 continue

@@ -21,7 +21,7 @@ UNDERFLOW = 2.0**-320  # below, products may underflow, and another bound applie
 QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 
 
-def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
+def _pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
     """Return parts of [lower, upper], both ends included and no double omitted, each with one tape."""
     inside = sorted(c for c in _cuts(record) if lower < c < upper)
     cuts = pairwise([lower, *inside, upper])
@@ -129,13 +129,13 @@ class Patch:
 
     def window(self, top: float, bottom: float) -> "Patch":
         """Return the patch for every alpha = s xi, with s in [bottom, top] a power of two and xi in [1/2, 1]."""
-        tape = scaled(self.tape, self.order, top, bottom)
+        tape = scaled_tape(self.tape, self.order, top, bottom)
         return replace(self, tape=tape, lower=0.5, upper=1.0, top=top)
 
 
 def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Patch:
     """Return a patch with models of the program, of the exact function, and of their difference."""
-    first, *others = (truth.kernel(statement, segment) for statement in definition)
+    first, *others = (truth.kernel_model(statement, segment) for statement in definition)
     second = None
     if others:
         (second,) = others
@@ -189,7 +189,7 @@ def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[
     if lower < SMALL:
         near = near_zero(record)
         yield near.window(SMALL, UNDERFLOW) if near.order else near
-    for a, b, tape in pieces(record, max(lower, SMALL), upper):
+    for a, b, tape in _pieces(record, max(lower, SMALL), upper):
         for segment in SEGMENTS:
             for start, end in ((SMALL, QUARTER), (QUARTER, TOP)):
                 left = max(a, segment.lower, start)
@@ -204,7 +204,7 @@ def near_zero(record: Record) -> Patch:
     return patch(record["definition"], tape, SEGMENTS[0], 0.0, SMALL)
 
 
-def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
+def scaled_tape(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
     """Return the tape over xi in [1/2, 1] for alpha = s xi with any power of two s in [bottom, top] at once.
 
     Every value has a degree k, and is s**k times the value on the new tape. Rounding scales with it, and underflow is
@@ -220,7 +220,7 @@ def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
 
 
 class _Scaling:
-    """Tape of `scaled`, with the degrees of its values and the new positions of old values."""
+    """Tape of `scaled_tape`, with the degrees of its values and the new positions of old values."""
 
     def __init__(self, top: float, bottom: float) -> None:
         self.top = top

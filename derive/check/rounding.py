@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from derive.check.records import LOG_ULPS, Record
-from derive.check.truth import ball, fraction, number, working
+from derive.check.truth import as_ball, ball, fraction, working
 
 ROUNDING_BITS = 80  # precision of the balls
 # more than all roundings of the float arithmetic done on bounds
@@ -257,7 +257,7 @@ class _Specialise:
         rounds = not exact and node.kind not in ("x", "const", "neg")
         node = node._replace(rounds=rounds)
         if line is not None and not rounds:
-            self.values.append(ball(number(min(line)), number(max(line))))
+            self.values.append(ball(as_ball(min(line)), as_ball(max(line))))
             self.noise.append(0.0)
         else:
             line = None

@@ -72,7 +72,7 @@ def working(bits: int, terms: int = TERMS + 1) -> Iterator[None]:
         ctx.prec, ctx.cap = before
 
 
-def number(x: float | Fraction) -> arb:
+def as_ball(x: float | Fraction) -> arb:
     """Return the number itself, or a ball around it at the current precision."""
     return arb(fmpq(*Fraction(x).as_integer_ratio()))
 
@@ -90,14 +90,14 @@ def ball(lower: float | arb, upper: float | arb) -> arb:
     return arb((low + high) / 2, (high - low) / 2)
 
 
-def value(definition: Definition, alpha: arb) -> arb:
+def enclosure(definition: Definition, alpha: arb) -> arb:
     """Return a definition on a ball 0 < alpha < pi/2 at the current precision. It cancels near 0."""
     s, c = alpha.sin_cos()
     h = -((arb.pi() / 2 - alpha) / 2).tan().log()
     return reduce(truediv, (exactly(statement, alpha, s, c, h) for statement in definition))
 
 
-def limit(definition: Definition) -> arb:
+def half_disc_limit(definition: Definition) -> arb:
     """Return a definition at pi/2, where the factor of the logarithm vanishes."""
     half_pi = arb.pi() / 2
     values = (exactly(statement, half_pi, arb(1), arb(0), arb(0)) for statement in definition)
@@ -125,7 +125,7 @@ def coefficients(series: Any) -> list[arb]:
 
 
 @cache
-def at_zero(statement: str) -> list[fmpq]:
+def taylor_at_zero(statement: str) -> list[fmpq]:
     """Return exact Taylor coefficients at 0, after checking in rational arithmetic that the first three vanish."""
     with working(BITS):
         a = fmpq_series([0, 1])
@@ -192,10 +192,10 @@ SEGMENTS = _segments()
 
 
 @cache
-def kernel(statement: str, segment: Segment) -> Model:
+def kernel_model(statement: str, segment: Segment) -> Model:
     """Return the Taylor model of a base quantity on a segment, divided by alpha**3 on the first segment."""
     with working(BITS):
         fat = _taylor(statement, ball(segment.lower, segment.upper))
         if segment.lower == 0:
-            return model([arb(x) for x in at_zero(statement)], fat, CUBE)
+            return model([arb(x) for x in taylor_at_zero(statement)], fat, CUBE)
         return model(_taylor(statement, arb(segment.centre)), fat)

@@ -91,7 +91,7 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
 
 def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tuple[str, str, str], str]:
     """Return the comment of each compiled program: formula, interval, proved bound and certificate."""
-    known = {f.program.name: f for f in kernels}
+    by_name = {f.program.name: f for f in kernels}
     texts = {}
     for r in proved:
         kernel = r["kernel"]
@@ -101,7 +101,7 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
         bound = f"{r['bound']:.3g} {unit(r)} (certificates/{kernel}.json)"
         if "hard" in r:
             bound += ", rounded correctly to float32"
-        formula = known[kernel].formula.rstrip(".")
+        formula = by_name[kernel].formula.rstrip(".")
         texts[kernel, tier, form] = f"{formula}, {interval}, {tier}, {form}: proved within {bound}"
     return texts
 

@@ -17,7 +17,7 @@ from derive.approximate import certificates, search, shapes
 from derive.approximate.programs import parts_of_ends, variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
-from derive.check.records import Record, promised, read
+from derive.check.records import Record, promised, read_records
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
@@ -56,7 +56,7 @@ def kernel_files(stages: Stages) -> dict[str, str]:
     compared = [shapes.agree(kernel) for kernel in shapes.kernels()]
     report_stage("kernels", "definition", "", f"{sum(compared)} comparisons with the checker's")
     stages.line("kernels", "search", search.complete, "new shapes: {}")
-    proved = stages.line("kernels", "certify", lambda: certificates.records(variants(), read()), "")
+    proved = stages.line("kernels", "certify", lambda: certificates.records(variants(), read_records()), "")
 
     def certified(*arguments: Any) -> Record:
         kernel, _, tier, form, _ = arguments
@@ -90,7 +90,7 @@ def _kernel_texts(proved: list[Record]) -> dict[str, str]:
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
-        "shapes.json": shapes.text(),
+        "shapes.json": shapes.shapes_text(),
     }
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
     comparison = "The paper's own forms, as printed, for comparison only: they cancel and overflow."

@@ -58,9 +58,9 @@ def rate(order: int) -> Pair:
     ``order`` is the order of the derivative, 1 or 2.
     """
     moving = Function("theta")(t)
-    known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
+    values = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
     position = (r * cos(moving), r * sin(moving))
-    x, y = (coordinate.diff(t, order).subs(known) for coordinate in position)
+    x, y = (coordinate.diff(t, order).subs(values) for coordinate in position)
     return basis(x, y)
 
 

@@ -32,11 +32,11 @@ def selected(names: Sequence[str]) -> list[Claim]:
     chosen = []
     for name in names:
         sought = _plain(name)
-        found = [x for x in CLAIMS if sought and f"{_plain(x.id)} ".startswith(f"{sought} ")]
-        if not found:
+        claims = [x for x in CLAIMS if sought and f"{_plain(x.id)} ".startswith(f"{sought} ")]
+        if not claims:
             others = ", ".join(x.id for x in CLAIMS if not x.id.startswith("("))
             raise ValueError(f"{name!r} is not a claim of the paper; choose 1.1 to 4.5, or one of {others}")
-        chosen += found
+        chosen += claims
     if not names:
         return list(CLAIMS)
     return [x for x in CLAIMS if x in chosen]
@@ -123,8 +123,8 @@ def wrong_claims(rows: Sequence[Row], width: int) -> str:
         if row.verdict in ERRORS:
             correct = re.sub(r"; \d+ operations -> \d+$", "", row.computed)
             places.setdefault((row.printed, correct, row.cause), []).append(row.id)
-    for mistake, found in places.items():
-        table.add_row("\n".join(found), *mistake)
+    for mistake, ids in places.items():
+        table.add_row("\n".join(ids), *mistake)
     console = Console(width=min(width, 120), color_system=None, highlight=False, markup=False)
     with console.capture() as captured:
         console.print(table)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from flint import arb
 
-from derive.check.truth import limit, value, working
+from derive.check.truth import enclosure, half_disc_limit, working
 from derive.theorem.swing import Standstill, Swing, Undecided, between
 
 BITS = 3.33  # a digit
@@ -61,8 +61,8 @@ def _moment(statement: str, alpha: arb) -> arb:
     positive.
     """
     if alpha < arb.pi() / 2:
-        return value((statement,), alpha)
-    return value((statement,), alpha.lower()).union(limit((statement,)))
+        return enclosure((statement,), alpha)
+    return enclosure((statement,), alpha.lower()).union(half_disc_limit((statement,)))
 
 
 def first_swing(slide: Slide) -> Swing:

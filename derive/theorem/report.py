@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from flint import arb
 
-from derive.check.truth import fraction, number
+from derive.check.truth import as_ball, fraction
 from derive.progress import track
 from derive.theorem.motion import EFFORTS, Slide, Theorem, first_swing, theorem
 
@@ -49,7 +49,7 @@ class _Interval(NamedTuple):
         """Return a ball that covers the interval, at the current precision."""
         middle = (self.low + self.high) / 2
         radius = (self.high - self.low) / 2
-        return number(middle) + number(radius) * arb(0, 1)
+        return as_ball(middle) + as_ball(radius) * arb(0, 1)
 
 
 def interval(text: str) -> _Interval:
@@ -63,30 +63,30 @@ def interval(text: str) -> _Interval:
 
 def _intervals(texts: Mapping[str, str]) -> dict[str, _Interval]:
     """Return the intervals of quantities by name from their decimals, or raise a ValueError that lists all mistakes."""
-    given, faults = dict[str, _Interval](), list[str]()
+    intervals, faults = dict[str, _Interval](), list[str]()
     for name, text in texts.items():
         least, most = BOUNDS[name]
         try:
-            given[name] = interval(text)
+            intervals[name] = interval(text)
         except ArithmeticError:
             faults.append(f"{name} {text!r}: give a decimal, or one with its uncertainty: 10 or 10+-0.1")
             continue
-        if not (least <= given[name].low and given[name].high <= most):
+        if not (least <= intervals[name].low and intervals[name].high <= most):
             faults.append(f"{name} {text}: allowed are {least} to {most}")
     if faults:
         raise ValueError("\n".join(faults))
-    first = given["theta_1_deg"]
-    second = given["theta_2_deg"]
+    first = intervals["theta_1_deg"]
+    second = intervals["theta_2_deg"]
     if not first.high < second.low <= second.high <= first.low + 180:
         raise ValueError(
             "theta_2_deg: has to be above theta_1_deg, by 180 at most: beyond a half disc it is in tension"
         )
-    if "peak_friction_deg" in given and given["friction_deg"].high > given["peak_friction_deg"].low:
+    if "peak_friction_deg" in intervals and intervals["friction_deg"].high > intervals["peak_friction_deg"].low:
         raise ValueError("peak_friction_deg: has to be at least friction_deg, to which friction falls")
     for name in STRESSES:
-        if given[name].high and "unit_weight_kN_m3" not in given:
+        if intervals[name].high and "unit_weight_kN_m3" not in intervals:
             raise ValueError(f"{name}: add unit_weight_kN_m3, over which it acts")
-    return given
+    return intervals
 
 
 def _slide(given: Mapping[str, _Interval], **switches: bool) -> Slide:

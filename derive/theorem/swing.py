@@ -130,14 +130,14 @@ def step(swing: Swing, x: arb, omega: arb, length: arb, tolerance: arb) -> Step:
 def zero(f: arb_poly, length: arb) -> arb:
     """Return a ball around the single zero of a decreasing polynomial on [0, length], by Newton's method."""
     slope = f.derivative()
-    found = until(length)
+    root = until(length)
     for _ in range(ctx.prec):
-        middle = found.mid()
-        closer = found.intersection(middle - f(middle) / slope(found))
-        if not closer.rad() < found.rad() / 2:
+        middle = root.mid()
+        closer = root.intersection(middle - f(middle) / slope(root))
+        if not closer.rad() < root.rad() / 2:
             break
-        found = closer
-    return found
+        root = closer
+    return root
 
 
 def next_standstill(swing: Swing, tolerance: arb) -> Standstill:

@@ -23,13 +23,13 @@ def present(node: Any, numbers: Mapping[str, Parameter]) -> dict[str, Parameter]
 
     ``numbers`` are the declarations by field. A field is absent if it is None and may be.
     """
-    found = {}
+    declarations = {}
     for field in fields(node):
         name = field.name
         is_absent = field.default is None and getattr(node, name) is None
         if name in numbers and numbers[name].allowed and not is_absent:
-            found[name] = numbers[name]
-    return found
+            declarations[name] = numbers[name]
+    return declarations
 
 
 def leading_shape(value: Any, axes: int) -> Shape:

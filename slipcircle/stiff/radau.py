@@ -97,7 +97,7 @@ def step_through(
 def step_factor(error: float) -> float:
     """Return the ratio of the next step to this step for which the error equals the tolerance.
 
-    The error is `Step.error`.
+    The error is `ImplicitStep.error`.
     """
     ratio = TOLERANCE / max(error, LEAST_SIZE)
     return float(SAFETY * ratio ** (1 / POINTS))

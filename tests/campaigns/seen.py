@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from derive.approximate.programs import variants
 from derive.check import truth
 from derive.check.patches import QUARTER, SMALL, UNDERFLOW
-from derive.check.records import TIERS, Record, read
+from derive.check.records import TIERS, Record, read_records
 from derive.check.truth import SEGMENTS, TOP
 from generated import _compiled, kernels
 
@@ -37,7 +37,7 @@ INTERPRETED = 10  # the exact interpreter, which serves where there is no binary
 @cache
 def records() -> tuple[Record, ...]:
     """Return all certificates."""
-    return tuple(read())
+    return tuple(read_records())
 
 
 DEFINITIONS = {record["kernel"]: tuple(record["definition"]) for record in records()}
@@ -134,7 +134,7 @@ def _exact(alpha: Floats, scale: NDArray[np.int64], names: Sequence[str]) -> Flo
     rows = []
     with truth.working(truth.BITS):
         half_pi = arb.pi() / 2
-        models = {name: truth.kernel(name, SEGMENTS[0]) for name in bases}
+        models = {name: truth.kernel_model(name, SEGMENTS[0]) for name in bases}
         for number, exponent in zip(alpha.tolist(), scale.tolist(), strict=True):
             x, row = arb(number), []
             if number < SMALL:  # everything over alpha**3

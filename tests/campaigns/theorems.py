@@ -14,7 +14,7 @@ import numpy as np
 from flint import arb
 
 import generated
-from derive.check.truth import number, working
+from derive.check.truth import as_ball, working
 from derive.theorem.motion import Slide, Theorem, theorem
 from slipcircle import Arc, Motion, Scene, solve
 from tests.campaigns import options
@@ -33,8 +33,8 @@ class Case(NamedTuple):
     centripetal: bool
 
     def slide(self) -> Slide:
-        radius, theta_1, theta_2, friction = (number(x) for x in self[:4])
-        return Slide(radius, theta_1, theta_2, friction, number(9.81), centripetal=self.centripetal)
+        radius, theta_1, theta_2, friction = (as_ball(x) for x in self[:4])
+        return Slide(radius, theta_1, theta_2, friction, as_ball(9.81), centripetal=self.centripetal)
 
     def motion(self) -> Motion:
         effects = ["rotation", "centripetal"] if self.centripetal else ["rotation"]
@@ -59,7 +59,7 @@ def errors(motion: Motion, proof: Theorem) -> list[float]:
     """Relative, of run-out, peak velocity and duration: at most so large, as the enclosures are proved."""
     values = motion.run_out, motion.peak.velocity, motion.duration
     with working(200):
-        bounds = [abs(number(v) - proof.numbers[k]) / proof.numbers[k] for v, k in zip(values, OUTCOMES, strict=True)]
+        bounds = [abs(as_ball(v) - proof.numbers[k]) / proof.numbers[k] for v, k in zip(values, OUTCOMES, strict=True)]
         return [float(arb(bound.upper())) for bound in bounds]
 
 

@@ -68,7 +68,7 @@ class Entry:
     is_vertical : bool
     kept : Series or None
         Samples of arrays and of small suites.
-    known : Measures or None
+    computed : Measures or None
         Value of `measures` if the samples of a file do not remain in memory.
     """
 
@@ -82,13 +82,13 @@ class Entry:
     is_vertical: bool = False
     kept: Series | None = field(default=None, repr=False)
     reading: Values = field(default_factory=dict, repr=False)
-    known: Measures | None = field(default=None, repr=False)
+    computed: Measures | None = field(default=None, repr=False)
 
     @cached_property
     def measures(self) -> Measures:
         """Intensity measures, drift warning and digest, computed when they are first requested."""
-        if self.known is not None:
-            return self.known
+        if self.computed is not None:
+            return self.computed
         record = self.record()
         gravity = float(self.reading.get("gravity", 9.81))
         digest = hashlib.sha256(record.time.tobytes() + record.values.tobytes()).hexdigest()
@@ -300,7 +300,7 @@ def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> t
                     unread.append(entry)
                     continue
                 remaining -= entry.samples
-                entries.append(entry if remaining >= 0 else replace(entry, kept=None, known=entry.measures))
+                entries.append(entry if remaining >= 0 else replace(entry, kept=None, computed=entry.measures))
         except ValueError as error:
             said = error.worded(lambda name: f"--{name}") if isinstance(error, InputError) else str(error)
             unread.append(Unread(str(file), said.removeprefix(str(file)).lstrip(":, ")))

@@ -11,21 +11,25 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
+from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.workbench.stability.descent import FINEST, sorted_indices
-from slipcircle.workbench.stability.family import COARSE, FINE, NONE, Search
+from slipcircle.workbench.stability.family import COARSE, NONE, Search
+from slipcircle.workbench.stability.manysoils import (
+    MANY_SOILS,
+    screened,
+    with_few_unit_weights,
+    with_nearest_boundaries,
+)
 from slipcircle.workbench.stability.slices import Rule
 
 MANY_VERTICES = 48  # lines with more vertices are condensed
-MANY_SOILS = 20  # with more, the coarse family is screened without kinks
 _ROUGH, _DEVIATION = 20, 1e-3  # vertices of a line, and relative distance of the others from it
 _ROUGHLY = 1e-3  # final step in a valley of the rough lines, relative to its first step
 _FINE, _BESIDE = 48, 16  # vertices of a line near the best circles, and on either side of their ends
 _STEPS = 2.0, 0.7, 0.2  # of the refinements, relative to the coarse family
 _FOLLOWED = 12  # greatest number of valleys on rough lines
-_SAMPLED = Rule(nodes=2, pieces=8, at_kinks=False)
 _MANY_KINKS = Rule(nodes=2, pieces=6)
-_SCREENED, _TOUCHING = 300, 12  # number of best circles kept, and tried with all boundaries
+_LAST, _FINEST_LAST = 0.05, 4e-4  # first step with all unit weights, relative to the coarse family, and the final one
 _NEGLIGIBLE = 1e-9  # distance of vertices without effect, as a share of the size of their line
 
 
@@ -34,19 +38,24 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
 
     ``tell`` is called with a line of progress.
     """
-    many_soils = len(search.arrays.tops) >= MANY_SOILS
-    rough, kept = _condensed(search, _ROUGH, _DEVIATION, np.empty(0))
-    coarse, fine = (_MANY_KINKS, _MANY_KINKS) if many_soils else (COARSE, FINE)
-    family = _screened(rough) if many_soils else rough.coarse_family()
-    best, step = rough.valleys(*family, tell, coarse)
-    if many_soils or rough is not search:
-        best = best[:_FOLLOWED]
-        step = step[:_FOLLOWED]
+    on_rough_lines, kept = _condensed(search, _ROUGH, _DEVIATION, np.empty(0))
+    if len(search.arrays.tops) >= MANY_SOILS:
+        rough = on_rough_lines.on_lines(with_few_unit_weights(on_rough_lines.arrays))
+        family, rule = screened(rough), _MANY_KINKS
+    else:
+        rough = on_rough_lines
+        family, rule = rough.coarse_family(), COARSE
+    best, step = rough.valleys(*family, tell, rule)
     if rough is search:
         for share in (1.0, 0.2):  # restarted, in case a bent valley has stopped the descent
-            best, step = search.refined(best, share * step, FINEST, fine)
+            best, step = search.refined(best, share * step)
         return best
-    best, step = rough.refined(best, step, _ROUGHLY, coarse)
+    best, step = rough.refined(best[:_FOLLOWED], step[:_FOLLOWED], _ROUGHLY, rule)
+    if on_rough_lines is search:
+        best = with_nearest_boundaries(rough, best)
+        best, step = rough.refined(best, np.concatenate([step, step]), _ROUGHLY, rule)
+        best, _ = search.refined(best, _LAST * step, _FINEST_LAST, rule)
+        return best
     best = _on_whole_lines(search, rough, kept, best)
     return _on_fine_lines(search, best, step)
 
@@ -71,24 +80,6 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats) -> Floats:
         return best[order]
     best, _ = search.refined(best, step)
     return best
-
-
-def _screened(search: Search) -> ArrayPair:
-    """Return the best circles of a coarse family, and circles near them that touch a boundary, with their steps.
-
-    Both are (circles, 4) as in `family`.
-    """
-    q, steps = search.coarse_family(touching=False)
-    values = search.evaluate(q, _SAMPLED)
-    best = sorted_indices(values)[:_SCREENED]
-    count = len(search.boundary_edges)
-    repeated = np.repeat(best[:_TOUCHING], count)
-    touching = q[repeated]
-    every_edge = np.arange(count)
-    touching[:, 3] = np.resize(every_edge, len(repeated))
-    chosen = np.append(best, repeated)
-    family = np.concatenate([q[best], touching])
-    return family, steps[chosen]
 
 
 def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tuple[Search, Integers]:
@@ -142,17 +133,17 @@ def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats
 
     ``q`` are the circles, and ``kept`` the indices of the ground vertices that the condensed ground retains.
     """
-    found = q.copy()
+    circles = q.copy()
     if len(condensed.boundary_edges) != len(search.boundary_edges):  # then boundaries have other numbers
         left = condensed.points(q[:, 0])
         right = condensed.points(q[:, 1])
         greatest = condensed.greatest_half_angle(left, right)
-        found[:, 2] = condensed.half_angles(q) / greatest
-        found[:, 3] = NONE
+        circles[:, 2] = condensed.half_angles(q) / greatest
+        circles[:, 3] = NONE
     ends = q[:, :2]
     along = search.along[kept]
-    found[:, :2] = np.interp(ends, condensed.along, along)
-    return found
+    circles[:, :2] = np.interp(ends, condensed.along, along)
+    return circles
 
 
 def salient(line: Floats, most: int, deviation: float) -> Integers:
@@ -211,8 +202,8 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
     weights[every, edge + 1] = share
     height = y[kept].copy()
     fitted = ~exact[kept]
-    known = np.where(fitted, 0.0, height)
-    missing = y - weights @ known
+    unchanged = np.where(fitted, 0.0, height)
+    missing = y - weights @ unchanged
     breadth = np.gradient(x)
     root = np.sqrt(breadth)
     matrix = weights[:, fitted] * root[:, None]

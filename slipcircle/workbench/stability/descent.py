@@ -151,12 +151,12 @@ def _leaps(values: Floats) -> Floats:
     both = of_row & of_column
     system = np.where(both, curvature[:, None], identity)
     right = np.where(_SUBSETS, -gradient[:, None], 0.0)
-    known_system = np.all(np.isfinite(system), axis=(2, 3))
-    known_right = np.all(np.isfinite(right), axis=2)
-    known = known_system & known_right
-    system = np.where(known[..., None, None], system, identity)
+    finite_system = np.all(np.isfinite(system), axis=(2, 3))
+    finite_right = np.all(np.isfinite(right), axis=2)
+    is_finite = finite_system & finite_right
+    system = np.where(is_finite[..., None, None], system, identity)
     eigenvalues = np.linalg.eigvalsh(system)
-    convex = known & np.all(eigenvalues > 0.0, axis=2)
+    convex = is_finite & np.all(eigenvalues > 0.0, axis=2)
     system = np.where(convex[..., None, None], system, identity)
     right = np.where(convex[..., None], right, 0.0)
     leaps = np.linalg.solve(system, right[..., None])

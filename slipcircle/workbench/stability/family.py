@@ -198,7 +198,7 @@ class Search:
         ``rule`` sets the points of the integrals.
         """
         values = np.full(len(q), np.nan)
-        possible = self._possible(q)
+        possible = self.possible(q)
         size = len(possible) * self.arrays.columns.bounds.shape[1]
         blocks = max(math.ceil(size / _TOGETHER), 1)
         with counted(len(possible), "circles evaluated") as progress:
@@ -207,7 +207,7 @@ class Search:
                 progress(len(block))
         return values
 
-    def _possible(self, q: Floats) -> Any:
+    def possible(self, q: Floats) -> Any:
         """Return the indices of circles with ordered ends within the limits, not both on the base."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
@@ -264,8 +264,6 @@ class Search:
         """Return the greatest radial distance from arc to ground in m, (n,), 0 if the search has no least thickness.
 
         It is -1 where the ground leaves the circle between the ends. Centres and radii belong to the circles ``q``.
-
-        It is -1 where the ground leaves the circle between the ends.
         """
         first = q[:, :1]
         last = q[:, 1:2]
@@ -279,7 +277,7 @@ class Search:
         thickness = radius - _distance_from_origin(ground)
         return np.where(inside, thickness, -1.0)
 
-    def _positions(self) -> Floats:
+    def positions(self) -> Floats:
         """Return lengths along the ground of the ends of the coarse family."""
         vertices = self.along
         total = vertices[-1]
@@ -307,7 +305,7 @@ class Search:
 
         With ``touching``, circles that touch each edge of a boundary follow.
         """
-        ends = self._positions()
+        ends = self.positions()
         shape = len(ends), len(ends), len(_SHARES)
         numbers = np.indices(shape).reshape(3, -1)
         in_order = numbers[0] < numbers[1]
@@ -347,8 +345,6 @@ class Search:
         """Return the best circles after descent from circles ``q``, at most three, the best first, and first steps.
 
         ``step`` are the first steps, (n, 4), and ``finest`` is the final step over the first.
-
-        ``finest`` is the final step over the first step.
         """
         descent = Descent(q, step, self.along[-1], finest)
         with counted(len(q), "valleys followed to their least factor") as progress:

@@ -211,8 +211,6 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, rule: Rule = EXACT, every_surfa
     """Return the slices above valid arcs; ``rule`` sets the points of the integrals.
 
     With ``every_surface``, they contain all surfaces at which the unit weight changes, otherwise the ground alone.
-
-    With ``every_surface``, they contain all surfaces at which the unit weight changes, otherwise the ground alone.
     """
     arc, ends = _intervals(slope, arcs, rule)
     first, last = ends
