@@ -44,32 +44,38 @@ if _project != "slipcircle":  # another package, or a dependency is missing
 from slipcircle.base import VERSION
 from slipcircle.base.conversions import use_conversions
 
-if TYPE_CHECKING:
-    from slipcircle.core import Arc, Dimensionless, Motion, Plan, Scene, Status, plan, solve
-    from slipcircle.core.motion.state import State
-    from slipcircle.derivatives.parameters import parameters
-    from slipcircle.ground import Section
-    from slipcircle.history import Energy
-    from slipcircle.layers import LayeredSection, Soil
-    from slipcircle.tables import Pulse, Series
-    from slipcircle.workbench.common.quantities import Interval
-    from slipcircle.workbench.files.scenefile import load
-    from slipcircle.workbench.records.records import Record
-    from slipcircle.workbench.records.suite import Suite, read_suite
-    from slipcircle.workbench.stability.critical import Critical, SlopeScene
-    from slipcircle.workbench.stability.search import critical
-    from slipcircle.workbench.stability.stability import Slope
-    from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
-    from slipcircle.workbench.studies.ensemble import ensemble, grid
-    from slipcircle.workbench.studies.study import Study, SuiteStudy
-    from slipcircle.workbench.suites.synthetic import synthetic_records
+if TYPE_CHECKING:  # exported for type checkers
+    # isort: off
+    from slipcircle.core import Arc as Arc, Motion as Motion, Plan as Plan, Scene as Scene, Status as Status
+    from slipcircle.core import plan as plan, solve as solve
+    from slipcircle.core.motion.state import State as State
+    from slipcircle.core.scene.dimensionless import Dimensionless as Dimensionless
+    from slipcircle.derivatives.parameters import parameters as parameters
+    from slipcircle.ground import Section as Section
+    from slipcircle.history import Energy as Energy
+    from slipcircle.layers import LayeredSection as LayeredSection, Soil as Soil
+    from slipcircle.tables import Pulse as Pulse, Series as Series
+    from slipcircle.workbench.common.quantities import Interval as Interval
+    from slipcircle.workbench.files.scenefile import load as load
+    from slipcircle.workbench.records.records import Record as Record
+    from slipcircle.workbench.records.suite import Suite as Suite, read_suite as read_suite
+    from slipcircle.workbench.stability.critical import Critical as Critical, SlopeScene as SlopeScene
+    from slipcircle.workbench.stability.search import critical as critical
+    from slipcircle.workbench.stability.stability import Slope as Slope
+    from slipcircle.workbench.studies.backanalysis import BackAnalysis as BackAnalysis, Unattainable as Unattainable
+    from slipcircle.workbench.studies.backanalysis import backanalyse as backanalyse
+    from slipcircle.workbench.studies.ensemble import ensemble as ensemble, grid as grid
+    from slipcircle.workbench.studies.study import Study as Study, SuiteStudy as SuiteStudy
+    from slipcircle.workbench.suites.synthetic import synthetic_records as synthetic_records
+    # isort: on
 
 __version__ = VERSION
 use_conversions("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Module of each public name, imported at the first access.
 _PLACES = {
-    "core": "Arc Dimensionless Motion Plan Scene Status plan solve",
+    "core": "Arc Motion Plan Scene Status plan solve",
     "core.motion.state": "State",
+    "core.scene.dimensionless": "Dimensionless",
     "derivatives": "parameters",
     "ground": "Section",
     "history": "Energy",
@@ -88,41 +94,7 @@ _PLACES = {
     "workbench.suites.synthetic": "synthetic_records",
 }
 _MODULES = {name: f"slipcircle.{place}" for place, names in _PLACES.items() for name in names.split()}
-__all__ = [
-    "Arc",
-    "BackAnalysis",
-    "Critical",
-    "Dimensionless",
-    "Energy",
-    "Interval",
-    "LayeredSection",
-    "Motion",
-    "Plan",
-    "Pulse",
-    "Record",
-    "Scene",
-    "Section",
-    "Series",
-    "Slope",
-    "SlopeScene",
-    "Soil",
-    "State",
-    "Status",
-    "Study",
-    "Suite",
-    "SuiteStudy",
-    "Unattainable",
-    "backanalyse",
-    "critical",
-    "ensemble",
-    "grid",
-    "load",
-    "parameters",
-    "plan",
-    "read_suite",
-    "solve",
-    "synthetic_records",
-]
+__all__ = sorted(_MODULES)
 
 
 def __getattr__(name: str) -> Any:

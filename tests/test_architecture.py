@@ -209,6 +209,7 @@ USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "laws": ("vaiont-softening", {}, bool),
     "arc": ("vaiont", {}, lambda motion: replace(motion.plan.scene.arc, theta_2=0.0)),
     "section": ("real-slope", {}, lambda motion: replace(motion.plan.scene.arc, radius=1e-3)),
+    "dimensionless": ("vaiont", {}, lambda motion: motion.plan.scene.arc.polar_moment),
     "limits": ("vaiont", {"friction": 0.419}, bool),
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),

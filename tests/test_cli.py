@@ -21,6 +21,7 @@ import slipcircle
 from derive import __main__ as derive_line
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
+from slipcircle.base.optional import EXTRAS
 from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.files.shipped import find, shipped
 from slipcircle.workbench.outputs.json_records import record
@@ -402,7 +403,11 @@ loaded = {name.partition(".")[0] for name in set(sys.modules) - bare - set(hidde
 assert "slipcircle.workbench.outputs.pictures.plots" not in sys.modules  # nothing was drawn
 from slipcircle.core.motion import solver
 solver.motion_of = None  # so that nothing can be computed
-print(json.dumps([done, sorted(loaded), [told(line) for line in needs]]))
+try:
+    m.plot()
+except ImportError as error:
+    drawn = str(error)
+print(json.dumps([done, sorted(loaded), [told(line) for line in needs], drawn]))
 """
 CREEP = f"end_time_s = 1e6\n{SLOPE}\n[rotation]\n[viscosity]\nviscosity_Pa_s = 1e10\nthickness_m = 0.1\n"
 
@@ -412,12 +417,21 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     (tmp_path / "creep.toml").write_text(CREEP, "utf-8")
     works = [f"run {tmp_path}/creep.toml --csv {tmp_path}/creep.csv", "run vaiont --verbose", "info", "schema",
              "run vaiont --json", "plan vaiont", "info --json"]  # fmt: skip
-    missing = {f"run vaiont --plot {tmp_path}/a.png": "plot", f"run vaiont --report {tmp_path}/a.html": "plot",
-               "sweep vaiont --samples 9 --uncertain friction.angle_deg=normal:10:1": "scenes",
-               "cost polar_moment --json": "derive", f"cost --plot {tmp_path}/a.png": "plot"}  # fmt: skip
+    (tmp_path / "q.csv").write_text(
+        "time_s,a_m_s2\n" + "".join(f"{0.01 * k},{k % 7 - 3}\n" for k in range(500)), "utf-8"
+    )
+    missing = {
+        f"run vaiont --plot {tmp_path}/a.png": "matplotlib plot",
+        f"run vaiont --report {tmp_path}/a.html": "matplotlib plot",
+        "sweep vaiont --samples 9 --uncertain friction.angle_deg=normal:10:1": "scipy scenes",
+        f"sweep newmark-pulse --records {tmp_path}/q.csv": "scipy scenes",
+        "backanalyse vaiont --run-out-m 400+-20 --duration-s 40+-5 --field friction.angle_deg=5:20": "scipy scenes",
+        "sweep vaiont --grid friction.angle_deg=8,10 --scheduler tcp://127.0.0.1:1": "distributed dask",
+        "cost polar_moment --json": "python-flint derive", f"cost --plot {tmp_path}/a.png": "matplotlib plot",
+    }  # fmt: skip
     done = fresh("-c", ALONE, "\n".join(works), "\n".join(missing))
     assert (done.returncode, done.stderr) == (0, "")
-    worked, loaded, needed = json.loads(done.stdout)
+    worked, loaded, needed, drawn = json.loads(done.stdout)
     for words, status, out, err in worked:
         assert (status, out.count("\n") > 5) == (0, True), words
         # Where it takes longer than a moment, and what it has written.
@@ -426,7 +440,10 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     assert {*loaded} <= {"numpy", "slipcircle", "generated"}
     for words, status, out, err in needed:
         assert (status, out) == (1, "")
-        assert re.fullmatch(rf"slipcircle: .* pip install 'slipcircle\[{missing[words]}\]'\n", err), err
+        package, extra = missing[words].split()
+        assert re.fullmatch(rf"slipcircle: {package} is needed for .+: pip install 'slipcircle\[{extra}\]'\n", err), err
+        assert EXTRAS[package] == extra
+    assert re.fullmatch(r"matplotlib is needed for .+: pip install 'slipcircle\[plot\]'", drawn)
     assert [p.name for p in tmp_path.glob("a.*")] == []
 
 

@@ -2,8 +2,6 @@
 
 import math
 import re
-import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -21,8 +19,8 @@ from derive.check import certify, truth
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, read_records, seal
 from derive.declare import quantities
-from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
-from derive.declare.symbols import alpha, r, theta
+from derive.declare.quantities import MOMENTS, RESISTANCE
+from derive.declare.symbols import alpha, r
 from derive.generate import emit_c, write
 from tests.campaigns import mutants
 from tests.support import reach
@@ -72,16 +70,6 @@ def test_the_checker_knows_the_goals_too() -> None:
     fires(lambda: certify.prove(seal(record | {"bound": 2e-6})), "resistance_factor", "goal of tier 1e-6 fused")
 
 
-@pytest.mark.parametrize(
-    ("weight", "amplitude"),
-    [(r**6, None), (sp.Integer(1), None), (2 * r, None), (-(r**2), None), (r + r**2, None), (sp.exp(r), None),
-     (r * sp.sin(2 * theta), ("x", "X")), (r * theta, None), (r**2, ("x", "X")), (r * sp.sin(theta), None)],
-    ids=str,
-)  # fmt: skip
-def test_a_weight_that_cannot_be_certified_is_refused(weight: sp.Expr, amplitude: tuple[str, str] | None) -> None:
-    fires(lambda: Moment("odd", "O", weight, "", amplitude).definition, "odd", "weight")
-
-
 @pytest.mark.parametrize("changed", ["weight", "lambda", "text"])
 def test_the_run_stops_and_writes_nothing(
     changed: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -111,23 +99,6 @@ def test_the_run_stops_and_writes_nothing(
 
 def test_the_files_stay_as_they_are() -> None:
     assert Path(shapes.RECORDS).read_text("utf-8") == shapes.shapes_text()
-
-
-@pytest.mark.parametrize(
-    ("asked", "missing"),
-    [
-        ("", ("sympy", "flint")),
-        ("prove", ("flint",)),
-    ],
-)  # fmt: skip
-def test_without_packages_one_sentence_says_what_to_install(asked: str, missing: tuple[str, ...]) -> None:
-    """Missing packages are named, and no others; the proofs of the bounds need flint alone."""
-    hidden = {*missing, "sympy"} if asked == "prove" else missing
-    hide = f"import sys; sys.modules.update(dict.fromkeys({sorted(hidden)})); from derive.__main__ import main; "
-    ask = [sys.executable, "-c", f"{hide}sys.exit(main({asked.split()}))"]
-    done = subprocess.run(ask, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'\n"
 
 
 def test_a_campaign_of_mutants_says_why_nothing_was_measured(tmp_path: Path) -> None:

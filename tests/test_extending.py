@@ -21,7 +21,8 @@ from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, Status, solve
 from slipcircle.core import number
-from slipcircle.core.scene.mass import Dimensionless, MomentCoefficients
+from slipcircle.core.scene.dimensionless import Dimensionless
+from slipcircle.core.scene.mass import MomentCoefficients
 from slipcircle.workbench.studies.ensemble import grid
 from tests.campaigns import all_weights
 from tests.campaigns.all_weights import run

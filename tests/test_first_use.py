@@ -1,5 +1,6 @@
 """First use, in an empty folder and with packages missing or in the way: each time one line says what to do."""
 
+import io
 import math
 import os
 import re
@@ -13,8 +14,10 @@ from typing import Any
 import pytest
 from scipy.optimize import brentq
 
+from derive import __main__ as derive_line
 from slipcircle import Arc, Scene, Slope, critical, load, solve
 from slipcircle.base.optional import EXTRAS
+from slipcircle.base.progress import Progress
 from slipcircle.workbench.files.shipped import find, shipped
 from tests.support.outputs import COMPUTING, blocks
 
@@ -91,44 +94,24 @@ def test_a_newer_scene_file_is_refused(tmp_path: Path, said: Any, refused: Any) 
     assert 'format = "slipcircle-scene-2": must be slipcircle-scene-1' in refused("run", path)
 
 
-RECORD = "import numpy as np; t = np.arange(500) * 0.01; np.savetxt('q.csv', np.c_[t, np.sin(9 * t)], "
-RECORD += "delimiter=',', header='time_s,a_m_s2', comments='')"
-DISTRIBUTED = "sweep vaiont --samples 64 --uncertain friction.angle_deg=uniform:9:10 --scheduler tcp://127.0.0.1:1"
-NEEDED = [
-    ("scipy", "scenes", "sweep vaiont --samples 64 --uncertain friction.angle_deg=normal:10:1"),
-    ("scipy", "scenes", "sweep newmark-pulse --records q.csv"),
-    ("scipy", "scenes", "backanalyse vaiont --run-out-m 400+-20 --duration-s 40+-5 --field friction.angle_deg"),
-    ("matplotlib", "plot", "run vaiont --plot a.png"),
-    ("matplotlib", "plot", "run vaiont --report a.html"),
-    ("matplotlib", "plot", "import slipcircle; slipcircle.solve(slipcircle.load('vaiont')).plot()"),
-    ("distributed", "dask", DISTRIBUTED),
-    ("flint", "derive", "cost polar_moment"),
-]
-
-
-@pytest.mark.parametrize(("package", "extra", "words"), NEEDED, ids=[words[:20] for *_, words in NEEDED])
-def test_a_missing_package_is_one_line(package: str, extra: str, words: str, tmp_path: Path) -> None:
-    """A missing package is named with the command that installs it, before anything is computed or written."""
-    if "q.csv" in words:
-        alone(tmp_path, RECORD)
-    done = alone(tmp_path, words, package)
-    assert done.returncode == 1
-    *_, last = done.stderr.splitlines()
-    notice = "slipcircle: computing; Ctrl-C stops it\n"  # on a slow machine, before a package is loaded
-    assert words.startswith("import") or done.stderr.removeprefix(notice).count("\n") == 1
-    name = {"flint": "python-flint"}.get(package, package)
-    assert EXTRAS[name] == extra
-    assert re.fullmatch(
-        rf"(slipcircle|ImportError): {name} is needed for .+: pip install 'slipcircle\[{extra}\]'", last
-    )
-    assert not [*tmp_path.glob("a.*")]
-
-
-@pytest.mark.parametrize("package", ["sympy", "mpmath", "flint"])
-def test_deriving_without_a_package(package: str, tmp_path: Path) -> None:
-    done = alone(tmp_path, "verify", package, module="derive")
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"python -m derive needs {package}: pip install 'slipcircle[derive]'\n"
+def test_deriving_without_a_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Missing packages are named, and no others; the proofs of the bounds need flint alone."""
+    every = ("sympy", "mpmath", "flint")
+    sentence = "python -m derive needs {}: pip install 'slipcircle[derive]'\n"
+    done = alone(tmp_path, "verify", *every, module="derive")
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", sentence.format("sympy and mpmath and flint"))
+    for words, hidden, missing in (
+        ("", ("sympy", "flint"), "sympy and flint"),
+        ("prove", every, "flint"),
+        *(("verify", (package,), package) for package in every),
+    ):
+        with monkeypatch.context() as without:
+            for package in hidden:
+                without.setitem(sys.modules, package, None)
+            assert derive_line.main(words.split()) == 2
+        assert capsys.readouterr() == ("", sentence.format(missing))
 
 
 def test_info_says_how_each_missing_package_is_installed(tmp_path: Path) -> None:
@@ -143,20 +126,19 @@ def test_info_says_how_each_missing_package_is_installed(tmp_path: Path) -> None
         assert any(re.match(rf"{package}\b", requirement) for requirement in EXTRA_OF[extra]), package
 
 
-def test_without_rich_the_progress_is_a_line(tmp_path: Path) -> None:
+def test_without_rich_the_progress_is_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
     """A bar is no result: nothing is said of its package, and the line is on the terminal."""
-    code = "import io, slipcircle; from slipcircle.base.progress import Progress\n"
-    code += "class T(io.StringIO):\n    isatty = lambda self: True\n"
-    code += "out = T()\nwith Progress(4, 'scenes solved', out) as count:\n    count.pause = 0\n    count(2)\n"
-    code += "print(repr(out.getvalue()))"
-    done = alone(tmp_path, code, "rich")
-    assert done.returncode == 0, done.stderr
-    assert "2 of 4 scenes solved" in done.stdout
+    terminal = io.StringIO()
+    monkeypatch.setattr(terminal, "isatty", lambda: True)
+    monkeypatch.setitem(sys.modules, "rich", None)
+    with Progress(4, "scenes solved", terminal) as count:
+        count.pause = 0
+        count(2)
+    assert "2 of 4 scenes solved" in terminal.getvalue()
 
 
-@pytest.mark.parametrize("words", ["import slipcircle", "run vaiont"])
-def test_without_numpy(words: str, tmp_path: Path) -> None:
-    done = alone(tmp_path, words, "numpy")
+def test_without_numpy(tmp_path: Path) -> None:
+    done = alone(tmp_path, "run vaiont", "numpy")
     assert (done.returncode, done.stdout) == (1, "")
     *_, last = done.stderr.splitlines()
     assert last == "ImportError: slipcircle needs NumPy: pip install numpy"

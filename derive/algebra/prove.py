@@ -12,6 +12,7 @@ from sympy import (
     cancel,
     cos,
     default_sort_key,
+    exp,
     expand,
     expand_trig,
     fraction,
@@ -52,8 +53,9 @@ def prove_zero(expression: Expr, claim: str) -> None:
 def prove_rational(expression: Expr, claim: str) -> None:
     """Raise `ProofError` unless an expression is zero as a rational function of its symbols and functions.
 
-    ``claim`` is the text of the error.
+    Exponentials of sums are taken as products. ``claim`` is the text of the error.
     """
+    expression = expression.replace(exp, lambda exponent: expand(exp(exponent)))
     unknowns = sorted(expression.atoms(Symbol, Function), key=default_sort_key)
     if (unknowns and field(unknowns, QQ)[0].from_expr(expression) != 0) or (not unknowns and expression != 0):
         prove_zero(expression, claim)

@@ -14,20 +14,18 @@ from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import DIP, Arc
-from slipcircle.core.scene.declarations import STORED, Parts, declared, number, present
-from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_parts, may_have_rate
-from slipcircle.core.scene.mass import Dimensionless, Mass
+from slipcircle.core.scene.declarations import STORED, Parts, declared, number
+from slipcircle.core.scene.friction import law_parts
+from slipcircle.core.scene.mass import Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked_scene
 
 __all__ = [
     "ANSWERED",
     "AS_ENTERED",
     "DIP",
-    "RATE_LAWS",
     "STATUS_OF_END",
     "STORED",
     "Arc",
-    "Dimensionless",
     "Mass",
     "Motion",
     "Parts",
@@ -37,14 +35,11 @@ __all__ = [
     "Status",
     "checked_scene",
     "declared",
-    "depends_on",
     "law_parts",
     "lazy_import",
-    "may_have_rate",
     "number",
     "numpy_only",
     "plan",
-    "present",
     "problem_of",
     "solve",
 ]

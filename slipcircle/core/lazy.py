@@ -10,6 +10,7 @@ MODULES = {
     "tabulated": "slipcircle.tabulated",  # tabulated coefficients replace the computed ones
     "arc": "slipcircle.messages.arc",  # an arc is invalid
     "section": "slipcircle.messages.section",  # a section is invalid
+    "dimensionless": "slipcircle.core.scene.dimensionless",  # printed coefficients are requested
     "limits": "slipcircle.core.problem.limits",  # the friction of an arc is close to its limit
     "history": "slipcircle.history.history",  # states, forces, stresses or energy are requested
     "ends": "slipcircle.history.ends",  # states at the end, the farthest position or the peak are requested

@@ -3,7 +3,7 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from slipcircle.ground.ground import FAR, continued, points_errors, slope_errors
+from slipcircle.ground.ground import continued, points_errors, present, slope_errors
 
 if TYPE_CHECKING:
     from slipcircle.ground.construction import circle_through, circle_touching, outside_between, simple_slope
@@ -11,7 +11,6 @@ if TYPE_CHECKING:
     from slipcircle.ground.section import Section
 
 __all__ = [
-    "FAR",
     "Ponds",
     "Section",
     "circle_through",
@@ -21,6 +20,7 @@ __all__ = [
     "free_water",
     "outside_between",
     "points_errors",
+    "present",
     "simple_slope",
     "slope_errors",
     "water_fault",

@@ -1,6 +1,7 @@
 """Input of grounds and circles, and their errors."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -9,13 +10,26 @@ from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, quiet
 from slipcircle.base.errors import Fault, complaint, mistakes, shape_mistakes
 from slipcircle.base.kinds import Floats, Shape, Texts, Values
-from slipcircle.core.scene.declarations import present
 
 FAR = 1e9  # bound of coordinates, m
 AS_PRINTED = 1e-3  # tolerance relative to the radius or the width of a mass, for circles rounded to printed digits
 
 
 WEIGHT = (0.0, 1e6, "a positive unit weight in N/m^3")
+
+
+def present(node: Any, numbers: Mapping[str, Parameter]) -> dict[str, Parameter]:
+    """Return the declarations of the numbers of a dataclass that have a value and allowed values in words, by field.
+
+    ``numbers`` are the declarations by field. A field is absent if it is None and may be.
+    """
+    declarations = {}
+    for field in fields(node):
+        name = field.name
+        is_absent = field.default is None and getattr(node, name) is None
+        if name in numbers and numbers[name].allowed and not is_absent:
+            declarations[name] = numbers[name]
+    return declarations
 
 
 def leading_shape(value: Any, axes: int) -> Shape:

@@ -15,10 +15,10 @@ from slipcircle.base.bounds import abridged
 from slipcircle.base.errors import mistakes, raise_all
 from slipcircle.base.kinds import Texts
 from slipcircle.base.units import take_units
-from slipcircle.core.scene.declarations import Parts, declared, number, present
+from slipcircle.core.scene.declarations import Parts, declared, number
 from slipcircle.core.scene.effects import cohesion_law
 from slipcircle.core.scene.laws import law_mistakes
-from slipcircle.ground.ground import FAR, WEIGHT, points_errors
+from slipcircle.ground.ground import FAR, WEIGHT, points_errors, present
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, least_friction
 from slipcircle.tree import parts_of_fields
 

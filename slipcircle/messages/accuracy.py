@@ -89,9 +89,9 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
     """
     start = problem.cells()
     cells = start * _moves(problem.program, rounding)[:, runs]
-    is_refined = start[ix.LIMIT_REST] != 0.0
-    if is_refined.any():
-        cells = np.where(is_refined, start * _moves(problem.program, rounding, True)[:, runs], cells)
+    if "LIMIT_REST" in problem.start:
+        refined = start * _moves(problem.program, rounding, True)[:, runs]
+        cells = np.where(start[ix.LIMIT_REST] != 0.0, refined, cells)
     cells[ix.ORDER] += FURTHER[runs]
     return cells
 

@@ -9,7 +9,7 @@ from generated.program import OF_SOIL, Recipe
 from slipcircle.core.integrator.compiled import encoded, level, module, widest
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import without_soil
-from slipcircle.core.scene.friction import depends_on
+from slipcircle.core.scene.laws import depends_on
 
 FLOW = "Taylor series in time, events as their roots"
 _SOILS = "the strength of the soils"

@@ -27,7 +27,7 @@ from slipcircle.core.integrator import compiled
 from slipcircle.core.integrator.compiled import OutputSamples
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.scene.friction import depends_on
+from slipcircle.core.scene.laws import depends_on
 
 Integrate = Callable[[Floats, OutputSamples | None], Floats]  # final cells from initial cells
 

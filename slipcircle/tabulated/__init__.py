@@ -11,7 +11,8 @@ from generated.effects import EFFECTS, Parameter
 from slipcircle.base.arrays import INFINITY, choose
 from slipcircle.base.errors import mistakes
 from slipcircle.base.kinds import Effects, Names, NumberMap, Numbers, Texts
-from slipcircle.core import Arc, Dimensionless
+from slipcircle.core import Arc
+from slipcircle.core.scene.dimensionless import Dimensionless
 
 __all__ = ["GIVEN", "GivenArc"]
 # Coefficients of `Arc(given=...)`. The remaining coefficients are their quotients.

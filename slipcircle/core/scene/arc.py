@@ -18,7 +18,10 @@ from slipcircle.base.kinds import Array, Numbers, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import, lazy_message
 from slipcircle.core.scene.declarations import Parts, declared, number
-from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
+from slipcircle.core.scene.mass import Mass, MomentCoefficients
+
+if TYPE_CHECKING:
+    from slipcircle.core.scene.dimensionless import Dimensionless
 
 GRAVITY = 9.81  # default
 WIDTH = 1.0
@@ -221,19 +224,8 @@ class Arc(Mass, Generic[Numbers]):
     @cached_property
     def dimensionless(self) -> Dimensionless:
         """Dimensionless coefficients of the equation of motion at the start, each a number or an array."""
-        alpha = self.half_angle
-        limit_friction, static_normal_stress, polar_per_inertia = self._quotients
-        return Dimensionless(
-            moment_of_inertia=kernels.moment_of_inertia(alpha),
-            radial_weight=kernels.radial_weight(self.theta_1, self.theta_2),
-            weight_moment=self.facing * kernels.weight_moment(self.theta_1, self.theta_2),
-            resistance_factor=kernels.resistance_factor(alpha),
-            dynamic_coefficient=kernels.dynamic_coefficient(alpha),
-            static_normal_stress=static_normal_stress,
-            limit_friction=limit_friction,
-            radial_weight_per_inertia=self.normal_load,
-            polar_moment_per_inertia=polar_per_inertia,
-        )
+        coefficients: Dimensionless = lazy_import("dimensionless").of_arc(self)
+        return coefficients
 
     @cached_property
     def _quotients(self) -> tuple[Any, Any, Any]:

@@ -1,6 +1,5 @@
 """Declarations of the numbers of a scene in the metadata of dataclass fields."""
 
-from collections.abc import Mapping
 from dataclasses import fields, replace
 from functools import lru_cache
 from typing import Any
@@ -33,18 +32,4 @@ def declared(kind: Any) -> dict[str, Parameter]:
         if p:
             key = p.key or field.name
             declarations[field.name] = replace(p, name=field.name, key=key)
-    return declarations
-
-
-def present(node: Any, numbers: Mapping[str, Parameter]) -> dict[str, Parameter]:
-    """Return the declarations of the numbers of a dataclass that have a value and allowed values in words, by field.
-
-    ``numbers`` are the declarations by field. A field is absent if it is None and may be.
-    """
-    declarations = {}
-    for field in fields(node):
-        name = field.name
-        is_absent = field.default is None and getattr(node, name) is None
-        if name in numbers and numbers[name].allowed and not is_absent:
-            declarations[name] = numbers[name]
     return declarations

@@ -2,17 +2,9 @@
 
 from typing import Any
 
-from generated.effects import LAWS
 from generated.program import OF_SOIL
-from slipcircle.base.kinds import MAPPING, Names
-from slipcircle.core.scene.effects import Law, without_soil
-
-RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
-
-
-def may_have_rate(law: str) -> bool:
-    """Return whether a law, given by name, may be multiplied by a law of speed."""
-    return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
+from slipcircle.base.kinds import MAPPING
+from slipcircle.core.scene.effects import Law
 
 
 def law_parts(friction: Any) -> tuple[Law, ...]:
@@ -33,13 +25,3 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
     name = parameters.pop("law")
     parameters.pop("rate", None)
     return ((name, parameters), *rate)
-
-
-def depends_on(laws: Names) -> Names:
-    """Return the variables on which a product of laws depends, such as "slip", "speed" and "time"."""
-    variables: dict[str, None] = {}
-    for name in laws:
-        law = LAWS.get(without_soil(name))
-        depends_on = law.depends_on if law else ("slip",)
-        variables |= dict.fromkeys(depends_on)
-    return tuple(variables)

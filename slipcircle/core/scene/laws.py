@@ -1,4 +1,4 @@
-"""Messages about strengths and effects: laws by name and functions, and the parameters of laws and effects."""
+"""Laws by name and functions, and the parameters of laws and effects, with messages about mistakes in them."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -8,14 +8,29 @@ from slipcircle.base.arrays import Frozen
 from slipcircle.base.bounds import abridged
 from slipcircle.base.errors import mistakes
 from slipcircle.base.inputerror import InputError
-from slipcircle.base.kinds import MAPPING, Parameters, Texts
+from slipcircle.base.kinds import MAPPING, Names, Parameters, Texts
 from slipcircle.base.parameters import parameter_mistakes
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.scene.effects import OF_GROWTH
-from slipcircle.core.scene.friction import RATE_LAWS, may_have_rate
+from slipcircle.core.scene.effects import OF_GROWTH, without_soil
 
+RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
 COEFFICIENT = Parameter("friction", lower=-5e-324, allowed="a friction coefficient, tan(phi): a number of at least 0")
 _OF_SPEED = {name: LAWS[name] for name in RATE_LAWS}
+
+
+def may_have_rate(law: str) -> bool:
+    """Return whether a law, given by name, may be multiplied by a law of speed."""
+    return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
+
+
+def depends_on(laws: Names) -> Names:
+    """Return the variables on which a product of laws depends, such as "slip", "speed" and "time"."""
+    variables: dict[str, None] = {}
+    for name in laws:
+        law = LAWS.get(without_soil(name))
+        depends_on = law.depends_on if law else ("slip",)
+        variables |= dict.fromkeys(depends_on)
+    return tuple(variables)
 
 
 def is_law(strength: Any) -> bool:
@@ -96,7 +111,7 @@ def effect_mistakes(name: str, parameters: Parameters) -> Texts:
     return faults + parameter_mistakes(path, parameters, effect.parameters)
 
 
-def resolved(name: str, parameters: Frozen) -> tuple[Frozen, Texts]:
+def checked_effect(name: str, parameters: Frozen) -> tuple[Frozen, Texts]:
     """Return an effect's parameters, with functions of time built from their parts, and messages about mistakes.
 
     ``name`` is the name of the effect, and ``parameters`` are its parameters as entered.

@@ -5,7 +5,6 @@ Every implementation can be solved, since the core does not distinguish kinds of
 
 import math
 from collections.abc import Callable, Collection, Iterator
-from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -19,33 +18,6 @@ from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.declarations import Parts, declared
 from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.core.scene.piecewise import Data, Tables
-
-
-@dataclass(frozen=True)
-class Dimensionless:
-    """Dimensionless coefficients of the equation of motion (3.11) at the start, positive down-slope.
-
-    Attributes
-    ----------
-    moment_of_inertia, radial_weight, weight_moment, resistance_factor, dynamic_coefficient
-        Theta* (3.12), J_r (2.23), J_theta (3.13), lambda (3.14), A (2.24).
-    static_normal_stress
-        J_r/lambda (2.22).
-    limit_friction
-        J_theta/J_r, the friction coefficient at limit equilibrium (3.21).
-    radial_weight_per_inertia, polar_moment_per_inertia
-        J_r/Theta* and I_p*/Theta* = lambda A/Theta*.
-    """
-
-    moment_of_inertia: Any
-    radial_weight: Any
-    weight_moment: Any
-    resistance_factor: Any
-    dynamic_coefficient: Any
-    static_normal_stress: Any
-    limit_friction: Any
-    radial_weight_per_inertia: Any
-    polar_moment_per_inertia: Any
 
 
 class MomentCoefficients(NamedTuple):
@@ -90,7 +62,7 @@ class Mass:
         Radius in m, unit weight in N/m^3, gravity in m/s^2, and width in m.
     half_angle, facing : float or array
         Half the opening angle, alpha, in rad; 1 if gravity turns the mass counterclockwise, -1 if clockwise.
-    dimensionless : Dimensionless
+    dimensionless : slipcircle.core.scene.dimensionless.Dimensionless
     moment_coefficients : MomentCoefficients
         Coefficients of the balance of moments, with their change as the mass turns.
     rounding : float

@@ -16,7 +16,8 @@ import numpy as np
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.base.kinds import Names, ValueDict
-from slipcircle.core import RATE_LAWS, Arc, Scene, declared, may_have_rate
+from slipcircle.core import Arc, Scene, declared
+from slipcircle.layers import RATE_LAWS, may_have_rate
 from slipcircle.tabulated import GIVEN
 from slipcircle.tree import path_of_part
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval

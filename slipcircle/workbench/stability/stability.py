@@ -16,8 +16,7 @@ from slipcircle.base.errors import complaint, raise_all
 from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
-from slipcircle.core import present
-from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
+from slipcircle.ground import Ponds, Section, free_water, present, slope_errors, water_fault
 from slipcircle.layers import (
     LayeredSection,
     Soil,

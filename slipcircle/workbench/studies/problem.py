@@ -14,8 +14,9 @@ from slipcircle.base.bounds import abridged
 from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
-from slipcircle.core import ANSWERED, DIP, Scene, Status, depends_on, law_parts
+from slipcircle.core import ANSWERED, DIP, Scene, Status, law_parts
 from slipcircle.derivatives import parameter_value
+from slipcircle.layers import depends_on
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import by_key, lengths, listed, number_in
