@@ -308,8 +308,10 @@ class Section(SectionGeometry, Mass):
         tables: Tables = lazy_import("water").tables_of(self, effects, upslope, tolerance, shape)
         return tables, None
 
-    # Rotations at which the mean pressure is not smooth, rad, sorted, (..., kinks).
-    pressure_kinks = cached_property(lambda self: lazy_import("water").pressure_kinks(self))
+    @cached_property
+    def pressure_kinks(self) -> Any:
+        """Rotations at which the mean pressure is not smooth, rad, sorted, (..., kinks)."""
+        return lazy_import("water").pressure_kinks(self)
 
     def drowned(self, *rotations: float) -> float:
         """Return the greatest depth below the water level of the ground over one section's mass after rotations, m.
