@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a44ea38fe81ad05fc3bda2dfe82dbf8cf86267c34bfae1430e3da99dcb73b468"
+#define DIGEST "76b2992fae2ee3d41de6faf6aba6f6b4a95197a7da13d2eab7f6936b58971181"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2921,8 +2921,8 @@ INLINE M series_suffices(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M driven = (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]));
-    return driven & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0) & (magnitude(e[SHIFT]) <= GREATEST);
+    M apart = (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0) & (magnitude(e[SHIFT]) <= GREATEST);
+    return apart & (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]));
 }
 
 /* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
@@ -2948,10 +2948,10 @@ INLINE V softening_energy(V *e, V *f)
         of_sine = (of_sine + e[SINE + j]) * left;
         of_vers = (of_vers + e[VERS + j]) * left;
     }
-    V lost = f[0] - (e[4] * f[1]);
     V terms = (f[4] * constant) + ((of_vers * f[2]) - (of_sine * (f[0] - f[3])));
-    terms = terms + ((e[4] * above) * lost);
-    return (1.0 + expm1_of(e[SHIFT] * left)) * (energy(e, f) + terms);
+    V shift = e[SHIFT] * left;
+    V grown = 1.0 + (shift + ((shift * shift) * faded(-shift)));
+    return grown * (energy(e, f) + (terms + ((e[4] * above) * (f[0] - (e[4] * f[1])))));
 }
 
 /* Compute E and its first two derivatives behind the functions of which it consists. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 78f855a886ee9b1591138c1fa71a38eca3af5bac286ff44d7241ebb7e8465df6
+# sha256 of the text below: b5b7c1b62fd459bc81c58b5c85ddae2c0a78e482d9203e3279b4b6a630f9e258
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1921,8 +1921,8 @@ def softening_factors(s: Lanes, e: Floats) -> None:
 def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
-    driven = (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive])
-    return driven & (2.0 * e[4] + c[s.roles.loss_rate] < 0.0) & (np.abs(e[SHIFT]) <= GREATEST)
+    apart = (2.0 * e[4] + c[s.roles.loss_rate] < 0.0) & (np.abs(e[SHIFT]) <= GREATEST)
+    return apart & (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive])
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -1944,10 +1944,10 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
         constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
-    lost = f[0] - e[4] * f[1]
     terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
-    terms = terms + e[4] * above * lost
-    return (1.0 + np.expm1(e[SHIFT] * left)) * (energy(e, f) + terms)
+    shift = e[SHIFT] * left
+    grown = 1.0 + (shift + shift * shift * faded(-shift))
+    return grown * (energy(e, f) + (terms + e[4] * above * (f[0] - e[4] * f[1])))
 
 
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
