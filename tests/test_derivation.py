@@ -55,6 +55,14 @@ def test_a_wrong_antiderivative_is_not_proved(monkeypatch: pytest.MonkeyPatch) -
         integrate.derivation(MOMENTS[0])
 
 
+@pytest.mark.parametrize("n", range(1, 6))
+@pytest.mark.parametrize("turn", [1, sp.sin(theta), sp.cos(theta)])
+def test_every_weight_that_may_be_declared_has_a_closed_form(n: int, turn: Any) -> None:
+    amplitude = ("amplitude", "K") if turn != 1 else None
+    derived = integrate.derivation(Moment("moment", "M", r**n * turn, "a moment", amplitude=amplitude))
+    assert float(integrate.compare(derived, 20).split()[0]) < 1e-19
+
+
 @pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 def test_a_wrong_closed_form_is_found_by_quadrature(moment: Moment) -> None:
     right = integrate.derive(moment)

@@ -86,7 +86,7 @@ def _check_continuity(primitive: Expr, integrand: Expr, x: Symbol, half_width: s
     above = lambdify(variables, primitive, "mpmath")
     below = lambdify(variables, integrand, "mpmath")
     intervals = 32
-    with workdps(20):
+    with workdps(30):  # of which steep integrands of r**5 lose ten
         values = [mpf(12 + k) / 10 for k in range(len(others))]  # angles, away from special values
         step = 2 * mpf(half_width) / intervals
         low = -mpf(half_width)

@@ -23,7 +23,6 @@ import sympy as sp
 from sympy import (
     Add,
     Expr,
-    Function,
     Matrix,
     Min,
     Rational,
@@ -272,7 +271,7 @@ def head() -> Expr:
 
 def prove(*moments: Moment) -> list[str]:
     """Prove the basis of the forms above, and the weights of moments with a name in it; return the claims."""
-    claims = _of_edges() | _of_moments(moments) | _of_one_chord() | _of_heads() | _of_layers() | _of_strips()
+    claims = _of_edges() | _of_moments(moments) | _of_one_chord() | _of_heads() | _of_strips()
     for claim, zero in claims.items():
         prove_zero(zero, claim)
     return [*claims]
@@ -345,34 +344,6 @@ def _of_heads() -> dict[str, Expr]:
     return {
         "height of a line above the arc": expand_trig(slope - above),
         "no height over no angle": limit(integral, ANGLE, 0),
-    }
-
-
-def _of_layers() -> dict[str, Expr]:
-    """Return claims that layers add, boundary by boundary, each with the increase of unit weight across it.
-
-    The proof uses a vertical line through three layers and any primitive F of the integrand, since a moment is linear
-    in the weight. If a layer is absent, two heights are equal.
-    """
-    primitive = Function("F")
-    tops = symbols("y1 y2 y3", real=True)
-    bottom = Symbol("y4", real=True)  # of the mass, at the arc
-    unit_weights = symbols("gamma1 gamma2 gamma3", positive=True)
-    layer_by_layer = Add(
-        *(
-            unit_weight * (primitive(top) - primitive(below))
-            for unit_weight, top, below in zip(unit_weights, tops, (*tops[1:], bottom), strict=True)
-        )
-    )
-    steps = [below - above for above, below in zip((0, *unit_weights), unit_weights, strict=False)]
-    below = primitive(bottom)
-    terms = [step * (primitive(top) - below) for step, top in zip(steps, tops, strict=True)]
-    by_boundary = Add(*terms)
-    one_soil = dict.fromkeys(unit_weights[1:], unit_weights[0])
-    homogeneous = unit_weights[0] * (primitive(tops[0]) - primitive(bottom))
-    return {
-        "a moment of layers is the sum over their tops": layer_by_layer - by_boundary,
-        "one soil in three layers is one soil": by_boundary.subs(one_soil) - homogeneous,
     }
 
 

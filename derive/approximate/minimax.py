@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import arb, arb_mat, ctx, fmpq
+from flint import arb, arb_mat, arb_poly, ctx, fmpq
 from sympy import Expr, pi
 
 from derive.check.truth import as_ball, fraction
@@ -50,14 +50,6 @@ def value_at(closed: Expr, a: arb) -> arb:
     """Return a closed form at alpha, the ball ``a`` in rad, with additional bits for cancellation."""
     with ctx.workprec(GUARD):
         return arb(evaluate(closed, a)).mid()
-
-
-def horner(coefficients: Sequence[arb], x: arb) -> arb:
-    """Return the polynomial with these coefficients, lowest first, at x."""
-    result = arb(0)
-    for c in reversed(coefficients):
-        result = result * x + c
-    return result
 
 
 @dataclass
@@ -184,10 +176,10 @@ def _levelled(
         solution = arb_mat(rows).solve(values, algorithm="approx")
         *coefficients, level = (x.mid() for x in solution.entries())
         if below:
-            lowest_first = [arb(1), *coefficients[above + 1 :]]
-            there = [horner(lowest_first, samples.points[i]).mid() for i in references]
+            denominator_of = arb_poly([arb(1), *coefficients[above + 1 :]])
+            there = [denominator_of(samples.points[i]).mid() for i in references]
     if below:
-        denominators = [horner(lowest_first, x).mid() for x in samples.points]
+        denominators = [denominator_of(x).mid() for x in samples.points]
     return coefficients, level, denominators
 
 

@@ -16,22 +16,11 @@ from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
-from flint import arb, ctx, fmpq, fmpq_series
+from flint import arb, arb_poly, ctx, fmpq, fmpq_series
 from sympy import Dummy, Expr, atanh, cos, diff, expand, expand_trig, pi
 
 from derive.algebra.integrate import closed_forms
-from derive.approximate.minimax import (
-    GUARD,
-    Function,
-    Samples,
-    evaluate,
-    horner,
-    minimax,
-    nearest,
-    rounded,
-    sample,
-    value_at,
-)
+from derive.approximate.minimax import GUARD, Function, Samples, evaluate, minimax, nearest, rounded, sample, value_at
 from derive.check import truth
 from derive.check.proof import ProofError
 from derive.check.truth import as_ball
@@ -353,9 +342,9 @@ def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> 
     """Return the samples for R alone, after subtraction of Q, with coefficients ``q``, times ``logs`` at each point."""
     values = []
     with ctx.workprec(GUARD):
-        coefficients = [as_ball(c) for c in q]
+        subtracted = arb_poly([as_ball(c) for c in q])
         for w, value, log in zip(samples.points, samples.values, logs, strict=True):
-            values.append((value - horner(coefficients, w) * log).mid())
+            values.append((value - subtracted(w) * log).mid())
     return Samples(samples.points, values, samples.weights)
 
 
@@ -383,16 +372,16 @@ def _far_samples(closed: Expr, far: Far, constant: float, tilt: float, seam: flo
         at_end = as_ball(HALF_PI)
         straight = as_ball(far.slope) * at_end + as_ball(far.line) + as_ball(constant)
         if about.odd:
-            known = [straight, as_ball(tilt) - as_ball(far.slope), as_ball(0.0)]  # by powers of b
+            known = arb_poly([straight, as_ball(tilt) - as_ball(far.slope)])
         else:
-            known = [straight, as_ball(tilt), -as_ball(far.bend)]
+            known = arb_poly([straight, as_ball(tilt), -as_ball(far.bend)])
 
         def rest(w: arb) -> arb:
             b = w.sqrt()
-            return (value_at(closed, at_end - b) - horner(known, b)) / b**power
+            return (value_at(closed, at_end - b) - known(b)) / b**power
 
         def weight(w: arb, left: arb) -> arb:
             b = w.sqrt()
-            return b**power / (left * b**power + horner(known, b))
+            return b**power / (left * b**power + known(b))
 
         return sample(rest, weight, as_ball(HALF_PI - seam) ** 2, unknowns, 2)

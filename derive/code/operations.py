@@ -3,16 +3,16 @@
 In a template ``{0}`` is the first operand. C has templates for single numbers and for vectors of lanes. ``binds`` is
 the precedence of the text (comparison 0, sum 1, product 2, sign 3, call 9), and ``needs`` the precedence that each
 operand requires. An operation without a template is not available in that language. The meaning applies to arrays and
-rounds as every machine does. NumPy's operations follow IEEE 754, and the fused multiply-add, which NumPy lacks, is
-composed of them without error.
+rounds as every machine does. NumPy's operations follow IEEE 754; the fused multiply-add, which NumPy lacks, is exact
+before it is rounded.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from flint import arb, ctx
 from numpy.typing import NDArray
 from sympy import Abs, Max, Min, atanh, cos, exp, log, sin, tan
 
@@ -20,7 +20,7 @@ from derive.algebra.remainders import Select, expm1, log1p
 
 Floats = NDArray[np.float64]
 
-_SAFE = 2.0**-900  # a product of this size has an error term far above the subnormal numbers
+EXACT = 4400  # bits that contain the sum of any product and number
 _THREE_QUARTERS = 0x3FE8000000000000  # bits of 0.75: the significand lies in [0.75, 1.5)
 
 
@@ -31,48 +31,16 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
     return total, (a - (total - of_b)) + (b - of_b)
 
 
-def _halves(x: Floats) -> tuple[Floats, Floats]:
-    """Return the Veltkamp splitting of x into a high and a low part; products of such parts are exact."""
-    scaled = 134217729.0 * x  # 2**27 + 1
-    high = scaled - (scaled - x)
-    return high, x - high
+@np.vectorize(otypes=[np.float64])
+def _multiply_add(a: float, b: float, c: float) -> float:
+    """Return a b + c, rounded once if the precision suffices; balls have no sign of a zero."""
+    return float(arb(a) * arb(b) + arb(c)) if a and b else a * b + c
 
 
 def fma(a: Floats, b: Floats, c: Floats) -> Floats:
-    """Return a b + c, rounded once.
-
-    It is the sum of the product's two halves and c, first rounded to odd (Boldo and Melquiond). If a part would
-    underflow, fractions are used.
-    """
-    a, b, c = np.broadcast_arrays(a, b, c)
-    product = a * b
-    a_high, a_low = _halves(a)
-    b_high, b_low = _halves(b)
-    rest = product - a_high * b_high
-    rest = (rest - a_low * b_high) - a_high * b_low
-    low = a_low * b_low - rest
-    inner, inner_low = two_sum(c, low)
-    total, total_low = two_sum(product, inner)
-    plain = (a == 0) | (b == 0)
-    result = np.where(plain, product + c, total + _to_odd(inner_low, total_low))
-    small_product = np.abs(product) < _SAFE
-    small_c = (c != 0) & (np.abs(c) < _SAFE)
-    inexact = ~plain & (small_product | small_c)
-    exact = []
-    for x, y, z in zip(*(x[inexact].tolist() for x in (a, b, c)), strict=True):
-        exact.append(float(Fraction(x) * Fraction(y) + Fraction(z)))
-    result[inexact] = exact
-    return result
-
-
-def _to_odd(a: Floats, b: Floats) -> Floats:
-    """Return a + b rounded to odd: the exact sum, or its neighbour with an odd last bit."""
-    rounded, lost = two_sum(a, b)
-    bits = rounded.view(np.int64)
-    towards_sum = np.where((lost > 0) == (rounded > 0), 1, -1)
-    inexact_and_even = (lost != 0) & (bits & 1 == 0)
-    to_odd = np.where(inexact_and_even, bits + towards_sum, bits)
-    return np.asarray(to_odd.view(np.float64))
+    """Return a b + c, rounded once."""
+    with ctx.workprec(EXACT):
+        return np.asarray(_multiply_add(a, b, c))
 
 
 def exponent(x: Floats) -> Floats:

@@ -97,4 +97,4 @@ def motion_errors(section: Any) -> Iterator[Fault]:
     if section.has_water:
         yield lazy_import("ponds").other_water(section, *x_of_ends(section))
     normal_load = np.ravel(section.moment_coefficients.normal_load)
-    yield normal_load <= 0.0, lazy_message("section", "without_load", section)
+    yield normal_load <= 0.0, lazy_message("section", "without_normal_load", section)

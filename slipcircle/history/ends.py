@@ -12,16 +12,16 @@ from slipcircle.core.motion.state import State
 from slipcircle.core.scene.scene import Scene
 
 
-def end(motion: Motion) -> State:
+def final_state(motion: Motion) -> State:
     """Return the state at the end of a motion. See `Motion.end`."""
     final = motion._final
     rotation = final[ix.END_ROTATION]
     omega = final[ix.END_OMEGA]
     rate = final[ix.END_RATE]
-    return _final_state(motion, motion.duration, rotation, omega, rate)
+    return _state_of_cells(motion, motion.duration, rotation, omega, rate)
 
 
-def farthest(motion: Motion) -> State:
+def farthest_state(motion: Motion) -> State:
     """Return the state at the greatest displacement. See `Motion.farthest`."""
     final = motion._final
     rotation = final[ix.REACH_ROTATION]
@@ -30,10 +30,10 @@ def farthest(motion: Motion) -> State:
     time = choose(at_end, motion.duration, time_reached)
     omega = choose(at_end, final[ix.END_OMEGA], 0.0)
     rate = choose(at_end, final[ix.END_RATE], 0.0)
-    return _final_state(motion, time, rotation, omega, rate)
+    return _state_of_cells(motion, time, rotation, omega, rate)
 
 
-def peak(motion: Motion) -> State:
+def peak_state(motion: Motion) -> State:
     """Return the state at the greatest speed. See `Motion.peak`."""
     final = motion._final
     peak_time = final[ix.PEAK_TIME]
@@ -48,10 +48,10 @@ def peak(motion: Motion) -> State:
     rotation = final[ix.PEAK_ROTATION]
     omega = final[ix.PEAK_OMEGA]
     rate = final[ix.PEAK_RATE]
-    return _final_state(motion, time, rotation, omega, rate)
+    return _state_of_cells(motion, time, rotation, omega, rate)
 
 
-def _final_state(motion: Motion, time: Any, *cells: Any) -> State:
+def _state_of_cells(motion: Motion, time: Any, *cells: Any) -> State:
     """Return the state at ``time`` in s from rotation, omega and its rate in the final cells."""
     rotation, omega, rate = map(motion._known, cells)
 

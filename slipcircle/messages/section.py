@@ -82,6 +82,6 @@ def too_long(*_: Any) -> str:
     )
 
 
-def without_load(*_: Any) -> str:
+def without_normal_load(*_: Any) -> str:
     """Return the message for an arc on which the weight does not press."""
     return "there is no normal load: the weight of the mass has no component towards the arc"

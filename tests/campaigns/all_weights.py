@@ -2,10 +2,10 @@
 
     python -m tests.campaigns.all_weights [WEIGHT ...] [--keep FOLDER]
 
-adds for each weight (r, r*sin(theta), r*cos(theta), ... r**5*cos(theta); default: all 15) one `Moment` to the copy,
-runs ``python -m derive`` there, and prints the closed form, the proved bound of each tier, and the worst error beside
-quadrature of the double integral, as this machine runs it. The exit status is 1 if more is seen than proved, or if the
-best tier is above 1 ulp.
+adds for each weight (r, r*sin(theta), r*cos(theta), ... r**5*cos(theta); default: all 15) that is not declared one
+`Moment` to the copy, runs ``python -m derive`` there, and prints the closed form, the proved bound of each tier, and
+the worst error beside quadrature of the double integral, as this machine runs it. The exit status is 1 if more is seen
+than proved, or if the best tier is above 1 ulp.
 """
 
 import argparse
@@ -20,10 +20,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from derive.declare.quantities import MOMENTS
+
 ROOT = Path(__file__).resolve().parents[2]
 WEIGHTS = tuple(
     f"{'r' if n == 1 else f'r**{n}'}{turn}" for n in range(1, 6) for turn in ("", "*sin(theta)", "*cos(theta)")
 )
+DECLARED = {str(moment.weight): moment.kernel[0] for moment in MOMENTS}
 # Runs in the copy, where the oracle knows the new moments: worst errors in ulp as compiled, if it is, and in NumPy.
 MEASURE = """
 import json, sys
@@ -64,7 +67,7 @@ if main(sys.argv[1:]):
 
 def kernel(weight: str) -> str:
     """Return the name of a weight's function of alpha."""
-    return "kernel_" + re.sub(r"\W+", "_", weight.replace("**", "")).strip("_")
+    return DECLARED.get(weight) or "kernel_" + re.sub(r"\W+", "_", weight.replace("**", "")).strip("_")
 
 
 def copy(root: Path) -> None:
@@ -84,7 +87,7 @@ def declare(root: Path, weights: Sequence[str]) -> None:
     start = next(k for k, line in enumerate(lines) if line.startswith("MOMENTS = ("))
     end = next(k for k in range(start, len(lines)) if lines[k].startswith(")"))
     added = []
-    for weight in weights:
+    for weight in (x for x in weights if x not in DECLARED):
         name, expression = kernel(weight), re.sub(r"\b(sin|cos)\b", r"sp.\1", weight)
         amplitude = f', amplitude=("{name}", "K")' if "theta" in weight else ""
         whole = f"whole_{name}" if amplitude else name

@@ -175,19 +175,19 @@ class Motion(Conversions, Generic[Numbers]):
     @cached_property
     def end(self) -> State:
         """State at the end of the motion, in SI units."""
-        state: State = lazy_import("ends").end(self)
+        state: State = lazy_import("ends").final_state(self)
         return state
 
     @cached_property
     def farthest(self) -> State:
         """State at the greatest displacement along the arc, in SI units."""
-        state: State = lazy_import("ends").farthest(self)
+        state: State = lazy_import("ends").farthest_state(self)
         return state
 
     @cached_property
     def peak(self) -> State:
         """State at the greatest speed, in SI units."""
-        state: State = lazy_import("ends").peak(self)
+        state: State = lazy_import("ends").peak_state(self)
         return state
 
     @property

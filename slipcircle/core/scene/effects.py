@@ -97,5 +97,5 @@ def resolved(name: str, parameters: Frozen) -> tuple[Frozen, Texts]:
     """
     if name in WITHOUT_PARAMETERS and not parameters:
         return parameters, []
-    of_effect: tuple[Frozen, Texts] = lazy_import("laws").resolved(name, parameters)
+    of_effect: tuple[Frozen, Texts] = lazy_import("laws").checked_effect(name, parameters)
     return of_effect

@@ -111,7 +111,7 @@ def effect_mistakes(name: str, parameters: Parameters) -> Texts:
     return faults + parameter_mistakes(path, parameters, effect.parameters)
 
 
-def resolved(name: str, parameters: Frozen) -> tuple[Frozen, Texts]:
+def checked_effect(name: str, parameters: Frozen) -> tuple[Frozen, Texts]:
     """Return an effect's parameters, with functions of time built from their parts, and messages about mistakes.
 
     ``name`` is the name of the effect, and ``parameters`` are its parameters as entered.

@@ -117,6 +117,8 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
 
 def _contours(ax: Any, cells: Any, least: float, most: float) -> None:
     """Draw contours of round values between ``least`` and ``most`` over the cells of a map, with their values."""
+    from matplotlib.artist import setp
+    from matplotlib.patheffects import withStroke
     from matplotlib.ticker import MaxNLocator
     from matplotlib.tri import Triangulation
 
@@ -124,4 +126,5 @@ def _contours(ax: Any, cells: Any, least: float, most: float) -> None:
     levels = [level for level in MaxNLocator(_CONTOURS).tick_values(least, most) if least < level < most]
     if len(x) > 3 and levels and np.ptp(x) and np.ptp(y):
         lines = ax.tricontour(Triangulation(x, y), cells.get_array(), levels, colors="white", linewidths=0.8)
-        ax.clabel(lines, fontsize="small")
+        outline = withStroke(linewidth=2.0, foreground="0.2")  # legible beyond the cells
+        setp(ax.clabel(lines, fontsize="small"), path_effects=[outline])

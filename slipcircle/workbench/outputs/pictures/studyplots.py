@@ -60,9 +60,8 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     """
     _check(study, output, OUTCOMES)
     quantity = OBSERVABLE[output]
-    ax = panel(
-        ax, "log scale" if rare else quantity.label, (quantity.label, quantity.unit), ("exceedance probability (–)",)
-    )
+    title = f"{quantity.label}, log scale" if rare else quantity.label
+    ax = panel(ax, title, (quantity.label, quantity.unit), ("exceedance probability (–)",))
     ax.set_ylim(-0.02, 1.02)
     curve, moving = study.exceedance(output, _POINTS), study.moving
     if not curve.at.size:
@@ -78,7 +77,7 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
         ax.set(yscale="log", ylim=(0.5 / study.n, 1.5))
     notes = _mark_quantiles(study, output, ax, rare)
     if not rare:
-        add_note(ax, [_samples(study), f"{100 * study.confidence:g} % confidence at each place", *notes])
+        add_note(ax, [_samples(study), f"{100 * study.confidence:g} % confidence at each value", *notes])
     return ax
 
 

@@ -118,7 +118,7 @@ def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[d
         if name != "gravity":
             value = float(key.from_si(table.at[name]))
             relative[name] = key, float(_SHARE * size_of(table, name) / key.slope(value))
-    return relative, f", by {100 * _SHARE:g} % of each"
+    return relative, ", by the changes on the left"
 
 
 def size_of(table: "Sensitivity", name: str) -> float:
