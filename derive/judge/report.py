@@ -121,7 +121,7 @@ def wrong_claims(rows: Sequence[Row], width: int) -> str:
     places: dict[tuple[str, str, str], list[str]] = {}  # of a mistake, which may occur at several
     for row in rows:
         if row.verdict in ERRORS:
-            correct = re.sub(r"; \d+ operations -> \d+$", "", row.computed)
+            correct = re.sub(r": .*; \d+ operations -> \d+$", "", row.computed)  # an integral without its form
             places.setdefault((row.printed, correct, row.cause), []).append(row.id)
     for mistake, ids in places.items():
         table.add_row("\n".join(ids), *mistake)
