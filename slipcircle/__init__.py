@@ -42,7 +42,7 @@ if _project != "slipcircle":  # another package, or a dependency is missing
     ) from (_project if isinstance(_project, Exception) else None)
 
 from slipcircle.base import VERSION
-from slipcircle.base.conversions import use_conversions
+from slipcircle.base.conversions import Pictured
 
 if TYPE_CHECKING:  # exported for type checkers
     # isort: off
@@ -70,7 +70,7 @@ if TYPE_CHECKING:  # exported for type checkers
     # isort: on
 
 __version__ = VERSION
-use_conversions("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
+Pictured._conversions = "slipcircle.workbench.outputs.display"  # of `Motion.plot`, `to_dict`, ... and in notebooks
 # Module of each public name, imported at the first access.
 _PLACES = {
     "core": "Arc Motion Plan Scene Status plan solve",

@@ -60,7 +60,6 @@ WRONG = [
     (law(FALLS, name="my law"), "name: found 'my law', wanted small letters"),
     (law(FALLS, name="lambda"), "name: found 'lambda', a keyword of Python"),
     (effect(f"pressure={C}", OF_PRESSURE, "friction"), "name: found 'friction', a name in use"),
-    (effect(f"pressure={C}", OF_PRESSURE, "cohesion"), "name: found 'cohesion', a name in use"),
     (moment("r", "class"), "name: found 'class', a keyword of Python"),
     (moment("r", "Area"), "name: found 'Area', wanted small letters"),
     (moment("r", "sin"), "name: found 'sin', a name in use"),
@@ -86,12 +85,10 @@ WRONG = [
     (moment("r", more=', equation="2.4", source="Bell"'), "equation: found '2.4' beside source='Bell'"),
     ('Law("new", " ", _SOFTENING, ' + FALLS + ")", "help: found ' ', wanted a description"),
     # parameters
-    (law("_C", '(_friction("lambda", "help"),)'), "parameter 'lambda': found 'lambda', a keyword of Python"),
     (law(FALLS, "(*_SOFTENING, _SOFTENING[0])"), "parameter 'peak': found 'peak', a name in use"),
     (effect("pressure=" + C, '"radius", "m", "help", "radius_m"'), "parameter 'radius': found 'radius', a name"),
     (effect("pressure=" + C, '"c", "kPa", "help", "c_kPa"'), "parameter 'c', unit: found 'kPa', wanted a unit of"),
     (effect("pressure=" + C, '"c", "Pa", "help", "c_psi"'), "parameter 'c', key: found 'c_psi', wanted letters"),
-    (effect("pressure=" + C, '"c", "Pa", "help", "the c_Pa"'), "parameter 'c', key: found 'the c_Pa', wanted letters"),
     (effect("pressure=" + C, OF_PRESSURE + ", lower=1.0, upper=0.0"), "parameter 'c', bounds: found 1.0 and 0.0"),
     (effect("pressure=" + C, OF_PRESSURE + ', kind="numbers"'), "parameter 'c', kind: found 'numbers'"),
     (law(FALLS, '(*_SOFTENING, Parameter("stiffness", "Pa", "help", "stiffness_Pa"))'), "unit: found 'Pa', wanted"),
@@ -120,7 +117,6 @@ WRONG = [
     (law(FALLS, more=", equation=3.11"), "equation: found 3.11, wanted str"),
     (law(FALLS, more=', source=" "'), "source: found ' ', wanted a description"),
     (law("_P * sp.oo", "_SOFTENING[:1]"), "coefficient: found oo*peak, wanted an expression of SymPy in real numbers"),
-    (effect(f"pressure={C}", '"c", "", "help", "c", lower="0"'), "parameter 'c', lower: found '0', wanted float"),
     (effect(f"pressure={C}", '"c", "", "help", "c"', more=", any_of='c'"), "any_of: found 'c', wanted tuple[str, ...]"),
     (moment("r*sp.cos(theta)", more=', amplitude=("k", "K", "L")'), "amplitude: found ('k', 'K', 'L'), wanted"),
     # symbols
@@ -130,7 +126,6 @@ WRONG = [
         "the symbol length, which is not declared, wanted sp.Symbol('len",
     ),
     (law("_P + 0 * _R"), "parameters: found residual, length in no formula, wanted a use of each"),
-    (law("'peak'"), "coefficient: found 'peak', wanted an expression of SymPy"),
     (law("_R + (_P - _R) * sp.exp(-SLIP / _L) / (1 + SPEED / _V)", "(*_SOFTENING, _WEAKENING[2])"), "slip and speed"),
     (law("None"), "coefficient: found none, wanted a formula, or two lists"),
     (effect("pressure=sp.Symbol('strange', real=True)"), "u: found the symbol strange"),
@@ -155,7 +150,6 @@ WRONG = [
     (effect("pressure=SLIP_MU"), "u: found the symbol slip_mu, which is not declared"),
     # functions
     (law("_P * (1 + sp.atan(SLIP / _L)) + _R"), "coefficient: found atan(slip/length), wanted sums, products"),
-    (law("_P * (1 + sp.erf(SLIP / _L)) + _R"), "coefficient: found erf(slip/length), wanted sums, products"),
     (
         law("_P + (_R - _P) * sp.Min(SLIP / _L, 2)"),
         "a branch that changes at a slip of 2*length, wanted at a parameter",
@@ -169,7 +163,6 @@ WRONG = [
         "found branches that change at length and second, wanted one slip",
     ),
     (law("sp.Piecewise((_P, SLIP < _L), (_R, True))"), "Piecewise((peak, length > slip), (residual, True)), wanted su"),
-    (law("_R + (_P - _R) * sp.Heaviside(_L - SLIP)"), "found Heaviside(length - slip), wanted sums, products"),
     (effect("resistance=LAMBDA * sp.Piecewise((1, SLIP < 1), (2, True))"), "found Piecewise((1, slip < 1), (2, True))"),
     (law("_P + (_P - _R) * SLIP / (SLIP + _L)"), "residual = 6.58, length = 1, wanted numbers that are not negative"),
     (law("_P + _R * sp.Max(sp.Min(SLIP / _L, 1), 0)"), "found Max(0, Min(1, slip/length)), wanted min and max of two"),
@@ -190,17 +183,11 @@ WRONG = [
         "found slip + 1, of terms in numbers and m, wanted terms of",
     ),
     (law("_P * SLIP", "_SOFTENING[:1]"), "found peak*slip, in m, wanted a number without a dimension"),
-    (law("_R + (_P - _R) * sp.exp(-SPEED / _L)"), "found exp(-speed/length), where -speed/length is in 1/s"),
     (law("_R + _P * sp.exp(-SLIP / _L) ** SLIP"), "is in m, wanted"),
     (
         effect(f"pressure={C}", OF_PRESSURE),
         "parameter 'c', dimensionless: found value, in kg/(m s^2)".replace(" s", "*s"),
     ),
-    (
-        effect(f"pressure={C}", OF_PRESSURE + ", dimensionless=VALUE / (DENSITY * GRAVITY)"),
-        "found value/(density*gravity",
-    ),
-    (effect("resistance=LAMBDA * sp.exp(-SLIP)"), "found exp(-slip), where -slip is in m"),
     (
         effect(
             f"resistance=LAMBDA * sp.exp(-SLIP / {C})", '"c", "m", "help", "c_m", dimensionless=VALUE / (2 * RADIUS)'
@@ -212,7 +199,6 @@ WRONG = [
         law("_P - _R * SLIP / _L"),
         "coefficient: found -3.16e+03 at slip = 1e+03, peak = 3.16, residual = 3.16, length = 1",
     ),
-    (law("_R - (_P - _R) * sp.exp(-SLIP / _L)"), "coefficient: found -0."),
     (law("_P / (1 - SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "coefficient: found -"),
     (law("_P / (1 - SLIP / _L) ** 2", "(_SOFTENING[0], _SOFTENING[2])"), "a pole or a complex number next to slip = "),
     (
@@ -231,10 +217,8 @@ WRONG = [
     # moments
     (moment("r", "np"), "name: found 'np', a name in use"),
     (moment("r", "lost"), "name: found 'lost', a name in use"),
-    (moment("r*sp.cos(theta)", more=', amplitude=("class", "K")'), "name: found 'class', a keyword of Python"),
     (moment("sp.sqrt(r)"), "weight that can be certified: found sqrt(r), wanted r**n, +-r**n*sin(theta)"),
     (moment("r**6"), "weight that can be certified: found r**6, wanted r**n"),
-    (moment("r**2 * sp.log(r)"), "weight that can be certified: found r**2*log(r), wanted"),
     (moment("2 * r"), "weight that can be certified: found 2*r, wanted"),
     (moment("r * sp.cos(2 * theta)", more=', amplitude=("k", "K")'), "found r*cos(2*theta), wanted"),
     (moment("r * sp.sin(theta)"), "amplitude of the weight r*sin(theta): found None, wanted a name and a symbol"),

@@ -19,7 +19,7 @@ import pytest
 from flint import arb_series
 from scipy.optimize import brentq
 
-from slipcircle import Arc, Scene, Status, solve
+from slipcircle import Arc, Scene, Section, Status, solve
 from slipcircle.core import number
 from slipcircle.core.scene.dimensionless import Dimensionless
 from slipcircle.core.scene.mass import MomentCoefficients
@@ -287,6 +287,22 @@ class LoadedArc(Arc):
         arc, weight = self.bare.dimensionless, self.load / (self.unit_weight * self.radius**2)
         inertia = arc.moment_of_inertia + weight * (self.x**2 + self.y**2) / self.radius**2
         return replace(arc, moment_of_inertia=inertia)
+
+
+@dataclass(frozen=True)
+class WidenedSection(Section):
+    """A section that stands for a longer mass: m beyond its width at both ends."""
+
+    beyond: Any = field(default=0.0, metadata=number("m", -1.0, 1e3, help="length beyond the width"))
+
+
+def test_a_number_of_a_new_section_may_be_an_array() -> None:
+    ground = [[-100, 20], [0, 20], [40, 0], [100, 0]]
+    section = WidenedSection(ground, centre=[22, 38], radius=38.0, unit_weight=20e3, beyond=[0.0, 1.0, 2.0])
+    both = solve(Scene(section, 0.2, ["rotation"], accuracy=1e-13))
+    bare = solve(Scene(Section(ground, [22, 38], 38.0, 20e3), 0.2, ["rotation"]))
+    assert both.shape == (3,)
+    assert both.run_out == pytest.approx(bare.run_out, rel=1e-11)
 
 
 HOUSE: Any = {"load": 4e6, "x": -70.0, "y": -40.0}

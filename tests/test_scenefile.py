@@ -108,20 +108,11 @@ def test_a_byte_order_mark_and_windows_line_ends(file: Path) -> None:
     ("text", "friction"),
     [
         ("angle_deg = 20", tan(20.0)),
-        ("coefficient = 0.5", 0.5),
-        ("law = 'constant'\nangle_deg = 0", 0.0),
-        *(
-            (f"law = '{law}'\n{text}", {"law": law, "peak": peak, "residual": residual, "length": 2.0})
-            for law in ("exponential", "linear", "hyperbolic")
-            for text, peak, residual in (
-                ("peak_deg = 25\nresidual_deg = 10\nlength_m = 2", tan(25.0), tan(10.0)),
-                ("peak = 0.4\nresidual_deg = 10\nlength_m = 2", 0.4, tan(10.0)),
-            )
-        ),
-        *(
-            (f"law = 'tabulated'\nslip_m = [0, 2.5]\n{text}", {"law": "tabulated", "slip": (0, 2.5), "coefficient": mu})
-            for text, mu in (("angle_deg = [20, 8]", (tan(20.0), tan(8.0))), ("coefficient = [0.5, 0]", (0.5, 0.0)))
-        ),
+        ("law = 'constant'\ncoefficient = 0.5", 0.5),
+        ("law = 'linear'\npeak = 0.4\nresidual_deg = 10\nlength_m = 2",
+         {"law": "linear", "peak": 0.4, "residual": tan(10.0), "length": 2.0}),
+        ("law = 'tabulated'\nslip_m = [0, 2.5]\nangle_deg = [20, 8]",
+         {"law": "tabulated", "slip": (0, 2.5), "coefficient": (tan(20.0), tan(8.0))}),
     ],
 )  # fmt: skip
 def test_friction_is_an_angle_or_a_coefficient(file: Path, text: str, friction: Any) -> None:
@@ -172,28 +163,22 @@ MISTAKES = [
      "arc.end_time_s = 30: is unknown; did you mean end_time_s above the first table?"),
     ("unit_weight_kN_m3 = 20\n" + ARC.replace("unit_weight_kN_m3 = 20\n", "") + FRICTION,
      "unit_weight_kN_m3 = 20: is unknown; did you mean unit_weight_kN_m3 in [arc]?"),
-    (ARC + FRICTION + "[rotatoin]\n", "rotatoin = {}: is unknown; did you mean rotation?"),
     (ARC + FRICTION + "[rotation]\nspeed = 1\n", "rotation.speed = 1: is unknown; this table has no keys"),
     (ARC + FRICTION + "[drag]\nxi_m_s2 = 1\nqqq = 1979-05-27\n",
      'drag.qqq = "1979-05-27": is unknown; known are xi_m_s2'),
-    (ARC.replace("radius_m = 1492.6\n", "") + FRICTION,
-     "arc.radius_m: is missing: radius of the slip circle, a number above 0 (m)"),
     (ARC, "friction: is missing: friction on the slip surface, a table [friction]"),
     (ARC + "[friction]\n", "friction: angle_deg or coefficient is missing: friction coefficient, tan(phi)"),
     (ARC + FRICTION + "coefficient = 0.2\n", "friction: angle_deg and coefficient exclude each other; remove one"),
     (ARC + "[friction]\nangle_deg = 95\n", "friction.angle_deg = 95: must be a number at least 0 and below 90 (deg): "),
-    (ARC + "[friction]\ncoefficient = -0.1\n", "friction.coefficient = -0.1: must be a number at least 0: "),
     (ARC + "[friction]\nlaw = 'exponentail'\npeak = 1\nresidual = 0\nlength_m = 1\n",
      'friction.law = "exponentail": must be one of constant, exponential, linear, hyperbolic, tabulated, '
      "rate_weakening, rate_tabulated, prescribed: friction law; did you mean exponential?"),
     (ARC + "[friction]\nlaw = 'linear'\npeak = 1\nresidual_deg = 8\n",
      "friction.length_m: is missing: slip over which friction falls, a number above 0 (m)"),
     (ARC + TABLE + "angle_deg = [20, 'x', 5]\n", 'friction.angle_deg[1] = "x": must be a list of numbers at least 0'),
-    (ARC + TABLE + "angle_deg = 20\n", "friction.angle_deg = 20: must be a list of numbers at least 0 and below 90"),
     (ARC + TABLE + "angle_deg = [20, 10]\n", "friction.slip_m and friction.angle_deg: must be two lists of equal"),
     (ARC + TABLE.replace("2, 5", "5, 2") + "angle_deg = [20, 9, 8]\n", "friction.slip_m: must start at 0 and increase"),
     ("friction = 0.2\n" + ARC, "friction = 0.2: must be a table [friction]: friction on the slip surface"),
-    (ARC.replace("1492.6", '"1492.6 m"') + FRICTION, 'arc.radius_m = "1492.6 m": must be a number above 0 (m): radius'),
     *((ARC.replace("1492.6", x) + FRICTION, f"arc.radius_m = {x}: must be a number above 0 (m)")
       for x in ("true", "nan", "[1, 2]")),
     (ARC.replace("1492.6", "1" * 400) + FRICTION, f"arc.radius_m = {'1' * 57}...: must be a number above 0 (m)"),
@@ -202,25 +187,15 @@ MISTAKES = [
     (ARC.replace("215.2", "276.9") + FRICTION, "arc.theta_2_deg = 276.9 deg: must be above theta_1_deg = 276.9 deg"),
     (ARC.replace("215.2", "15.2").replace("276.9", "76.9") + FRICTION,
      "arc.theta_1_deg = 15.2 deg, theta_2_deg = 76.9 deg: there is no normal load"),
-    (ARC + GIVEN.replace("radial_weight = 0.0870\n", "") + FRICTION, "arc.given.radial_weight: is missing: radial wei"),
-    (ARC + GIVEN.replace("0.468", "-1") + FRICTION, "arc.given.dynamic_coefficient = -1: must be a number above 0"),
     (ARC + FRICTION + "[observed]\nreach_m = 450\n", "observed.reach_m = 450: is unknown; use run_out_m, which is the"),
     (ARC + FRICTION + "[observed]\nrun_out_m = [450, 300]\n", "observed.run_out_m = [450, 300]: must be a number, or"),
-    (ARC + FRICTION + "[observed]\nduration_s = -3\n", "observed.duration_s = -3: must be a number, or an"),
-    (ARC + FRICTION + "[observed]\npeak_velocity_km_h = 90\n",
-     "observed.peak_velocity_km_h = 90: is unknown; did"),
     (ARC + GIVEN + FRICTION + "[rotation]\n", "arc.given: belongs to the initial position and cannot"),
-    (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa or record is missing"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 1\n", "pore_pressure.ratio = 1: must be a number at least 0 and below"),
     (ARC + FRICTION + "[pore_pressure]\npressure_kPa = [0, 20, 50]\n",
      "pore_pressure.pressure_kPa = [0, 20, 50]: is a list, which needs a list of times"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 0.1\ntime_s = [0, 1]\n",
      "pore_pressure.time_s and ratio or pressure_kPa: must be lists"),
     (ARC + FRICTION + "[shaking]\npulse = 'sine'\n", "shaking.amplitude_g is missing: a pulse needs it"),
-    (ARC + FRICTION + "[shaking]\npulse = 'sine'\namplitude_g = 1e25\nduration_s = 1\n",
-     "shaking.amplitude_g = 1e+25: must be a number: greatest k_h of the pulse, positive down-slope; between -1e+12 and"
-     " 1e+12"),
-    (ARC + "[friction]\nphi_deg = 12\n", "friction.phi_deg = 12: is unknown; did you mean angle_deg?"),
     (ARC + FRICTION + "peak_deg = 12\n", "friction.peak_deg = 12: is unknown; it belongs to law = exponential or"),
     (ARC + "[friction]\ncoefficient = 10\n",
      "friction.coefficient = 10: must be a number at least 0: friction coefficient, tan(phi); an angle? say angle_deg"),
@@ -228,9 +203,6 @@ MISTAKES = [
      "arc.unit_weight_kN_m3 = 19500: must be a number above 0 (kN/m3): unit weight, at most 1000; was 19.5 kN"),
     (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n",
      "cohesion.cohesion_kPa = 1e+307: must be a number at least 0 (kPa): "),
-    ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: requested relative error"),
-    ("initial_velocity_m_s = nan\n" + ARC + FRICTION, "initial_velocity_m_s = nan: must be a number (m/s): velocity"),
-    ('"arc.given" = 1\n' + ARC + FRICTION, "arc.given = 1: is unknown; "),
     ("[arc\n", "is not TOML: Expected ']' at the end of a table declaration (at line 1, column 5)"),
 
 ]  # fmt: skip
@@ -435,7 +407,8 @@ def test_a_table_in_place_of_a_scene(name: str, tmp_path: Path, refused: Any) ->
     path = tmp_path / name
     path.write_bytes(content.get(name, b"PK\x03\x04\xff\xfe"))
     told = refused("run", path)
-    assert "`slipcircle new slope.toml` writes a scene: put points of the ground into points_m of [ground]" in told
+    advice = "put the name of a profile (.csv, .dxf) into points_file of [ground]"
+    assert f"`slipcircle new slope.toml` writes a scene: {advice}" in told
     other = tmp_path / "slope.toml"
     other.write_bytes(path.read_bytes())
     assert "slipcircle new" not in refused("run", other)

@@ -1,25 +1,17 @@
 """Conversions of results for other tools. The core computes results; a package above it converts and draws them."""
 
 from importlib import import_module
-from typing import Any
+from typing import Any, ClassVar
 
 from numpy.typing import ArrayLike
 
-from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
-
-_modules: Texts = []
-
-
-def use_conversions(module: str) -> None:
-    """Set the module, by its dotted name, that implements the methods below.
-
-    It is imported when one of them is called.
-    """
-    _modules[:] = [module]
+from slipcircle.base.kinds import PathName, ValueDict, Values
 
 
 class Pictured:
     """Mixin with the method that draws a result."""
+
+    _conversions: ClassVar[str] = ""  # module that implements the methods, imported when one of them is called
 
     def plot(self, what: PathName = "overview", ax: Any = None) -> Any:
         """Draw the result with matplotlib, on axes or into a file.
@@ -56,8 +48,7 @@ class Pictured:
 
         ``name`` is the function, and ``arguments`` follow this object.
         """
-        (module,) = _modules
-        return getattr(import_module(module), name)(self, *arguments)
+        return getattr(import_module(self._conversions), name)(self, *arguments)
 
 
 class Conversions(Pictured):

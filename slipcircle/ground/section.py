@@ -22,7 +22,7 @@ from slipcircle.core.scene.mass import Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.errors import geometry_errors, motion_errors
 from slipcircle.ground.geometry import SectionGeometry
-from slipcircle.ground.ground import FAR, WEIGHT, line_errors, section_errors
+from slipcircle.ground.ground import FAR, WEIGHT, leading_shape, line_errors, section_errors
 from slipcircle.ground.plane import Vectors
 
 # Fields of the geometry, and cached properties that depend on them alone.
@@ -190,9 +190,11 @@ class Section(SectionGeometry, Mass):
 
     @cached_property
     def has_plain_numbers(self) -> bool:
-        """Whether a section of one soil belongs to a single scene."""
-        weights = self.unit_weight, self.gravity, self.width
-        return self.friction is None and not any(map(np.ndim, weights)) and not self.lanes_shape
+        """Whether the section has one soil and no number with lanes, so that it belongs to a single scene."""
+        if self.friction is not None:
+            return False
+        values = ((getattr(self, name), p.axes) for name, p in self.quantities.items())
+        return not any(leading_shape(value, axes) for value, axes in values if value is not None)
 
     @property
     def _weighted_moments(self) -> Mapping[str, Floats]:
