@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "76b2992fae2ee3d41de6faf6aba6f6b4a95197a7da13d2eab7f6936b58971181"
+#define DIGEST "62fc161bd982bf4d84e21ca917d30f4c831ef1867abbb3e61a046b5ae3b253bb"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2950,7 +2950,11 @@ INLINE V softening_energy(V *e, V *f)
     }
     V terms = (f[4] * constant) + ((of_vers * f[2]) - (of_sine * (f[0] - f[3])));
     V shift = e[SHIFT] * left;
-    V grown = 1.0 + (shift + ((shift * shift) * faded(-shift)));
+    V grown = broadcast(0.0);
+    for (int k = LAST; k >= 0; k--) {
+        grown = FADING[k] - (grown * shift);
+    }
+    grown = 1.0 + (shift + ((shift * shift) * grown));
     return grown * (energy(e, f) + (terms + ((e[4] * above) * (f[0] - (e[4] * f[1])))));
 }
 
@@ -3194,9 +3198,7 @@ static M swing(Batch *b, M which)
         mirror(back, c[job->role->drive], sine, c[job->role->net_vers], q, f);
         fits = fits & (back[0] > 0.0);
     }
-    fits = fits & (end < FARTHEST);
-    fits = fits & (q >= 0.0) & ((q * end) < FADED);
-    fits = fits & (c[job->role->normal_square] >= 0.0);
+    fits = fits & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (c[job->role->normal_square] >= 0.0);
     fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
     fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     if (bits(fits)) {

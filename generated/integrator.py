@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b5b7c1b62fd459bc81c58b5c85ddae2c0a78e482d9203e3279b4b6a630f9e258
+# sha256 of the text below: 0f3f5693954871bf446b64f0e8c04478bc957374ccc680eddd02651578c5eeef
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1946,7 +1946,10 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
         of_vers = (of_vers + e[VERS + j]) * left
     terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
     shift = e[SHIFT] * left
-    grown = 1.0 + (shift + shift * shift * faded(-shift))
+    grown: Floats = 0.0
+    for k in range(LAST, 0 - 1, -1):
+        grown = FADING[k] - grown * shift
+    grown = 1.0 + (shift + shift * shift * grown)
     return grown * (energy(e, f) + (terms + e[4] * above * (f[0] - e[4] * f[1])))
 
 
@@ -2155,9 +2158,7 @@ def swing(s: Lanes, which: Mask) -> Mask:
     if not softens:
         mirror(back, c[s.roles.drive], sine, c[s.roles.net_vers], q, f)
         fits = fits & (back[0] > 0.0)
-    fits = fits & (end < FARTHEST)
-    fits = fits & (q >= 0.0) & (q * end < FADED)
-    fits = fits & (c[s.roles.normal_square] >= 0.0)
+    fits = fits & (end < FARTHEST) & (q >= 0.0) & (q * end < FADED) & (c[s.roles.normal_square] >= 0.0)
     fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
     fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 83dc038518f57af1be433fa9b3a2167090c261542b6007f862f09d356a49d86d
+# sha256 of the text below: 35e7d556e33571d0013919d167f88a1a756941f781ef2aa96364beb9ef563821
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -403,7 +403,7 @@ class Linker:
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
-    def closed_form(self, registers: Mapping[str, str | None], outputs: Mapping[str, str]) -> dict[str, str]:
+    def closed_form(self, registers: Mapping[str, str | None], outputs: dict[str, str]) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
         The net moment may also contain exp(rate x) - 1, called loss, and its products with these. There are no factors

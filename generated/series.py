@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e14a59f58a56d54dc7427efc4f6475503d946c89ef8da7735cbe200a6cae1644
+# sha256 of the text below: b46a3da4f0ceb2aff0d48196284553a91ccac4cbd4ba0e102ec164d06752d7f3
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "76b2992fae2ee3d41de6faf6aba6f6b4a95197a7da13d2eab7f6936b58971181"  # of the compiled integrator's source
+DIGEST = "62fc161bd982bf4d84e21ca917d30f4c831ef1867abbb3e61a046b5ae3b253bb"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

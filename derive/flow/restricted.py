@@ -80,8 +80,8 @@ PRIMITIVES = {
 
 
 # Constants that `one_lane` defines.
-GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS", "TO_PEAK", "FROM_PEAK")
-GIVEN += ("NODES", "SHARES", "LAST_SHARES", "NEXT_SHARES")
+GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS", "TO_PEAK", "FROM_PEAK", "NODES", "SHARES", "LAST_SHARES",
+         "NEXT_SHARES")  # fmt: skip
 
 
 class GrammarError(Exception):

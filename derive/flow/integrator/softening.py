@@ -13,7 +13,7 @@ regular. The last coefficients of Legendre's series of an integrand measure the 
 Series and rules are shorter than rounding requires: lanes of higher order than `FINEST` are integrated in time.
 """
 
-from derive.flow.integrator.energy import energy, factors, faded, functions
+from derive.flow.integrator.energy import FADING, LAST, energy, factors, functions
 from derive.flow.integrator.one_lane import (
     FROM_PEAK,
     INFINITY,
@@ -71,8 +71,12 @@ def softening_factors(s: Lanes, e: S) -> None:
 
 def series_suffices(s: Lanes, e: S) -> M:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
-    apart = 2.0 * e[4] + s.loss_rate < 0.0 and abs(e[SHIFT]) <= GREATEST
-    return apart and s.order <= FINEST and abs(s.net_loss) <= DRIVEN * s.drive
+    return (
+        s.order <= FINEST
+        and abs(s.net_loss) <= DRIVEN * s.drive
+        and abs(e[SHIFT]) <= GREATEST
+        and 2.0 * e[4] + s.loss_rate < 0.0
+    )
 
 
 def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
@@ -95,7 +99,10 @@ def softening_energy(e: S, f: S) -> V:
         of_vers = (of_vers + e[VERS + j]) * left
     terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
     shift = e[SHIFT] * left
-    grown = 1.0 + (shift + shift * shift * faded(-shift))
+    grown: V = 0.0
+    for k in down(LAST, 0):
+        grown = FADING[k] - grown * shift
+    grown = 1.0 + (shift + shift * shift * grown)
     return grown * (energy(e, f) + (terms + e[4] * above * (f[0] - e[4] * f[1])))
 
 

@@ -195,11 +195,12 @@ def swing(s: Lanes, which: M) -> M:
     if not softens:
         mirror(back, s.drive, sine, s.net_vers, q, f)
         fits = fits and back[0] > 0.0
-    fits = fits and end < FARTHEST
-    fits = fits and q >= 0.0 and q * end < FADED
-    fits = fits and s.normal_square >= 0.0
-    fits = fits and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
-    fits = fits and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
+    fits = fits and end < FARTHEST and q >= 0.0 and q * end < FADED and s.normal_square >= 0.0
+    fits = (
+        fits
+        and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
+        and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
+    )
     if any_lane(fits):
         peak = peak_of_swing(s, e, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)

@@ -167,7 +167,7 @@ class Linker:
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
-    def closed_form(self, registers: Mapping[str, str | None], outputs: Mapping[str, str]) -> dict[str, str]:
+    def closed_form(self, registers: Mapping[str, str | None], outputs: dict[str, str]) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
         The net moment may also contain exp(rate x) - 1, called loss, and its products with these. There are no factors
