@@ -407,7 +407,8 @@ def test_a_table_in_place_of_a_scene(name: str, tmp_path: Path, refused: Any) ->
     path = tmp_path / name
     path.write_bytes(content.get(name, b"PK\x03\x04\xff\xfe"))
     told = refused("run", path)
-    assert "`slipcircle new slope.toml` writes a scene: put points of the ground into points_m of [ground]" in told
+    advice = "put the name of a profile (.csv, .dxf) into points_file of [ground]"
+    assert f"`slipcircle new slope.toml` writes a scene: {advice}" in told
     other = tmp_path / "slope.toml"
     other.write_bytes(path.read_bytes())
     assert "slipcircle new" not in refused("run", other)

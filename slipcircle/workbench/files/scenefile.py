@@ -156,8 +156,8 @@ def units_of_files(names: Iterable[str]) -> set[str]:
 
 
 _ADVICE = (
-    "; `slipcircle new slope.toml` writes a scene: put points of the ground into points_m of [ground], the name of "
-    "an earthquake record into record of [shaking]"
+    "; `slipcircle new slope.toml` writes a scene: put the name of a profile (.csv, .dxf) into points_file of "
+    "[ground], the name of an earthquake record into record of [shaking]"
 )
 
 

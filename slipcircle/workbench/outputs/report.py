@@ -222,8 +222,8 @@ def _captions(motion: Motion) -> dict[str, str]:
         captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {height}."
     if motion.moves:
         captions["histories"] = (
-            "The motion over time. Where the mobilised friction is below the friction required for equilibrium the "
-            "mass tends to speed up, elsewhere to slow down."
+            "The motion over time. The mass tends to speed up where less strength is mobilised than required for "
+            "equilibrium, elsewhere to slow down."
         )
         captions["phase plane"] = (
             f"Speed against displacement, and the energy: dissipation and kinetic energy make up the {work(motion)}."
