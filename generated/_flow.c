@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "62fc161bd982bf4d84e21ca917d30f4c831ef1867abbb3e61a046b5ae3b253bb"
+#define DIGEST "52dce6b51809187af04877a52c55935e681f3856738c2b946a9bffb8568fb71e"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2921,8 +2921,7 @@ INLINE M series_suffices(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M apart = (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0) & (magnitude(e[SHIFT]) <= GREATEST);
-    return apart & (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]));
+    return (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive])) & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
 }
 
 /* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
@@ -3199,8 +3198,7 @@ static M swing(Batch *b, M which)
         fits = fits & (back[0] > 0.0);
     }
     fits = fits & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (c[job->role->normal_square] >= 0.0);
-    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
-    fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f) & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     if (bits(fits)) {
         V peak = peak_of_swing(b, e, end, fits);
         const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0f3f5693954871bf446b64f0e8c04478bc957374ccc680eddd02651578c5eeef
+# sha256 of the text below: 49db4e6728a1e9e19686aba3d268b9b28c5668a1f2d5f110476551b259eb39be
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1921,8 +1921,8 @@ def softening_factors(s: Lanes, e: Floats) -> None:
 def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
-    apart = (2.0 * e[4] + c[s.roles.loss_rate] < 0.0) & (np.abs(e[SHIFT]) <= GREATEST)
-    return apart & (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive])
+    return (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN *
+         c[s.roles.drive]) & (np.abs(e[SHIFT]) <= GREATEST) & (2.0 * e[4] + c[s.roles.loss_rate] < 0.0)
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -2159,8 +2159,8 @@ def swing(s: Lanes, which: Mask) -> Mask:
         mirror(back, c[s.roles.drive], sine, c[s.roles.net_vers], q, f)
         fits = fits & (back[0] > 0.0)
     fits = fits & (end < FARTHEST) & (q >= 0.0) & (q * end < FADED) & (c[s.roles.normal_square] >= 0.0)
-    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
-    fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers],
+        f) & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):
         peak = peak_of_swing(s, e, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
