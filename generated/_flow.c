@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "52dce6b51809187af04877a52c55935e681f3856738c2b946a9bffb8568fb71e"
+#define DIGEST "c9356a25688e59ffb3481e01554fa37207915d7a1cff5f6dbc55a8173971195b"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2976,45 +2976,44 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     f[7] = 2.0 * (turns + ((c[job->role->loss_rate] * (1.0 + f[4])) * loss));
 }
 
-/* Return the time from rest to the greatest speed and to the end, infinite where they are unsure. The variable v
- * of a rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the distances to both
- * rests. E rises from node to node. Error estimates change the step over the radius of convergence, and with it
- * the rules, so that they compare different rules. */
+/* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
+ * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
+ * distances to both rests. E rises from node to node. */
+INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
+{
+    V total = broadcast(0.0);
+    V last = broadcast(0.0);
+    V last_but_one = broadcast(0.0);
+    V lower = broadcast(0.0);
+    V f[STRIDE];
+    for (int k = TO_PEAK * part; k <= (TO_PEAK + (FROM_PEAK * part)) - 1; k++) {
+        V here = unit * (NODES[k] * NODES[k]);
+        V other = 1.0 + (bend * (1.0 - NODES[k]));
+        V share = 1.0 / (here + (other * other));
+        V past = end * (here * share);
+        softening_functions(b, e, f, (part == 0) ? past : end - past);
+        V at = softening_energy(e, f);
+        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
+        total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
+        lower = at;
+        last = last + (LAST_SHARES[k] * slowness);
+        last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
+    }
+    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (ALIKE * total);
+    return pick(accurate, ((end * unit) * (1.0 + bend)) * total, broadcast(INFINITY));
+}
+
+/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
+ * change the step over the radius of convergence, and with it the rules, which they so compare. */
 INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V before = broadcast(0.0);
-    V duration = broadcast(0.0);
-    V f[STRIDE];
-    for (int part = 1; part >= 0; part--) {
-        V unit = (part == 0) ? peak / (end - peak) : (end - peak) / peak;
-        V bend = (4.0 * c[FACTOR]) - 1.0;
-        if (part == 0) {
-            bend = (c[FACTOR] * BENT) * sqrt_of(1.0 - (peak * c[job->role->loss_rate]));
-        }
-        V total = broadcast(0.0);
-        V last = broadcast(0.0);
-        V last_but_one = broadcast(0.0);
-        V lower = broadcast(0.0);
-        for (int k = TO_PEAK * part; k <= (TO_PEAK + (FROM_PEAK * part)) - 1; k++) {
-            V here = unit * (NODES[k] * NODES[k]);
-            V other = 1.0 + (bend * (1.0 - NODES[k]));
-            V share = 1.0 / (here + (other * other));
-            V past = end * (here * share);
-            softening_functions(b, e, f, (part == 0) ? past : end - past);
-            V at = softening_energy(e, f);
-            V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
-            total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
-            lower = at;
-            last = last + (LAST_SHARES[k] * slowness);
-            last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
-        }
-        M accurate = (magnitude(last) + magnitude(last_but_one)) <= (ALIKE * total);
-        before = pick(accurate, ((end * unit) * (1.0 + bend)) * total, broadcast(INFINITY));
-        duration = duration + before;
-    }
-    return (Pair){before, duration};
+    V unit = peak / (end - peak);
+    V bend = (c[FACTOR] * BENT) * sqrt_of(1.0 - (peak * c[job->role->loss_rate]));
+    V before = time_of_part(b, e, end, unit, bend, 0);
+    V after = time_of_part(b, e, end, 1.0 / unit, (4.0 * c[FACTOR]) - 1.0, 1);
+    return (Pair){before, (before + after)};
 }
 
 /* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. */
@@ -3172,8 +3171,7 @@ static M swing(Batch *b, M which)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
-    M fits = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
+    M fits = which & (c[X] == 0.0) & (c[OMEGA] == 0.0) & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
     if (!bits(fits)) {
         return fits;
     }
@@ -3197,8 +3195,7 @@ static M swing(Batch *b, M which)
         mirror(back, c[job->role->drive], sine, c[job->role->net_vers], q, f);
         fits = fits & (back[0] > 0.0);
     }
-    fits = fits & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (c[job->role->normal_square] >= 0.0);
-    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f) & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    fits = fits & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (c[job->role->normal_square] >= 0.0) & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f) & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     if (bits(fits)) {
         V peak = peak_of_swing(b, e, end, fits);
         const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);

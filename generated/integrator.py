@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 49db4e6728a1e9e19686aba3d268b9b28c5668a1f2d5f110476551b259eb39be
+# sha256 of the text below: ca6f6b8707de664a30e886985182e6d058c6ba55bb29f57f9334ff8075b308e8
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1971,37 +1971,37 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     f[7] = 2.0 * (turns + c[s.roles.loss_rate] * (1.0 + f[4]) * loss)
 
 
-def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
-    """Return the time from rest to the greatest speed and to the end, infinite where they are unsure."""
-    c = s.cells
-    before: Floats = 0.0
-    duration: Floats = 0.0
+def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
+    """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain."""
+    total: Floats = 0.0
+    last: Floats = 0.0
+    last_but_one: Floats = 0.0
+    lower: Floats = 0.0
     f = np.zeros((ix.STRIDE, e.shape[1]))
-    for part in range(1, 0 - 1, -1):
-        unit = peak / (end - peak) if part == 0 else (end - peak) / peak
-        bend = 4.0 * c[ix.FACTOR] - 1.0
-        if part == 0:
-            bend = c[ix.FACTOR] * BENT * np.sqrt(1.0 - peak * c[s.roles.loss_rate])
-        total: Floats = 0.0
-        last: Floats = 0.0
-        last_but_one: Floats = 0.0
-        lower: Floats = 0.0
-        for k in range(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1 + 1):
-            here = unit * (NODES[k] * NODES[k])
-            other = 1.0 + bend * (1.0 - NODES[k])
-            share = 1.0 / (here + other * other)
-            past = end * (here * share)
-            softening_functions(s, e, f, past if part == 0 else end - past)
-            at = softening_energy(e, f)
-            slowness = share * share * (other * NODES[k]) / np.sqrt(at)
-            total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
-            lower = at
-            last = last + LAST_SHARES[k] * slowness
-            last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-        accurate = np.abs(last) + np.abs(last_but_one) <= ALIKE * total
-        before = np.where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
-        duration = duration + before
-    return (before, duration)
+    for k in range(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1 + 1):
+        here = unit * (NODES[k] * NODES[k])
+        other = 1.0 + bend * (1.0 - NODES[k])
+        share = 1.0 / (here + other * other)
+        past = end * (here * share)
+        softening_functions(s, e, f, past if part == 0 else end - past)
+        at = softening_energy(e, f)
+        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
+        total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
+        lower = at
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    accurate = np.abs(last) + np.abs(last_but_one) <= ALIKE * total
+    return np.where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+
+
+def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
+    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
+    c = s.cells
+    unit = peak / (end - peak)
+    bend = c[ix.FACTOR] * BENT * np.sqrt(1.0 - peak * c[s.roles.loss_rate])
+    before = time_of_part(s, e, end, unit, bend, 0)
+    after = time_of_part(s, e, end, 1.0 / unit, 4.0 * c[ix.FACTOR] - 1.0, 1)
+    return (before, before + after)
 
 
 def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -2137,8 +2137,7 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak:
 def swing(s: Lanes, which: Mask) -> Mask:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
     c = s.cells
-    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
-    fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    fits = which & (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0) & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
     if not np.any(fits):
         return fits
     softens = s.roles.loss_rate >= 0
@@ -2158,9 +2157,10 @@ def swing(s: Lanes, which: Mask) -> Mask:
     if not softens:
         mirror(back, c[s.roles.drive], sine, c[s.roles.net_vers], q, f)
         fits = fits & (back[0] > 0.0)
-    fits = fits & (end < FARTHEST) & (q >= 0.0) & (q * end < FADED) & (c[s.roles.normal_square] >= 0.0)
-    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers],
-        f) & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    fits = fits & (end < FARTHEST) & (q >= 0.0) & (q *
+         end < FADED) & (c[s.roles.normal_square] >= 0.0) & stays_positive(c[s.roles.normal_load],
+        c[s.roles.upright_sine], c[s.roles.upright_vers], f) & stays_positive(c[s.roles.normal0],
+        c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):
         peak = peak_of_swing(s, e, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)

@@ -24,6 +24,7 @@ from derive.flow.integrator.one_lane import (
     TO_PEAK,
     Lanes,
     M,
+    N,
     S,
     V,
     down,
@@ -122,38 +123,40 @@ def soften(s: Lanes, e: S, f: S, x: V) -> None:
     f[7] = 2.0 * (turns + s.loss_rate * (1.0 + f[4]) * loss)
 
 
-def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
-    """Return the time from rest to the greatest speed and to the end, infinite where they are unsure.
+def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
+    """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain.
 
-    The variable v of a rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the distances
-    to both rests. E rises from node to node. Error estimates change the step over the radius of convergence, and with
-    it the rules, so that they compare different rules.
+    The variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
+    distances to both rests. E rises from node to node.
     """
-    before: V = 0.0
-    duration: V = 0.0
+    total: V = 0.0
+    last: V = 0.0
+    last_but_one: V = 0.0
+    lower: V = 0.0
     f = new_series()
-    for part in down(1, 0):
-        unit = peak / (end - peak) if part == 0 else (end - peak) / peak
-        bend = 4.0 * s.factor - 1.0
-        if part == 0:
-            bend = s.factor * BENT * sqrt(1.0 - peak * s.loss_rate)
-        total: V = 0.0
-        last: V = 0.0
-        last_but_one: V = 0.0
-        lower: V = 0.0
-        for k in up(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1):
-            here = unit * (NODES[k] * NODES[k])
-            other = 1.0 + bend * (1.0 - NODES[k])
-            share = 1.0 / (here + other * other)
-            past = end * (here * share)
-            softening_functions(s, e, f, past if part == 0 else end - past)
-            at = softening_energy(e, f)
-            slowness = share * share * (other * NODES[k]) / sqrt(at)
-            total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
-            lower = at
-            last = last + LAST_SHARES[k] * slowness
-            last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-        accurate = abs(last) + abs(last_but_one) <= ALIKE * total
-        before = where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
-        duration = duration + before
-    return before, duration
+    for k in up(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1):
+        here = unit * (NODES[k] * NODES[k])
+        other = 1.0 + bend * (1.0 - NODES[k])
+        share = 1.0 / (here + other * other)
+        past = end * (here * share)
+        softening_functions(s, e, f, past if part == 0 else end - past)
+        at = softening_energy(e, f)
+        slowness = share * share * (other * NODES[k]) / sqrt(at)
+        total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
+        lower = at
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    accurate = abs(last) + abs(last_but_one) <= ALIKE * total
+    return where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+
+
+def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
+    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain.
+
+    Error estimates change the step over the radius of convergence, and with it the rules, which they so compare.
+    """
+    unit = peak / (end - peak)
+    bend = s.factor * BENT * sqrt(1.0 - peak * s.loss_rate)
+    before = time_of_part(s, e, end, unit, bend, 0)
+    after = time_of_part(s, e, end, 1.0 / unit, 4.0 * s.factor - 1.0, 1)
+    return before, before + after

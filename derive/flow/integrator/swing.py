@@ -174,8 +174,7 @@ def finish(s: Lanes, here: M, e: S, end: V, duration: V, peak: V, before: V) -> 
 
 def swing(s: Lanes, which: M) -> M:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
-    rests = s.x == 0.0 and s.omega == 0.0
-    fits = which and rests and s.drive > 0.0 and s.lifted == 0.0
+    fits = which and s.x == 0.0 and s.omega == 0.0 and s.drive > 0.0 and s.lifted == 0.0
     if not any_lane(fits):
         return fits
     softens: N = s.has.loss_rate
@@ -195,9 +194,12 @@ def swing(s: Lanes, which: M) -> M:
     if not softens:
         mirror(back, s.drive, sine, s.net_vers, q, f)
         fits = fits and back[0] > 0.0
-    fits = fits and end < FARTHEST and q >= 0.0 and q * end < FADED and s.normal_square >= 0.0
     fits = (
         fits
+        and end < FARTHEST
+        and q >= 0.0
+        and q * end < FADED
+        and s.normal_square >= 0.0
         and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
         and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
     )
