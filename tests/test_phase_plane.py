@@ -264,7 +264,7 @@ def test_a_fault_of_the_closed_form_is_not_proved(monkeypatch: pytest.MonkeyPatc
         e[softening.SINE + 2] = -e[softening.SINE + 2]
 
     monkeypatch.setattr(softening, "softening_factors", wrong_term)
-    with pytest.raises(ProofError, match="term 2 under softening friction in the integrator"):
+    with pytest.raises(ProofError, match="E under softening friction in the integrator"):
         closed.prove()
     monkeypatch.setattr(phase_plane, "NET", phase_plane.NET + phase_plane.x)
     with pytest.raises(ProofError, match="term 0 under softening"):
