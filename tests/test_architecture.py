@@ -24,7 +24,7 @@ import pytest
 from derive import build
 from slipcircle import Motion, Section, load, solve
 from slipcircle.core import lazy
-from slipcircle.core.program import build_program
+from slipcircle.core.problem.plan import build_program
 from tests.support.layered import of_each_soil
 
 ROOT = Path(__file__).parents[1]

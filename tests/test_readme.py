@@ -99,6 +99,7 @@ def test_the_earthquake_of_the_readme(run: Any) -> None:
     assert {label: "  ".join(cells) for label, cells in shown.items()}.items() <= printed.items()
 
 
+@pytest.mark.usefixtures("unseen")
 def test_the_commands_of_the_readme(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Any) -> None:
     """The lines below each command are printed, from a new file to a back-analysed friction."""
     monkeypatch.chdir(tmp_path)

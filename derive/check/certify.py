@@ -242,8 +242,8 @@ def checked(record: Record) -> tuple[str, bool]:
     except ProofError as refusal:
         return f"{name} REJECTED: {refusal}", False
     seconds = time.perf_counter() - start
-    near = record.get("bound_to_quarter_pi", math.nan)
-    numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {near:>9.3g}"
+    near = f"{record['bound_to_quarter_pi']:.3g}" if "bound_to_quarter_pi" in record else "-"  # of both ends
+    numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {near:>9}"
     return f"{name} {numbers}  {unit(record):<14} {seconds:>7.2f}", True
 
 

@@ -160,9 +160,8 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
         variables[x] = varying(str(x))
     variables |= {x: (sign(x) * x, series(f"d{x}", sign(x))) for x in (K_H, K_V)}
     odd_parameters = odd(effect)
-    for p in effect.parameters:
-        x = p.symbol
-        if x is None or x in BY_PSI:
+    for x, p in effect.symbols.items():
+        if x in BY_PSI:
             continue
         direction = DIRECTION if x in odd_parameters else ONE
         increment = series(f"d{x}", direction) if p.kind in ("series", "rotation") else {}
@@ -191,9 +190,10 @@ def effect_fragment(effect: Effect) -> Fragment:
     if effect.turns:
         return _rotation(effect)
     low = Lowering(effect.name, moving(effect))
-    for p in effect.parameters:
-        if p.kind == "rotation":
-            low.register(_piece(low, str(p.symbol), "x", DEGREE), f"d{p.symbol}")
+    numbers = {str(x): p for x, p in effect.symbols.items() if p.kind != "rotation"}
+    functions = [str(x) for x, p in effect.symbols.items() if p.kind == "rotation"]
+    for name in functions:
+        low.register(_piece(low, name, "x", DEGREE), f"d{name}")
     for x in effect.states:
         low.cells[f"{x}_less"] = -x
         low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's cell changes along the phase
@@ -201,25 +201,12 @@ def effect_fragment(effect: Effect) -> Fragment:
     low.moving = {**low.moving, **TOTALS}
     rate = expand(effect.growth * OMEGA)
     rate = rate.subs(EFFECTIVE, NORMAL / RESISTANCE_FACTOR).subs(MU * NORMAL, FRICTION)
-    inputs = []
-    optional = []
-    tables = []
-    for p in effect.parameters:
-        name = str(p.symbol)
-        if p.symbol is None:
-            continue
-        if p.kind == "rotation":
-            tables.append((name, "rotation", "x", DEGREE))
-            continue
-        inputs.append(name)
-        if p.optional:
-            optional.append(name)
     return low.fragment(
         quantities(effect),
-        inputs=inputs,
-        optional=optional,
+        inputs=numbers,
+        optional=[name for name, p in numbers.items() if p.optional],
         states={str(x): rate for x in effect.states},
-        tables=tuple(tables),
+        tables=tuple((name, "rotation", "x", DEGREE) for name in functions),
     )
 
 

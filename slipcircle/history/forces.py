@@ -13,8 +13,8 @@ from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names
 from slipcircle.core.integrator.compiled import engine
 from slipcircle.core.integrator.lanes import BLOCK
 from slipcircle.core.lazy import lazy_import
+from slipcircle.core.problem.plan import build_program
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.mass import Mass
 from slipcircle.history.states import States, begin

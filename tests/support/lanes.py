@@ -14,8 +14,8 @@ from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator import compiled
 from slipcircle.core.integrator.compiled import OutputSamples
+from slipcircle.core.problem.plan import build_program
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program import build_program
 from slipcircle.layers.layered import RotationTables
 
 __all__ = ["Problem", "Program", "Recipe", "RotationTables", "OutputSamples", "build_program", "compiled"]

@@ -1,18 +1,31 @@
 """Method of solution of a scene, which depends on its effects and laws but not on their values."""
 
 from dataclasses import dataclass
+from functools import lru_cache, partial
 from typing import Any
 
 from generated.effects import EFFECTS
-from generated.program import Program, Recipe
+from generated.flow import FRAGMENTS
+from generated.program import Program, Recipe, build, fragments_of
 from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked_scene
 
 DEFAULT_ACCURACY = 1e-9
+
+
+@lru_cache(maxsize=256)
+def build_program(recipe: Recipe, outputs: Names = ()) -> Program:
+    """Return the program of a scene, linked from the effects and laws that its ``recipe`` names.
+
+    ``outputs`` are further outputs: registers such as ``mu``, ``pressing`` or ``friction``, and "energy" for the states
+    ``work`` and ``dissipation``.
+    """
+    further = tuple(name for name in outputs if name in FRAGMENTS)
+    registers = tuple(name for name in outputs if name not in FRAGMENTS)
+    return build(recipe, partial(fragments_of, FRAGMENTS), registers, further)
 
 
 @dataclass(frozen=True)
