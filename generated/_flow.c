@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c9356a25688e59ffb3481e01554fa37207915d7a1cff5f6dbc55a8173971195b"
+#define DIGEST "2d367c6ab382eb4fb3a089ffd7df037463010c950b4362eec1530653b93c01d3"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2643,21 +2643,22 @@ static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M p
     }
 }
 
-/* Find the time at which an edge of a table's piece is passed. */
+/* Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge. */
 static void find_edges(Batch *b, M here, int t, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    M ends = here & (c[job->table[t].cell + UPPER] < FAR);
     V upper = minimum(c[job->table[t].cell + UPPER], broadcast(FAR));
     int event = EVENT_BREAKPOINT + (2 * t);
     if (job->table[t].kind == OF_SPEED) {
         V *omega = b->r + job->role->omega;
-        find_crossing(b, here, omega, top, broadcast(-1.0), upper, c[PASSED] == (double)SLOWER, event);
+        find_crossing(b, ends, omega, top, broadcast(-1.0), upper, c[PASSED] == (double)SLOWER, event);
         M varies = here & (c[job->table[t].cell + LOWER] > 0.0);
         find_crossing(b, varies, omega, top, broadcast(1.0), -c[job->table[t].cell + LOWER], c[PASSED] == (double)FASTER, event + 1);
         return;
     }
-    find_crossing(b, here, b->r + job->role->x, top, broadcast(-1.0), upper, (M){0}, event);
+    find_crossing(b, ends, b->r + job->role->x, top, broadcast(-1.0), upper, (M){0}, event);
 }
 
 /* Find the first event of the step. Of simultaneous events the last one in the order of the search is used. Water

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ca6f6b8707de664a30e886985182e6d058c6ba55bb29f57f9334ff8075b308e8
+# sha256 of the text below: 38eb1e7a4ef26b3214811a29aa9ba51bac22af1f5227385e74ec3041a9d85bf2
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1694,17 +1694,18 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
 
 
 def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
-    """Find the time at which an edge of a table's piece is passed."""
+    """Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge."""
     c = s.cells
+    ends = here & (c[t.cells + ix.UPPER] < FAR)
     upper = np.minimum(c[t.cells + ix.UPPER], FAR)
     event = ix.EVENT_BREAKPOINT + 2 * t.number
     if t.kind == ix.OF_SPEED:
         omega = s.registers[s.roles.omega]
-        find_crossing(s, here, omega, top, -1.0, upper, c[ix.PASSED] == ix.SLOWER, event)
+        find_crossing(s, ends, omega, top, -1.0, upper, c[ix.PASSED] == ix.SLOWER, event)
         varies = here & (c[t.cells + ix.LOWER] > 0.0)
         find_crossing(s, varies, omega, top, 1.0, -c[t.cells + ix.LOWER], c[ix.PASSED] == ix.FASTER, event + 1)
         return
-    find_crossing(s, here, s.registers[s.roles.x], top, -1.0, upper, none_of(s), event)
+    find_crossing(s, ends, s.registers[s.roles.x], top, -1.0, upper, none_of(s), event)
 
 
 def find_events(s: Lanes, here: Mask, top: int) -> None:

@@ -180,16 +180,17 @@ def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M
 
 
 def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
-    """Find the time at which an edge of a table's piece is passed."""
+    """Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge."""
+    ends = here and t.upper < FAR
     upper = minimum(t.upper, FAR)
     event: N = Event.BREAKPOINT + 2 * t.number
     if t.kind == Kind.SPEED:
         omega = s.series.omega
-        find_crossing(s, here, omega, top, -1.0, upper, s.passed == Passed.SLOWER, event)
+        find_crossing(s, ends, omega, top, -1.0, upper, s.passed == Passed.SLOWER, event)
         varies = here and t.lower > 0.0
         find_crossing(s, varies, omega, top, 1.0, -t.lower, s.passed == Passed.FASTER, event + 1)
         return
-    find_crossing(s, here, s.series.x, top, -1.0, upper, none_of(s), event)
+    find_crossing(s, ends, s.series.x, top, -1.0, upper, none_of(s), event)
 
 
 def find_events(s: Lanes, here: M, top: N) -> None:
