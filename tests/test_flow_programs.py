@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from derive.algebra.prove import prove_rational
 from derive.check.proof import ProofError
 from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAWS, SLIP, THETA, Effect, Parameter
@@ -147,6 +148,20 @@ def test_a_fault_of_the_linker_is_not_the_equation_of_motion(fault: str, monkeyp
     ]
     with pytest.raises(ProofError, match=r"\(3.11\)"):
         list(starmap(linked.prove_case, reversed(cases)))
+
+
+def test_a_law_with_fractional_powers_is_in_the_equation_of_motion() -> None:
+    """Roots are taken apart in the proof, which still sees a wrong power."""
+    length, peak, residual = sp.symbols("length peak residual", real=True)
+    for power in (sp.Rational(1, 2), sp.Rational(3, 2)):
+        law = replace(LINEAR, name="root", coefficient=residual + (peak - residual) / (1 + SLIP / length) ** power)
+        assert len(linked.prove_case((CENTRIPETAL,), (law,))) == 6
+    x = sp.Symbol("x", real=True)
+    prove_rational(
+        x * sp.sqrt(1 + x / length) + length * sp.sqrt(1 + x / length) - length * (1 + x / length) ** power, ""
+    )
+    with pytest.raises(ProofError, match="wrong power"):
+        prove_rational(sp.sqrt(1 + x / length) - (1 + x / length) ** power, "wrong power")
 
 
 # --- programs --------------------------------------------------------------------------------------------------------

@@ -1,11 +1,14 @@
 """Proofs that two forms are equal, by numerical refutation and a normal form of sines and cosines."""
 
+from itertools import chain
+
 from sympy import (
     QQ,
     Dummy,
     Expr,
     Function,
     N,
+    Pow,
     Rational,
     Symbol,
     atanh,
@@ -16,6 +19,7 @@ from sympy import (
     expand,
     expand_trig,
     fraction,
+    ilcm,
     nan,
     rem,
     simplify,
@@ -53,12 +57,32 @@ def prove_zero(expression: Expr, claim: str) -> None:
 def prove_rational(expression: Expr, claim: str) -> None:
     """Raise `ProofError` unless an expression is zero as a rational function of its symbols and functions.
 
-    Exponentials of sums are taken as products. ``claim`` is the text of the error.
+    Exponentials of sums are taken as products, and fractional powers as roots. ``claim`` is the text of the error.
     """
-    expression = expression.replace(exp, lambda exponent: expand(exp(exponent)))
+    expression = reduce_roots(expression.replace(exp, lambda exponent: expand(exp(exponent))))
     unknowns = sorted(expression.atoms(Symbol, Function), key=default_sort_key)
     if (unknowns and field(unknowns, QQ)[0].from_expr(expression) != 0) or (not unknowns and expression != 0):
         prove_zero(expression, claim)
+
+
+def reduce_roots(expression: Expr) -> Expr:
+    """Return an expression, or its numerator as a polynomial of least degree in the roots of each fractional power.
+
+    Roots of quotients, which must be positive, are taken as quotients of roots.
+    """
+    powers = [power for power in expression.atoms(Pow) if power.exp.is_Rational and not power.exp.is_Integer]
+    if not powers:
+        return expression
+    degree = ilcm(1, *(power.exp.q for power in powers))
+    parts = {power: fraction(together(power.base)) for power in powers}
+    roots = {base: Dummy(f"root{i}") for i, base in enumerate(dict.fromkeys(chain(*parts.values()))) if base != 1}
+    of_powers = {
+        power: (roots[over] / roots.get(under, under)) ** (power.exp * degree) for power, (over, under) in parts.items()
+    }
+    numerator, _ = fraction(together(expression.xreplace(of_powers)))
+    for base, root in roots.items():
+        numerator = rem(numerator, root**degree - base, root)
+    return numerator
 
 
 def trig_normal(expression: Expr) -> Expr:

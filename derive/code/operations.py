@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
-from sympy import Abs, Max, Min, atanh, cos, exp, log, sin, tan
+from sympy import Abs, Max, Min, atanh, cos, exp, log, sin, sqrt, tan
 
 from derive.algebra.remainders import Select, expm1, log1p
 
@@ -90,7 +90,7 @@ OPERATIONS = {
     "div": _infix("/", np.divide, 2, 3),
     "neg": Operation("-{0}", "-{0}", "-{0}", np.negative, None, 3, (4,)),
     **{str(x): _call(str(x), x, vector=f"IN(map)({x}, {{0}})") for x in (sin, cos, tan, exp, expm1, log, log1p)},
-    "sqrt": _call("sqrt", None, "sqrt({0})", "IN(map)(sqrt, {0})"),
+    "sqrt": _call("sqrt", sqrt, "sqrt({0})", "IN(map)(sqrt, {0})"),
     "abs": _call("abs", Abs, "fabs({0})", "IN(choose)({0} < 0.0, -{0}, {0})"),
     "min": Operation(
         "{space}.minimum({0}, {1})", "SMALLER({0}, {1})", "IN(choose)({0} < {1}, {0}, {1})", np.minimum, Min

@@ -17,7 +17,6 @@ from slipcircle.workbench.outputs.pictures.plotstyle import (
     formatted_amount,
     formatted_number,
     key_unit,
-    legend,
     name_rows,
     panel,
     quantity_words,
@@ -72,7 +71,7 @@ def tornado(
         return empty("nothing changes it" if at else "does not move", ax, "x", "y")
     _draw_bars(ax, shown)
     if named:
-        legend(ax)
+        ax.legend(loc="lower left", fontsize="small")  # beside the shortest bars: the title may be as wide as the axis
     return ax
 
 
