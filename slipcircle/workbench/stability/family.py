@@ -316,15 +316,19 @@ class Search:
         share_spacing = np.gradient(_SHARES)[share]
         constant = np.zeros_like(no_edge)
         steps = np.column_stack([spacing[left], spacing[right], share_spacing, constant])
+        if not touching:
+            return q, steps
         pairs = share == 0
-        families = [q]
-        families_steps = [steps]
-        for edge in range(len(self.boundary_edges) * touching):
-            family = q[pairs]
-            family[:, 3] = edge
-            families.append(family)
-            families_steps.append(steps[pairs])
-        return np.concatenate(families), np.concatenate(families_steps)
+        touching_edges = self.touching_every_edge(q[pairs])
+        touching_steps = np.resize(steps[pairs], touching_edges.shape)
+        return np.concatenate([q, touching_edges]), np.concatenate([steps, touching_steps])
+
+    def touching_every_edge(self, q: Floats) -> Floats:
+        """Return circles with the ends of circles ``q``, (n, 4), that touch each edge in turn, (edges n, 4)."""
+        edges = np.arange(len(self.boundary_edges))
+        circles = np.tile(q, (len(edges), 1))
+        circles[:, 3] = np.repeat(edges, len(q))
+        return circles
 
     def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None], rule: Rule = COARSE) -> ArrayPair:
         """Return the best circles without better neighbours, and their steps, (valleys, 4) each, the best first.

@@ -36,20 +36,11 @@ def screened(search: Search) -> ArrayPair:
 def with_nearest_boundaries(search: Search, q: Floats) -> Floats:
     """Return circles (n, 4) as in `family`, and behind them circles with the same ends that touch the nearest edge."""
     angle = search.half_angles(q)
-    touching = search.half_angles(_touching_every_edge(search, q)).reshape(len(q), -1)
-    apart = np.abs(touching - angle[:, None])
+    touching = search.half_angles(search.touching_every_edge(q)).reshape(-1, len(q))
+    apart = np.abs(touching - angle)
     nearest = q.copy()
-    nearest[:, 3] = np.nan_to_num(apart, nan=np.inf).argmin(axis=1)
+    nearest[:, 3] = np.nan_to_num(apart, nan=np.inf).argmin(axis=0)
     return np.concatenate([q, nearest])
-
-
-def _touching_every_edge(search: Search, q: Floats) -> Floats:
-    """Return circles with the ends of circles ``q``, (n, 4), that touch each edge of a boundary, (n edges, 4)."""
-    count = len(search.boundary_edges)
-    touching = np.repeat(q, count, axis=0)
-    every_edge = np.arange(count)
-    touching[:, 3] = np.resize(every_edge, len(touching))
-    return touching
 
 
 def _from_outcrops(search: Search) -> ArrayPair:
@@ -62,13 +53,14 @@ def _from_outcrops(search: Search) -> ArrayPair:
     lengths = np.sort(np.reshape(pairs, (2, -1)), axis=0)
     q = np.pad(lengths.T, [(0, 0), (0, 2)], constant_values=1.0)
     q = q[search.possible(q)]
-    touching = _touching_every_edge(search, q)
+    touching = search.touching_every_edge(q)
     centre, radius, left, right = search.circles(touching)
     x = centre[:, 0]
     is_lowest_between = np.isfinite(radius) & (left[:, 0] < x) & (x < right[:, 0])
-    by_edge = is_lowest_between.reshape(len(q), -1)
-    next_below = by_edge & (np.cumsum(by_edge, axis=1) <= _BELOW)
-    chosen = touching[next_below.ravel()]
+    by_edge = is_lowest_between.reshape(-1, len(q))
+    next_below = by_edge & (np.cumsum(by_edge, axis=0) <= _BELOW)
+    of_circles = touching.reshape(-1, len(q), 4).swapaxes(0, 1)
+    chosen = of_circles[next_below.T]
     spacing = np.interp(chosen[:, :2], ends, np.gradient(ends))
     return chosen, np.pad(spacing, [(0, 0), (0, 2)])
 
