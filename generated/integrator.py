@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 38eb1e7a4ef26b3214811a29aa9ba51bac22af1f5227385e74ec3041a9d85bf2
+# sha256 of the text below: 14df16bb47fa95e26347f0d67673837afd945994c1e580bf7b73b9cfaaba93de
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -81,6 +81,7 @@ class Lanes:
         self.timed = sum(t.kind == ix.OF_TIME for t in self.tables)
         self.terms = max([self.highest + 2, *(t.terms for t in self.tables)])
         self.autonomous = program.autonomous
+        self.by_rotation = program.by_rotation
         self.samples = samples
         self.log = log
         self.logged = log is not None
@@ -139,9 +140,10 @@ def power_of_two(y: Floats) -> Floats:
     return pattern.view(np.float64)
 
 
-def operate(s: Lanes, n: int) -> None:
-    """Compute coefficient n of every register."""
-    series_ops(s.program.series, s.registers, s.cells, n)
+def operate(s: Lanes, n: int, by_rotation: bool) -> None:
+    """Compute coefficient n of every register. In powers of the rotation, the square of omega is a state."""
+    skipped = int(by_rotation and s.by_rotation == 2)
+    series_ops(s.program.series[skipped:], s.registers, s.cells, n)
 
 
 def operate_later(s: Lanes, n: int) -> None:
@@ -289,6 +291,13 @@ SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
 ROUNDINGS = 134217728.0
 FAR = 1e+300
+LONGEST = 1.0
+REACH = 4.0
+STRAIGHT = 16.0
+NEWTON = 3
+NEAREST = 0.9
+EVEN = 9.5367431640625e-07
+MOST_HALVINGS = 30
 LAST = 7
 VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
     -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
@@ -707,7 +716,7 @@ def begin_series(s: Lanes) -> None:
 def evaluate(s: Lanes) -> None:
     """Compute order 0 of all registers."""
     begin_series(s)
-    operate(s, 0)
+    operate(s, 0, False)
     operate_later(s, 1)
 
 
@@ -777,6 +786,16 @@ def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -
         s.registers[q.register][n + 1] = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
 
 
+def integrate_in_rotation(s: Lanes, n: int, order: Floats, alike: int) -> None:
+    """Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation."""
+    coefficient = 2.0 * (s.registers[s.roles.net][n] * (1.0 / (n + 1)))
+    coefficient = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
+    s.registers[s.roles.omega][n + 1] = coefficient
+    s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
+    if s.roles.square >= 0:
+        s.registers[s.roles.square][n + 1] = coefficient
+
+
 def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     """Return whether coefficient n times a power of the step is significant beside the largest term so far."""
     c = s.cells
@@ -791,22 +810,27 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     return counts
 
 
-def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
+def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) -> int:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
     alike = all_lanes(order == float(top))
     begin_expansion(s, which, top)
+    if by_rotation and s.roles.square >= 0:
+        s.registers[s.roles.square][0] = c[ix.OMEGA]
     c[ix.LARGEST_X] = 0.0 if at_rest else np.abs(s.registers[s.roles.x][0])
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
     while n < top:
-        operate(s, n)
-        integrate_rates(s, n, order, alike, at_rest)
-        if s.timed:
+        operate(s, n, by_rotation)
+        if by_rotation:
+            integrate_in_rotation(s, n, order, alike)
+        if not by_rotation:
+            integrate_rates(s, n, order, alike, at_rest)
+        if s.timed or by_rotation:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
@@ -922,7 +946,8 @@ def start(lane: Lanes, i: Index) -> None:
     c[ix.LIFTED, i] = 0.0
     c[ix.FACED, i] = 0.0
     c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
-    if lane.timed:
+    c[ix.CLOCKED, i] = 0.0
+    if lane.timed or lane.by_rotation:
         find_negligible(lane, i)
     find_pieces(lane, i)
 
@@ -1779,7 +1804,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     c = s.cells
     limit = np.minimum(next_break(s), c[ix.END_TIME])
     room = limit - c[ix.TIME]
-    top = expand(s, room, here, 0)
+    top = expand(s, room, here, 0, False)
     choose_step(s, here, room, top)
     reaches_limit = c[ix.STEP] >= room
     find_events(s, here, top)
@@ -1806,6 +1831,148 @@ def make_step(s: Lanes, here: Mask) -> None:
     i = np.flatnonzero(here)
     if i.size:
         settle(s, i, rate[i], at_limit[i], endless[i])
+
+
+def time_over(p: Floats, n: int, base: Floats, way: Floats, beyond: Floats, per: Floats) -> Floats:
+    """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain."""
+    size = np.abs(way)
+    side = np.where(way < 0.0, -1.0, 1.0)
+    first = np.sqrt(beyond)
+    left = 1.0 - per * size
+    stretch = 1.0 + per * beyond
+    span = size * stretch / (left * (first + np.sqrt((beyond + size) / left)))
+    total: Floats = 0.0
+    last: Floats = 0.0
+    last_but_one: Floats = 0.0
+    for k in range(TO_PEAK, TO_PEAK + FROM_PEAK - 1 + 1):
+        past = span * NODES[k]
+        v = first + past
+        share = 1.0 / (1.0 + per * (v * v))
+        y = past * (first + v) * share
+        slowness = v * (share * share) / np.sqrt(value(p, n, base + side * y))
+        total = total + SHARES[k] * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    even = np.abs(last) + np.abs(last_but_one) <= EVEN * total
+    return np.where(size > 0.0, np.where(even, span * stretch * total, INFINITY), 0.0)
+
+
+def distance_of_rest(p: Floats, n: int, base: Floats, side: Floats, far: Floats) -> Floats:
+    """Return the distance from ``base`` at which E has a zero, by Newton's method as far as it converges."""
+    at, slope = value_and_slope(p, n, base)
+    distance = -side * at / slope
+    for _ in range(1, NEWTON + 1):
+        at, slope = value_and_slope(p, n, base + side * distance)
+        change = -side * at / slope
+        distance = np.where(np.abs(change) < 0.5 * distance, distance + change, distance)
+    return np.where(distance >= 0.0, np.minimum(distance, far), far)
+
+
+def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats, Floats]:
+    """Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    step = c[ix.STEP].copy()
+    peaks = peak < INFINITY
+    slope = value(s.registers[s.roles.net], top - 1, step)
+    far = STRAIGHT * step
+    stands = c[ix.EVENT] == float(ix.EVENT_STANDSTILL)
+    to_end = np.where(stands, 0.0, distance_of_rest(e, top, step, 1.0, far))
+    rises = e[1] > 0.0
+    falls = np.logical_not(rises) & (slope < 0.0)
+    behind = np.where(rises, distance_of_rest(e, top, 0.0, -1.0, far), far)
+    ahead = np.where(peaks, 1.0 / (step + to_end), np.maximum(-e[2] / e[1], 0.0))
+    first = np.minimum(peak, step)
+    ahead = np.where(rises & (ahead * first < NEAREST), ahead, 0.0)
+    beyond = np.where(falls, to_end, behind)
+    base = np.where(falls, step, 0.0)
+    before = time_over(e, top, base, np.where(falls, -step, first), beyond, ahead)
+    after: Floats = 0.0
+    if np.any(peaks):
+        left = np.where(peaks, step - peak, 0.0)
+        after = time_over(e, top, step, -left, to_end, np.where(rises, 1.0 / (step + behind), 0.0))
+    return (before, after)
+
+
+def way_ahead(s: Lanes) -> Floats:
+    """Return the rotation up to which a step may go: to the next edge of a table."""
+    c = s.cells
+    room = LONGEST + c[ix.X]
+    for t in s.tables:
+        if t.kind == ix.OF_SLIP or t.kind == ix.OF_ROTATION:
+            room = np.minimum(c[t.cells + ix.UPPER] - c[ix.X], room)
+    return room
+
+
+def shorten(s: Lanes, here: Mask) -> None:
+    """Shorten a step where the square of the speed bends upwards, so that a second rest behind is not too near."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    bends = here & (e[2] > 0.0) & (e[1] >= 0.0)
+    by_slope = e[1] / e[2]
+    by_speed = np.sqrt(e[0] / e[2])
+    c[ix.STEP] = np.where(here, np.where(bends, np.minimum(REACH * (by_slope + by_speed), c[ix.STEP]), c[ix.STEP]),
+        c[ix.STEP])
+
+
+def greatest_speed(s: Lanes, here: Mask, top: int) -> Floats:
+    """Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity."""
+    c = s.cells
+    rate, slope = value_and_slope(s.registers[s.roles.net], top - 1, c[ix.STEP])
+    return falling_root(s.registers[s.roles.net], top - 1, c[ix.STEP], rate, slope, here)
+
+
+def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until: Floats) -> None:
+    """Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``."""
+    c = s.cells
+    net = s.registers[s.roles.net]
+    e = s.registers[s.roles.omega]
+    step = c[ix.STEP].copy()
+    rate = value(net, top - 1, step)
+    peaks = here & (peak < INFINITY)
+    if np.any(peaks):
+        there = np.where(peaks, peak, 0.0)
+        speed = np.sqrt(value(e, top, there))
+        keep_faster(s, peaks, speed, c[ix.TIME] + before, c[ix.X] + there, value(net, top - 1, there))
+    steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * e[0]) & (c[ix.EVENT] == float(ix.EVENT_NONE))
+    c[ix.X] = np.where(here, c[ix.X] + step, c[ix.X])
+    c[ix.OMEGA] = np.where(here, np.sqrt(np.maximum(e[0] + increment(e, top, step), 0.0)), c[ix.OMEGA])
+    keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
+    c[ix.TIME] = np.where(here, until, c[ix.TIME])
+    c[ix.STEPS] = np.where(here, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0), c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    i = np.flatnonzero(here)
+    if i.size:
+        settle(s, i, rate[i], np.full(i.size, False), np.full(i.size, False))
+
+
+def turn_on(s: Lanes, here: Mask) -> None:
+    """Make one step of moving lanes in powers of the rotation."""
+    c = s.cells
+    omega = 1.0 * c[ix.OMEGA]
+    c[ix.OMEGA] = np.where(here, omega * omega, c[ix.OMEGA])
+    room = way_ahead(s)
+    top = expand(s, room, here, 0, True)
+    choose_step(s, here, room, top)
+    shorten(s, here)
+    find_events(s, here, top)
+    peak = greatest_speed(s, here, top)
+    before, after = times_of_step(s, here, top, peak)
+    count = 0
+    unsure = here & np.logical_not(before + after < INFINITY)
+    while np.any(unsure) and count < MOST_HALVINGS:
+        c[ix.STEP] = np.where(here, np.where(unsure, 0.5 * c[ix.STEP], c[ix.STEP]), c[ix.STEP])
+        c[ix.EVENT] = np.where(here, np.where(unsure, float(ix.EVENT_NONE), c[ix.EVENT]), c[ix.EVENT])
+        peak = greatest_speed(s, here, top)
+        before, after = times_of_step(s, here, top, peak)
+        unsure = here & np.logical_not(before + after < INFINITY)
+        count = count + 1
+    until = c[ix.TIME] + (before + after)
+    fits = here & (until < c[ix.END_TIME])
+    c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
+    c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
+    if np.any(fits):
+        complete(s, fits, top, peak, before, until)
 
 
 def turned(x: Floats) -> tuple[Floats, Floats]:
@@ -2189,7 +2356,7 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
-    top = expand(s, room, here, 1)
+    top = expand(s, room, here, 1, False)
     net = s.registers[s.roles.net]
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
     jumps = (net[0] > 0.0) & np.logical_not(touches)
@@ -2348,6 +2515,11 @@ def advance(s: Lanes, here: Mask) -> None:
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
     if s.roles.net_sine >= 0 and (not s.samples):
         moving = moving & np.logical_not(swing(s, moving))
+    if s.by_rotation and (not s.samples):
+        turning = moving & (c[ix.CLOCKED] == 0.0)
+        if np.any(turning):
+            turn_on(s, turning)
+        moving = moving & np.logical_not(turning)
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)
     if np.count_nonzero(resting) > np.count_nonzero(moving):

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 35e7d556e33571d0013919d167f88a1a756941f781ef2aa96364beb9ef563821
+# sha256 of the text below: f453ba27e22b5e2cad727ef7eb2d0f55c8d834e5e392ba4144738124eda26297
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -246,6 +246,7 @@ def _departed(made: Definitions) -> OnCells:
     return ("abs", "ROTATION") if "ROTATION" in taken else ("set", ZERO)
 
 
+SQUARE = ("sqr", ("omega",))  # operation that precedes all others
 EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and an upright chord
 # Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
 OUTPUT_CELLS = {
@@ -291,7 +292,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     if not definitions.tables and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
-    series = _needed(linker.series, pending)
+    series = sorted(_needed(linker.series, pending), key=lambda row: row[0][:2] != SQUARE)
     scalar = _needed(linker.scalar, pending)
     constants = sorted(name for name in pending if name and name.startswith("="))
     return Linked(scalar, series, registers, outputs, constants)
@@ -534,7 +535,10 @@ class Program:
     phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
     its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
     each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
-    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0.
+    alone if ``autonomous`` is 2, also on omega if it is 1,
+        and on further registers if it is 0. If ``by_rotation`` is not
+    zero, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
+    E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 
     cells: Names
@@ -546,6 +550,7 @@ class Program:
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
     autonomous: int
+    by_rotation: int
     constants: Mapping[str, float]
 
     @cached_property
@@ -556,7 +561,7 @@ class Program:
     @cached_property
     def split(self) -> tuple[list[int], list[int]]:
         """Places of the operations on which rates depend, and of those that can wait until states are complete."""
-        needed = {rate for _, _, rate in self.states}
+        needed = {rate for _, _, rate in self.states} | {self.roles.get("square", -1)}
         rates = list[int]()
         others = list[int]()
         for k in reversed(range(len(self.series))):
@@ -603,6 +608,9 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
     roles = {name: read[name] for name in ("x", "omega", "net", *EVENTS, *outputs)}
     for role, name in linked.outputs.items():
         roles[role] = cells[name]
+    for operation, (result, *_) in linked.series[:1]:
+        if operation[:2] == SQUARE:
+            roles["square"] = registers[result]
     tables = []
     for table in definitions.tables:
         name, kind, argument, degree = table
@@ -624,6 +632,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         tables=tuple(tables),
         roles=roles,
         autonomous=_autonomous(definitions, linked),
+        by_rotation=_by_rotation(definitions, linked),
         constants={name: float(name[1:]) for name in linked.constants},
     )
 
@@ -652,6 +661,15 @@ def _autonomous(definitions: Definitions, linked: Linked) -> int:
     taken = {register for operation, _ in linked.series for register in operation.registers}
     still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
     return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)
+
+
+def _by_rotation(definitions: Definitions, linked: Linked) -> int:
+    """Return the code of `Program.by_rotation`."""
+    others = [operation for operation, _ in linked.series if operation[:2] != SQUARE]
+    taken = {register for operation in others for register in operation.registers}
+    fits = len(definitions.states) == 2 and "x" in taken and "omega" not in taken
+    fits = fits and all(table.kind in ("slip", "rotation") for table in definitions.tables)
+    return fits * (1 + len(linked.series) - len(others))
 
 
 # Quantity that a law of one soil supplies, by the effect that takes it.
@@ -743,6 +761,7 @@ def integers_of(program: Program) -> list[int]:
         len(series),
         len(later),
         int(program.autonomous),
+        program.by_rotation,
     ]
     places = {name: program.roles.get(name, -1) for name in ROLES}
     roles = [place if name.startswith("cell_") else _begin(place) for name, place in places.items()]

@@ -20,7 +20,7 @@ from derive.flow.recurrences import OPERATIONS
 # Parameters that change along the motion: none, a level of water, a record in one direction or in two.
 MOVING: tuple[tuple[Symbol, ...], ...] = ((), (WATER,), (K_H,), (K_H, K_V))
 FUNCTIONS = """\
-INLINE void rates_{k}(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_{k}(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {{
 {rates}
 }}
@@ -76,7 +76,8 @@ def c_programs() -> dict[str, str]:
         rates, others = program.split
         for row in (program.series[i] for i in (*rates, *others)):
             begins.append(len(integers))
-            calls.append(f"    STRAIGHT({len(integers)}, {', '.join(operation(*row))});")
+            condition = "if (squares) " if row[0] == "sqr" and not integers else ""
+            calls.append(f"    {condition}STRAIGHT({len(integers)}, {', '.join(operation(*row))});")
             integers += operation(*row)
         count = len(rates)
         patterns += f"    {{{begins[count]}, {len(integers)}, (const int32_t[]){{{', '.join(integers)}}}}},\n"

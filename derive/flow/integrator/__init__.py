@@ -17,6 +17,7 @@ Taylor series in time, as long as its radius of convergence allows. Events are r
 
 step       steps of moving lanes to the first event, and the consequences of events: standstill, an upright chord,
            lift-off and landing, edges of tables, the end time
+rotation   steps in powers of the rotation, with omega^2 as the state
 energy     closed form of omega^2 in the rotation
 softening  the same under exponentially softening friction
 swing      phases from rest that have a closed form
@@ -35,4 +36,4 @@ to cells apply to these lanes.
 """
 
 # Modules, each uses only earlier modules.
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "energy", "softening", "swing", "rest")
+TEXT = ("roots", "tables", "series", "phases", "records", "step", "rotation", "energy", "softening", "swing", "rest")

@@ -42,7 +42,7 @@ def begin_series(s: Lanes) -> None:
 def evaluate(s: Lanes) -> None:
     """Compute order 0 of all registers."""
     begin_series(s)
-    operate(s, 0)
+    operate(s, 0, False)
     operate_later(s, 1)
 
 
@@ -106,6 +106,16 @@ def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
         q.series[n + 1] = coefficient if alike else where(order > number(n), coefficient, 0.0)
 
 
+def integrate_in_rotation(s: Lanes, n: N, order: V, alike: N) -> None:
+    """Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation."""
+    coefficient = 2.0 * (s.series.net[n] * s.inverse[n + 1])
+    coefficient = coefficient if alike else where(order > number(n), coefficient, 0.0)
+    s.series.omega[n + 1] = coefficient
+    s.series.x[n + 1] = 1.0 if n == 0 else 0.0
+    if s.has.square:
+        s.series.square[n + 1] = coefficient
+
+
 def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
     """Return whether coefficient n times a power of the step is significant beside the largest term so far."""
     x = s.series.net if at_rest else s.series.x
@@ -118,10 +128,10 @@ def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
     return counts
 
 
-def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
+def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order.
 
-    If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+    If a function of time cuts the step short after ``room``, or with ``by_rotation`` an edge of a table, a series ends as soon as two consecutive terms are
     negligible there. At rest the states are constant, and the net moment decides. Each lane's order is `series_order`,
     and net moment, normal force and dip are zero beyond it.
     """
@@ -129,15 +139,20 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
     top: N = greatest(order)
     alike: N = all_lanes(order == number(top))
     begin_expansion(s, which, top)
+    if by_rotation and s.has.square:
+        s.series.square[0] = s.omega
     s.largest_x = 0.0 if at_rest else abs(s.series.x[0])
     s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
     power: V = 1.0 if at_rest else room
     in_a_row: V = 0.0
     n: N = 0
     while n < top:
-        operate(s, n)
-        integrate_rates(s, n, order, alike, at_rest)
-        if s.timed:
+        operate(s, n, by_rotation)
+        if by_rotation:
+            integrate_in_rotation(s, n, order, alike)
+        if not by_rotation:
+            integrate_rates(s, n, order, alike, at_rest)
+        if s.timed or by_rotation:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = where(counts, 0.0, in_a_row + 1.0)

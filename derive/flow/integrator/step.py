@@ -266,7 +266,7 @@ def make_step(s: Lanes, here: M) -> None:
     """Make one step of moving lanes."""
     limit = minimum(next_break(s), s.end_time)
     room = limit - s.time
-    top: N = expand(s, room, here, 0)
+    top: N = expand(s, room, here, 0, False)
     choose_step(s, here, room, top)
     reaches_limit = s.step >= room
     find_events(s, here, top)
