@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "837564a6c0e4823c0b1a8319d8bae368d17486bea5d0908efac73fcca7b4c7c3"
+#define DIGEST "7c07551f95d0c49d670a423e6ce1c3c1d230d4065fd4d57bde4250e26f9f8168"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -78,6 +78,10 @@ static const struct { int rates, length; const int32_t *operations; } patterns[]
     {77, 91, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 9 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 9 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
     {78, 92, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, MUL, 14 * STRIDE, 12 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
     {101, 115, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, RAMP, 9 * STRIDE, CELL, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, MUL, 17 * STRIDE, 15 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {45, 59, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 7 * STRIDE, LIN, 9 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {67, 81, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE, POWERS, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 0 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 6 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {68, 82, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, MUL, 11 * STRIDE, 9 * STRIDE, 10 * STRIDE, LIN, 12 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {91, 105, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, RAMP, 9 * STRIDE, CELL, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, MUL, 14 * STRIDE, 12 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
 };
 
 static int straight_of(const Job *job)
@@ -1011,6 +1015,80 @@ INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(107, LIN, 20 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(11)
+INLINE void rates_12(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+{
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(17, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    STRAIGHT(27, MUL, 8 * STRIDE, 6 * STRIDE, 7 * STRIDE);
+    STRAIGHT(31, LIN, 9 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+}
+INLINE void others_12(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(45, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
+    STRAIGHT(51, LIN, 11 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+}
+EACH_ORDER(12)
+INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+{
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(17, POWERS, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 0 * STRIDE);
+    STRAIGHT(25, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
+    STRAIGHT(49, MUL, 14 * STRIDE, 6 * STRIDE, 13 * STRIDE);
+    STRAIGHT(53, LIN, 15 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+}
+INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(67, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    STRAIGHT(73, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+}
+EACH_ORDER(13)
+INLINE void rates_14(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+{
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(28, LIN, 10 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    STRAIGHT(44, MUL, 11 * STRIDE, 9 * STRIDE, 10 * STRIDE);
+    STRAIGHT(48, LIN, 12 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+}
+INLINE void others_14(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(68, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
+    STRAIGHT(74, LIN, 14 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+}
+EACH_ORDER(14)
+INLINE void rates_15(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+{
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, RAMP, 9 * STRIDE, CELL);
+    STRAIGHT(25, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE);
+    STRAIGHT(29, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE);
+    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(39, LIN, 13 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(61, MUL, 14 * STRIDE, 12 * STRIDE, 13 * STRIDE);
+    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+}
+INLINE void others_15(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(91, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    STRAIGHT(97, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+}
+EACH_ORDER(15)
 static const struct {
     void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n, int squares);
     void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
@@ -1027,6 +1105,10 @@ static const struct {
     {order_9, later_9},
     {order_10, later_10},
     {order_11, later_11},
+    {order_12, later_12},
+    {order_13, later_13},
+    {order_14, later_14},
+    {order_15, later_15},
 };
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 1};
 #else
@@ -1163,6 +1245,7 @@ static const double LAST_SHARES[] = {-0.030148844086217937, 0.10450373227140304,
 static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
+#define BEYOND 0x1.2000000000000p+0
 #define ROUNDING 0x1.0000000000000p-56
 #define LARGEST 0x1.f400000000000p+49
 #define TIE 0x1.0000000000000p-44
@@ -1773,6 +1856,19 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
+/* Return a path beyond which a step in rotation is useless, since the mass is at rest, and the size of its terms.
+ * The end is estimated by a parabola. If it is too near, another step follows. */
+INLINE V look_for_end(Batch *b, V room)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V root = sqrt_of(maximum((e[1] * e[1]) - (4.0 * (e[0] * e[2])), broadcast(0.0)));
+    V path = pick(e[2] < 0.0, minimum((BEYOND * (e[1] + root)) / ((-2.0) * e[2]), room), room);
+    c[LARGEST_OMEGA] = maximum(magnitude(e[0]), path * maximum(magnitude(e[1]), path * maximum(magnitude(e[2]), path * magnitude(e[3]))));
+    return path;
+}
+
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
  * function of time cuts the step short after ``room``, or with ``by_rotation`` an edge of a table, a series ends
  * as soon as two consecutive terms are negligible there. At rest the states are constant, and the net moment
@@ -1801,6 +1897,11 @@ INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
         if (!by_rotation) {
             integrate_rates(b, n, order, alike, at_rest);
         }
+        if (by_rotation && (n == 3)) {
+            room = look_for_end(b, room);
+            power = (room * room) * (room * room);
+            in_a_row = broadcast(0.0);
+        }
         if (job->timed || by_rotation) {
             M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
             power = power * room;
@@ -1821,6 +1922,7 @@ INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
         cut(b, order, top);
     }
     c[SERIES_ORDER] = order;
+    c[STEP] = room;
     return top;
 }
 
@@ -2722,13 +2824,12 @@ static void find_events(Batch *b, M here, int top)
     }
 }
 
-/* Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early. The radius
- * of the rotation equals the radius of the angular velocity. */
-INLINE void choose_step(Batch *b, M here, V room, int top)
+/* Shorten the step to a fraction of the least radius of convergence, except where series end early. The radius of
+ * the rotation equals the radius of the angular velocity. */
+INLINE void choose_step(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[STEP] = pick(here, room, c[STEP]);
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
         V radius = broadcast(INFINITY);
@@ -2737,7 +2838,7 @@ INLINE void choose_step(Batch *b, M here, V room, int top)
                 radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
             }
         }
-        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, room), c[STEP]), c[STEP]);
+        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, c[STEP]), c[STEP]), c[STEP]);
     }
 }
 
@@ -2793,7 +2894,7 @@ static void make_step(Batch *b, M here)
     V limit = minimum(next_break(b), c[END_TIME]);
     V room = limit - c[TIME];
     int top = expand(b, room, here, 0, 0);
-    choose_step(b, here, room, top);
+    choose_step(b, here, top);
     M reaches_limit = c[STEP] >= room;
     find_events(b, here, top);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
@@ -2969,7 +3070,7 @@ static void turn_on(Batch *b, M here)
     c[OMEGA] = pick(here, omega * omega, c[OMEGA]);
     V room = way_ahead(b);
     int top = expand(b, room, here, 0, 1);
-    choose_step(b, here, room, top);
+    choose_step(b, here, top);
     shorten(b, here);
     find_events(b, here, top);
     V peak = greatest_speed(b, here, top);

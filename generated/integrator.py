@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 14df16bb47fa95e26347f0d67673837afd945994c1e580bf7b73b9cfaaba93de
+# sha256 of the text below: ccf555c8dcf5a8a08e83d390dff6a5a23a982805a8599a67ec81124315449202
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -283,6 +283,7 @@ NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.
     0.2108819967832719)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
+BEYOND = 1.125
 ROUNDING = 1.3877787807814457e-17
 LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
@@ -810,6 +811,17 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     return counts
 
 
+def look_for_end(s: Lanes, room: Floats) -> Floats:
+    """Return a path beyond which a step in rotation is useless, since the mass is at rest, and the size of its terms."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    root = np.sqrt(np.maximum(e[1] * e[1] - 4.0 * (e[0] * e[2]), 0.0))
+    path = np.where(e[2] < 0.0, np.minimum(BEYOND * (e[1] + root) / (-2.0 * e[2]), room), room)
+    c[ix.LARGEST_OMEGA] = np.maximum(np.abs(e[0]), path * np.maximum(np.abs(e[1]), path * np.maximum(np.abs(e[2]),
+        path * np.abs(e[3]))))
+    return path
+
+
 def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) -> int:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
@@ -830,6 +842,10 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) 
             integrate_in_rotation(s, n, order, alike)
         if not by_rotation:
             integrate_rates(s, n, order, alike, at_rest)
+        if by_rotation and n == 3:
+            room = look_for_end(s, room)
+            power = room * room * (room * room)
+            in_a_row = 0.0
         if s.timed or by_rotation:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
@@ -845,6 +861,7 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) 
     if not alike:
         cut(s, order, top)
     c[ix.SERIES_ORDER] = order
+    c[ix.STEP] = room
     return top
 
 
@@ -1753,17 +1770,17 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
             ix.EVENT_LIFT_OFF)
 
 
-def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
-    """Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early."""
+def choose_step(s: Lanes, here: Mask, top: int) -> None:
+    """Shorten the step to a fraction of the least radius of convergence, except where series end early."""
     c = s.cells
-    c[ix.STEP] = np.where(here, room, c[ix.STEP])
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
         radius: Floats = INFINITY
         for q in s.states:
             if q.rate != s.roles.omega:
                 radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
-        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), c[ix.STEP]), c[ix.STEP])
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, c[ix.STEP]), c[ix.STEP]),
+            c[ix.STEP])
 
 
 def advance_states(s: Lanes, here: Mask, top: int) -> None:
@@ -1805,7 +1822,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     limit = np.minimum(next_break(s), c[ix.END_TIME])
     room = limit - c[ix.TIME]
     top = expand(s, room, here, 0, False)
-    choose_step(s, here, room, top)
+    choose_step(s, here, top)
     reaches_limit = c[ix.STEP] >= room
     find_events(s, here, top)
     uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
@@ -1953,7 +1970,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
     c[ix.OMEGA] = np.where(here, omega * omega, c[ix.OMEGA])
     room = way_ahead(s)
     top = expand(s, room, here, 0, True)
-    choose_step(s, here, room, top)
+    choose_step(s, here, top)
     shorten(s, here)
     find_events(s, here, top)
     peak = greatest_speed(s, here, top)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f453ba27e22b5e2cad727ef7eb2d0f55c8d834e5e392ba4144738124eda26297
+# sha256 of the text below: bd70710432ebd5e082183e59f33f6664a17d7d407d801b2e5414cf7738d8a791
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -513,6 +513,10 @@ def _simplified(kind: str, operands: list[str]) -> str | None:
     return None
 
 
+# Functions of slip whose series converge no farther in the rotation than in time, and other arguments of tables.
+SHORT = {"exp", "rec", "log", "pow", "time", "speed"}
+
+
 class Table(NamedTuple):
     """Piecewise function in a program.
 
@@ -536,8 +540,8 @@ class Program:
     its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
     each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
     alone if ``autonomous`` is 2, also on omega if it is 1,
-        and on further registers if it is 0. If ``by_rotation`` is not
-    zero, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
+        and on further registers if it is 0. Unless ``by_rotation`` is
+    0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
     E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 
@@ -667,8 +671,8 @@ def _by_rotation(definitions: Definitions, linked: Linked) -> int:
     """Return the code of `Program.by_rotation`."""
     others = [operation for operation, _ in linked.series if operation[:2] != SQUARE]
     taken = {register for operation in others for register in operation.registers}
-    fits = len(definitions.states) == 2 and "x" in taken and "omega" not in taken
-    fits = fits and all(table.kind in ("slip", "rotation") for table in definitions.tables)
+    kinds = {operation.kind for operation in others} | {table.kind for table in definitions.tables}
+    fits = len(definitions.states) == 2 and "x" in taken and "omega" not in taken and kinds.isdisjoint(SHORT)
     return fits * (1 + len(linked.series) - len(others))
 
 

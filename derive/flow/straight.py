@@ -36,8 +36,9 @@ def programs() -> Iterator[Program]:
     """Link the programs: the first smooth laws without argument, of slip and of speed, with each set of parameters."""
     smooth = [law for law in LAWS if law.coefficient is not None and not law.kinks]
     laws = {law.depends_on: law for law in reversed(smooth)}
+    laws["kink"] = next(law for law in LAWS if law.kinks)
     parts = lookup()
-    for dependence, moving in product(((), ("slip",), ("speed",)), MOVING):
+    for dependence, moving in product(((), ("slip",), ("speed",), "kink"), MOVING):
         effects = [e for e in EFFECTS if not e.parameters or not e.symbols.keys().isdisjoint(moving)]
         absent = [x for e in effects for x in e.symbols if x not in moving]
         recipe = Recipe(

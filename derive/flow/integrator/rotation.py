@@ -174,7 +174,7 @@ def turn_on(s: Lanes, here: M) -> None:
     s.omega = omega * omega
     room = way_ahead(s)
     top: N = expand(s, room, here, 0, True)
-    choose_step(s, here, room, top)
+    choose_step(s, here, top)
     shorten(s, here)
     find_events(s, here, top)
     peak = greatest_speed(s, here, top)

@@ -21,11 +21,13 @@ from derive.flow.integrator.one_lane import (
     operate,
     operate_later,
     power_of_two,
+    sqrt,
     up,
     where,
 )
 from derive.flow.integrator.tables import expand_sine
 
+BEYOND = 1.125  # longest step in rotation over the path to the estimated end of the motion
 ROUNDING = 2.0**-56  # size over the largest term of a series below which a term is rounding
 LARGEST = 1000.0 * 2.0**40  # greatest log2 of a radius, scaled like `log2_of`
 
@@ -128,6 +130,18 @@ def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
     return counts
 
 
+def look_for_end(s: Lanes, room: V) -> V:
+    """Return a path beyond which a step in rotation is useless, since the mass is at rest, and the size of its terms.
+
+    The end is estimated by a parabola. If it is too near, another step follows.
+    """
+    e = s.series.omega
+    root = sqrt(maximum(e[1] * e[1] - 4.0 * (e[0] * e[2]), 0.0))
+    path = where(e[2] < 0.0, minimum(BEYOND * (e[1] + root) / (-2.0 * e[2]), room), room)
+    s.largest_omega = maximum(abs(e[0]), path * maximum(abs(e[1]), path * maximum(abs(e[2]), path * abs(e[3]))))
+    return path
+
+
 def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order.
 
@@ -152,6 +166,10 @@ def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
             integrate_in_rotation(s, n, order, alike)
         if not by_rotation:
             integrate_rates(s, n, order, alike, at_rest)
+        if by_rotation and n == 3:
+            room = look_for_end(s, room)
+            power = (room * room) * (room * room)
+            in_a_row = 0.0
         if s.timed or by_rotation:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
@@ -167,6 +185,7 @@ def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
     if not alike:
         cut(s, order, top)
     s.series_order = order
+    s.step = room
     return top
 
 

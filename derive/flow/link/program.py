@@ -12,6 +12,10 @@ from derive.flow.link.linker import EVENTS, SQUARE, Linked, link
 from derive.flow.recurrences import RESULTS
 
 
+# Functions of slip whose series converge no farther in the rotation than in time, and other arguments of tables.
+SHORT = {"exp", "rec", "log", "pow", "time", "speed"}
+
+
 class Table(NamedTuple):
     """Piecewise function in a program.
 
@@ -34,8 +38,8 @@ class Program:
     phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
     its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
     each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
-    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. If ``by_rotation`` is not
-    zero, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
+    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. Unless ``by_rotation`` is
+    0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
     E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 
@@ -165,6 +169,6 @@ def _by_rotation(definitions: Definitions, linked: Linked) -> int:
     """Return the code of `Program.by_rotation`."""
     others = [operation for operation, _ in linked.series if operation[:2] != SQUARE]
     taken = {register for operation in others for register in operation.registers}
-    fits = len(definitions.states) == 2 and "x" in taken and "omega" not in taken
-    fits = fits and all(table.kind in ("slip", "rotation") for table in definitions.tables)
+    kinds = {operation.kind for operation in others} | {table.kind for table in definitions.tables}
+    fits = len(definitions.states) == 2 and "x" in taken and "omega" not in taken and kinds.isdisjoint(SHORT)
     return fits * (1 + len(linked.series) - len(others))
