@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 38eb1e7a4ef26b3214811a29aa9ba51bac22af1f5227385e74ec3041a9d85bf2
+# sha256 of the text below: 92df6508af9069c9be6ade400c50fd4108e30e4499d801e3873654ca3678d0b2
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -287,6 +287,7 @@ TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
 SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
+LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
 FAR = 1e+300
 LAST = 7
@@ -1264,69 +1265,23 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = (i_2, piece_2)
 
 
-def path(time: Floats, omega: Floats, net: Floats, change: Floats) -> Floats:
-    """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
-    by_change = SIXTH * time * change
-    by_rate = 0.5 * net + by_change
-    mean = omega + time * by_rate
+def path(time: Floats, omega: Floats, net: Floats, rise: Floats) -> Floats:
+    """Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly."""
+    by_rise = SIXTH * time * rise
+    by_net = 0.5 * net + by_rise
+    mean = omega + time * by_net
     return time * mean
 
 
-def standstill(omega: Floats, net: Floats, change: Floats) -> Floats:
+def standstill(omega: Floats, net: Floats, rise: Floats) -> Floats:
     """Return the first time at which a falling speed is zero."""
     square = net * net
-    decrease = 2.0 * change * omega
+    decrease = 2.0 * rise * omega
     root = np.sqrt(np.maximum(square - decrease, 0.0))
-    twice = 2.0 * omega
-    falling = twice / (root - net)
-    rising = (net + root) / (0.0 - change)
-    return np.where(net <= 0.0, falling, rising)
-
-
-def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
-    """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
-    last = t.pieces - 1
-    following = min(piece + 1, last)
-    return t.places[following] * per
-
-
-def passes(s: Lanes, t: Table, piece: int, per: Floats, until: Floats, press: Floats) -> Mask:
-    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
-    c = s.cells
-    following = end_of(s, t, piece + 1, per)
-    before_last = (until < following) & (following < INFINITY)
-    latest = c[ix.END_TIME] * (1.0 - 4.0 * EPS)
-    in_time = until < latest
-    pressed = press > 0.0
-    return before_last & in_time & pressed
-
-
-def right_value(s: Lanes, t: Table, piece: int) -> Floats:
-    """Return a record at the right end of a piece."""
-    c = s.cells
-    last = t.pieces - 1
-    following = min(piece + 1, last)
-    height = t.heights[2 * following]
-    return height * c[t.cells + ix.SCALED_BY]
-
-
-def rests_through(s: Lanes, t: Table, piece: int, per: Floats) -> Mask:
-    """Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it."""
-    c = s.cells
-    value = right_value(s, t, piece)
-    until = end_of(s, t, piece, per)
-    pressed: Floats = 1.0
-    inside = passes(s, t, piece, per, until, pressed)
-    quiet = (c[ix.QUIET_FROM] <= value) & (value <= c[ix.QUIET_TO])
-    return inside & quiet
-
-
-def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, per: Floats) -> int:
-    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
-    last = piece
-    while not np.any(on & np.logical_not(rests_through(s, t, last + 1, per))):
-        last = last + 1
-    return last
+    falls = net <= 0.0
+    over = np.where(falls, 2.0 * omega, net + root)
+    under = np.where(falls, root - net, 0.0 - rise)
+    return over / under
 
 
 def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
@@ -1352,22 +1307,6 @@ def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: F
     c[ix.PENDING, i] = ix.BEGIN_PHASE
 
 
-def lowest_speed(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
-        after: Floats, end: Floats) -> Floats:
-    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
-    share = net / (net - after)
-    at = length * share
-    gain = at * net
-    extreme = omega + 0.5 * gain
-    mean = omega + 2.0 * SIXTH * gain
-    way = at * mean
-    there = x + way
-    rises = here & (net > 0.0)
-    keep_faster(s, rises, extreme, now + at, there, 0.0)
-    falls = here & (net < 0.0)
-    return np.where(falls, extreme, end)
-
-
 def count_starts(s: Lanes, here: Mask) -> None:
     """Count phases that begin down-slope."""
     c = s.cells
@@ -1377,67 +1316,98 @@ def count_starts(s: Lanes, here: Mask) -> None:
     c[ix.LAST_WAY] = np.where(here, 1.0, c[ix.LAST_WAY])
 
 
-def turn(s: Lanes, here: Mask, now: Floats, length: Floats, omega: Floats, net: Floats, after: Floats) -> tuple[Floats,
-        Floats]:
-    """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
+def turn(s: Lanes, here: Mask, now: Floats, length: Floats, share: Floats, omega: Floats, net: Floats,
+        after: Floats) -> tuple[Floats, Floats]:
+    """Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length."""
     c = s.cells
     moves = omega > 0.0
     rise = after - net
-    change = rise / length
-    root = standstill(omega, net, change)
+    root = standstill(omega, net, rise)
     stop = np.where(moves, root, 0.0)
-    share = net / (net - after)
-    zero = share * length
-    start = np.where(net < 0.0, zero, 0.0)
-    drives_later = (after > 0.0) & (start >= stop)
-    drives = (net > 0.0) & np.logical_not(moves)
-    starts = drives_later | drives
+    starts = (after > 0.0) | (net > 0.0) & np.logical_not(moves)
+    left = np.where(net < 0.0, 1.0 - share, 1.0)
     push = np.maximum(net, 0.0)
-    left = length - start
-    by_change = 0.5 * left * change
-    rate = push + by_change
-    speed = left * rate
-    again = starts & (speed <= 0.0)
-    to_stop = -2.0 * push / change
-    span = np.where(again, to_stop, left)
-    since = np.where(moves, now + stop, c[ix.REST_SINCE])
-    c[ix.REST_SINCE] = np.where(here, np.where(again, now + span, since), c[ix.REST_SINCE])
+    rate = push + after
+    speed = 0.5 * left * rate
+    goes_on = starts & (speed > 0.0)
+    end = np.where(goes_on, speed, 0.0)
+    again = starts & np.logical_not(goes_on)
+    span = np.where(again, 2.0 * share, left)
+    since = np.where(moves, now + length * stop, c[ix.REST_SINCE])
+    c[ix.REST_SINCE] = np.where(here, np.where(again, now + length * span, since), c[ix.REST_SINCE])
     count_starts(s, here & starts)
     nothing = 0.0 * span
-    behind = path(span, nothing, push, change)
+    behind = path(span, nothing, push, rise)
     further = np.where(starts, behind, 0.0)
-    goes_on = starts & np.logical_not(again)
-    end = np.where(goes_on, speed, 0.0)
-    before = path(stop, omega, net, change)
+    before = path(stop, omega, net, rise)
     return (end, before + further)
+
+
+def pass_change(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
+        after: Floats) -> tuple[Floats, Floats]:
+    """Pass a piece in which lanes start, stop, or have their greatest or lowest speed."""
+    share = net / (net - after)
+    rise = after - net
+    one: Floats = 1.0
+    way = path(one, omega, net, rise)
+    end = omega + 0.5 * (net + after)
+    dips = (net <= 0.0) & (after > 0.0)
+    square = net * net
+    reaches_zero = square >= 2.0 * rise * omega
+    stops = (end <= 0.0) | dips & reaches_zero
+    peaks = here & (net > 0.0) & (after <= 0.0)
+    if np.any(peaks):
+        extreme = omega + 0.5 * share * net
+        there = x + length * path(share, omega, net, rise)
+        keep_faster(s, peaks, extreme, now + length * share, there, 0.0)
+    turns = here & np.logical_not((omega > 0.0) & np.logical_not(stops))
+    if np.any(turns):
+        speed, further = turn(s, turns, now, length, share, omega, net, after)
+        end = np.where(turns, speed, end)
+        way = np.where(turns, further, way)
+    return (end, way)
 
 
 def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
         after: Floats) -> tuple[Floats, Floats]:
-    """Return the speed at the end of a piece and the path through it."""
+    """Return the speed at the end of a piece and the path over its length; lanes outside the mask ``here`` rest."""
     twice = net + after
-    half = 0.5 * length
-    end = omega + half * twice
     by_rates = net + twice
-    sixth = SIXTH * length
-    mean = omega + sixth * by_rates
-    further = length * mean
-    lowest = end
-    opposite = net * after
-    crosses = here & (opposite < 0.0)
-    if np.any(crosses):
-        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after, end)
-    moves = omega > 0.0
-    stays = moves & (lowest > 0.0)
-    drives = (net > 0.0) | (after > 0.0)
-    turns = here & np.logical_not(stays) & (moves | drives)
-    end = np.where(stays, end, 0.0)
-    further = np.where(stays, further, 0.0)
+    end = np.where(here, omega + 0.5 * twice, 0.0)
+    way = np.where(here, omega + SIXTH * by_rates, 0.0)
+    changes = (net > 0.0) != (after > 0.0)
+    moves = (omega > 0.0) & (end > 0.0)
+    turns = here & (changes | np.logical_not(moves))
     if np.any(turns):
-        speed, way = turn(s, turns, now, length, omega, net, after)
+        speed, further = pass_change(s, turns, now, length, x, omega, net, after)
         end = np.where(turns, speed, end)
-        further = np.where(turns, way, further)
-    return (end, further)
+        way = np.where(turns, further, way)
+    return (end, way)
+
+
+def latest_end(s: Lanes, t: Table) -> Floats:
+    """Return the place in a record, up to rounding, at which the end time is reached."""
+    c = s.cells
+    return np.minimum(c[ix.END_TIME] * c[t.cells + ix.SCALE] * (1.0 - 4.0 * EPS), LATEST)
+
+
+def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
+    """Return the lanes for which a piece ends before a place and not at the last break, where the record may jump."""
+    last = t.pieces - 1
+    following = min(piece + 2, last)
+    inside = none_of(s)
+    if piece + 2 <= last:
+        inside = t.places[following] < before
+    return inside
+
+
+def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> int:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last = piece
+    while last + 3 < t.pieces and (not np.any(on & np.logical_not((low <= t.heights[2 * last + 4]) & (t.heights[2 *
+         last + 4] <= high) & (t.places[last + 3] < before)))):
+        last = last + 1
+    return last
 
 
 def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Floats, grip: Floats,
@@ -1445,34 +1415,40 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
     c = s.cells
     per = 1.0 / c[t.cells + ix.SCALE]
+    one_end = c[ix.QUIET_FROM] / c[t.cells + ix.SCALED_BY]
+    other_end = c[ix.QUIET_TO] / c[t.cells + ix.SCALED_BY]
+    low = np.minimum(one_end, other_end)
+    high = np.maximum(one_end, other_end)
+    before = latest_end(s, t)
+    slope = slope * c[t.cells + ix.SCALED_BY]
+    grip = grip * c[t.cells + ix.SCALED_BY]
     piece = first
     now = c[ix.TIME].copy()
-    current = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
-    net = base + slope * current
-    value = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
+    net = s.registers[s.roles.net][0].copy()
     omega: Floats = 0.0
     x: Floats = 0.0
     on = here
-    until = end_of(s, t, piece, per)
+    until = t.places[piece + 1] * per
+    length = until - now
     while np.any(on):
-        length = until - now
-        after = base + slope * value
-        acts = on & ((omega > 0.0) | (net > 0.0) | (after > 0.0))
+        after = base + slope * t.heights[2 * piece + 2]
+        drives = (net > 0.0) | (after > 0.0)
+        acts = on & ((omega > 0.0) | drives)
         if np.any(acts):
-            speed, way = pass_piece(s, on, now, length, x, omega, net, after)
-            omega = speed
-            x = x + way
+            end, way = pass_piece(s, acts, now, length, x, omega, length * net, length * after)
+            omega = end
+            x = x + length * way
         if not np.any(acts):
-            piece = last_at_rest(s, on, t, piece, per)
-            until = end_of(s, t, piece, per)
-            after = base + slope * right_value(s, t, piece)
+            piece = last_at_rest(s, on, t, piece, before, low, high)
+            until = t.places[piece + 1] * per
+            after = base + slope * t.heights[2 * piece + 2]
         now = until
         net = after
         piece = piece + 1
-        value = right_value(s, t, piece)
-        press = weight + grip * value
-        until = end_of(s, t, piece, per)
-        inside = passes(s, t, piece, per, until, press)
+        until = t.places[piece + 1] * per
+        length = (t.places[piece + 1] - t.places[piece]) * per
+        press = weight + grip * t.heights[2 * piece + 2]
+        inside = passes(s, t, piece, before) & (press > 0.0)
         leaves = on & np.logical_not(inside)
         i = np.flatnonzero(leaves)
         if i.size:
@@ -1500,11 +1476,9 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     same = c[t.cells + ix.PIECE] == float(piece)
     there = forward & same
     if np.any(there):
-        per = 1.0 / c[t.cells + ix.SCALE]
         ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
         press = weight + grip * ahead
-        until = end_of(s, t, piece, per)
-        inside = there & passes(s, t, piece, per, until, press)
+        inside = there & passes(s, t, piece, latest_end(s, t)) & (press > 0.0)
         slide(s, inside, t, piece, slope, base, grip, weight)
     return forward & np.logical_not(there)
 

@@ -1,0 +1,84 @@
+"""Proof that the integrator passes a piece of a record by the derived motion of a frozen mass."""
+
+from types import SimpleNamespace
+from typing import Any
+
+from sympy import Catalan, EulerGamma, cancel, nsimplify, pi, symbols
+
+from derive.algebra import pieces
+from derive.algebra.prove import prove_rational
+from derive.flow.integrator import records
+
+length, now, behind = symbols("length now behind", positive=True)
+# Constants in place of symbols, by which SymPy decides comparisons. The proof is for any numbers in their place.
+UNITS = (pi, EulerGamma, Catalan)
+# Speed and net moment at the start of a piece, and net moment at its end, as multiples of these constants.
+CASES = {
+    "speeds up": (1, 3, 3),
+    "slows down": (2, -3, -3),
+    "passes a peak": (2, 8, -3),
+    "dips": (2, -5, 3),
+    "stops": (1, -6, -9),
+    "stops while its net moment rises": (1, -20, -3),
+    "stops after a peak": (1, 3, -20),
+    "stops and starts": (1, -30, 9),
+    "starts": (0, -5, 5),
+    "starts at once": (0, 3, 5),
+    "starts and passes a peak": (0, 9, -3),
+    "starts and stops": (0, 3, -9),
+}
+
+
+def _follow(speed: Any, net: Any, after: Any) -> list[Any]:
+    """Return the speed at the end of a piece, its path, and the last standstill, by the derived motion."""
+    level, stops = pieces.roots()
+    rise = after - net
+    path = rest = 0
+    begins = [0, level.subs({pieces.net: net, pieces.rise: rise})] if net < 0 < after else [0]
+    for begin in begins:
+        moment = cancel(net + begin * rise)
+        moves = speed > 0
+        if moves == (begin == 0) or moment > 0:
+            numbers = {pieces.omega: speed, pieces.net: moment, pieces.rise: rise}
+            left = 1 - begin
+            roots = [stop.subs(numbers) for stop in stops]
+            inside = [root for root in roots if root.is_real and 0 < root < left]
+            time = min(inside, default=left)
+            speed, further = (form.subs(pieces.time, time).subs(numbers) for form in pieces.motion())
+            path += further
+            if inside:
+                speed = 0
+                rest = now + length * (begin + time)
+    return [speed, path, rest]
+
+
+def prove() -> str:
+    """Prove speed, path, standstill and peak in every kind of piece, and return the claim."""
+    names = ("speed", "path", "standstill", "peak", "time of the peak", "place of the peak")
+    cells = (
+        "rest_since",
+        "peak_omega",
+        "peak_time",
+        "peak_rotation",
+        "peak_rate",
+        "rotation",
+        "time",
+        "phases",
+        "turns",
+    )
+    for case, multiples in CASES.items():
+        speed, net, after = (factor * unit for factor, unit in zip(multiples, UNITS, strict=True))
+        s = SimpleNamespace(**dict.fromkeys(cells, 0.0), direction=1.0, last_way=1.0)
+        found = records.pass_piece(s, True, now, length, behind, speed, net, after)
+        expected = _follow(speed, net, after)
+        if net > 0 > after:
+            numbers = {pieces.omega: speed, pieces.net: net, pieces.rise: after - net}
+            level, _ = pieces.roots()
+            top, way = (form.subs(pieces.time, level).subs(numbers) for form in pieces.motion())
+            expected += [top, now + length * level.subs(numbers), behind + length * way]
+        values = (*found, s.rest_since, s.peak_omega, s.peak_time, s.peak_rotation)
+        for name, value, derived in zip(names, values, expected, strict=False):
+            exact = nsimplify(value, rational=True)
+            of_symbols = (exact - derived).xreplace(dict(zip(UNITS, symbols("w a b", positive=True), strict=True)))
+            prove_rational(of_symbols, f"{name} in a piece in which a mass {case}")
+    return f"speed, path, standstill and peak in {len(CASES)} kinds of pieces"
