@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 38eb1e7a4ef26b3214811a29aa9ba51bac22af1f5227385e74ec3041a9d85bf2
+# sha256 of the text below: 35e9ca9564fb071eec54f56b4e6cb035c3694d9b36a9e8ca5c0e6a5c62229d24
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -68,7 +68,7 @@ class Lanes:
         count = cells.shape[1]
         self.program = program
         working = np.zeros((-ix.PENDING, count))
-        self.cells = np.concatenate([cells, working])  # cells in front are at negative places
+        self.cells: Floats = np.concatenate([cells, working])  # cells in front are at negative places
         self.columns = np.arange(count) if columns is None else columns
         self.highest = int(cells[ix.ORDER].max(initial=0.0))
         self.registers = np.zeros((len(program.registers), self.highest + 2, count))
