@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 92df6508af9069c9be6ade400c50fd4108e30e4499d801e3873654ca3678d0b2
+# sha256 of the text below: 6320a109699ad4e1b6e2b864a312b911f09f17b417cecb8b4f41e92eed142ede
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -68,7 +68,7 @@ class Lanes:
         count = cells.shape[1]
         self.program = program
         working = np.zeros((-ix.PENDING, count))
-        self.cells = np.concatenate([cells, working])  # cells in front are at negative places
+        self.cells: Floats = np.concatenate([cells, working])  # cells in front are at negative places
         self.columns = np.arange(count) if columns is None else columns
         self.highest = int(cells[ix.ORDER].max(initial=0.0))
         self.registers = np.zeros((len(program.registers), self.highest + 2, count))
