@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9fd69cf20b77486b1f08639cc0485dca746648cb14f44933a47364805ee0dd78"
+#define DIGEST "1d86bace9065997f72c9ae7984ae77c0cb38e9800993f13dc2bd7104d151747c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2354,68 +2354,100 @@ INLINE M passes(Batch *b, int t, int piece, V before)
     return inside;
 }
 
-/* Return the last piece through which all lanes certainly rest, from a piece at rest on. They rest between two
- * values of the record, in pieces that end before a place. */
+/* Return the time at which a piece ends, where ``per`` is 1 over the scale. */
+INLINE V end_of(Batch *b, int t, int piece, V per)
+{
+    const Job *const job = b->job;
+    return job->data[t].breaks[piece + 1] * per;
+}
+
+/* Return the value of a record, without its factor, at the right end of a piece. */
+INLINE double height_after(Batch *b, int t, int piece)
+{
+    const Job *const job = b->job;
+    return job->data[t].coefficients[(2 * piece) + 2];
+}
+
+/* Return the least and the greatest value of a record, without its factor, at which lanes certainly rest. */
+INLINE Pair heights_at_rest(Batch *b, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V one = c[QUIET_FROM] / c[job->table[t].cell + SCALED_BY];
+    V other = c[QUIET_TO] / c[job->table[t].cell + SCALED_BY];
+    return (Pair){minimum(one, other), maximum(one, other)};
+}
+
+/* Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
+ * They rest between two values of the record, in pieces that end before a place. */
+INLINE M rests_through(Batch *b, int t, int piece, V before, V low, V high)
+{
+    const Job *const job = b->job;
+    double height = height_after(b, t, piece);
+    return (low <= height) & (height <= high) & (job->data[t].breaks[piece + 2] < before);
+}
+
+/* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
 static int last_at_rest(Batch *b, M on, int t, int piece, V before, V low, V high)
 {
     const Job *const job = b->job;
     int last = piece;
-    while (((last + 3) < (int)job->data[t].pieces) && !bits(on & ~((low <= job->data[t].coefficients[(2 * last) + 4]) & (job->data[t].coefficients[(2 * last) + 4] <= high) & (job->data[t].breaks[last + 3] < before)))) {
+    while (((last + 3) < (int)job->data[t].pieces) && !bits(on & ~rests_through(b, t, last + 1, before, low, high))) {
         last = last + 1;
     }
     return last;
 }
 
+/* End the slide of lanes that may lift or end in the next piece, and return the other lanes. */
+INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, V omega)
+{
+    M inside = passes(b, t, piece, before) & (press > 0.0);
+    M leaves = on & ~inside;
+    EACH(lane, bits(leaves)) {
+        end_slide(b, lane, t, piece, x[lane], omega[lane]);
+    }
+    return on & inside;
+}
+
 /* Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic. The net
- * moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record. A
- * lane leaves before a piece in which it may lift. */
+ * moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record,
+ * which is without its factor. A lane leaves before a piece in which it may lift. */
 static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V weight)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V per = 1.0 / c[job->table[t].cell + SCALE];
-    V one_end = c[QUIET_FROM] / c[job->table[t].cell + SCALED_BY];
-    V other_end = c[QUIET_TO] / c[job->table[t].cell + SCALED_BY];
-    V low = minimum(one_end, other_end);
-    V high = maximum(one_end, other_end);
+    const Pair low_high = heights_at_rest(b, t);
+    V low = low_high.one, high = low_high.other;
     V before = latest_end(b, t);
-    slope = slope * c[job->table[t].cell + SCALED_BY];
-    grip = grip * c[job->table[t].cell + SCALED_BY];
     int piece = first;
     V now = c[TIME];
     V net = (b->r + job->role->net)[0];
     V omega = broadcast(0.0);
     V x = broadcast(0.0);
     M on = here;
-    V until = job->data[t].breaks[piece + 1] * per;
-    V length = until - now;
     while (bits(on)) {
-        V after = base + (slope * job->data[t].coefficients[(2 * piece) + 2]);
+        V until = end_of(b, t, piece, per);
+        V after = base + (slope * height_after(b, t, piece));
         M drives = (net > 0.0) | (after > 0.0);
         M acts = on & ((omega > 0.0) | drives);
         if (bits(acts)) {
-            const Pair end_way = pass_piece(b, acts, now, length, x, omega, length * net, length * after);
-            V end = end_way.one, way = end_way.other;
-            omega = end;
+            V length = until - now;
+            const Pair speed_way = pass_piece(b, acts, now, length, x, omega, length * net, length * after);
+            V speed = speed_way.one, way = speed_way.other;
+            omega = speed;
             x = x + (length * way);
         }
         if (!bits(acts)) {
             piece = last_at_rest(b, on, t, piece, before, low, high);
-            until = job->data[t].breaks[piece + 1] * per;
-            after = base + (slope * job->data[t].coefficients[(2 * piece) + 2]);
+            until = end_of(b, t, piece, per);
+            after = base + (slope * height_after(b, t, piece));
         }
         now = until;
         net = after;
         piece = piece + 1;
-        until = job->data[t].breaks[piece + 1] * per;
-        length = (job->data[t].breaks[piece + 1] - job->data[t].breaks[piece]) * per;
-        V press = weight + (grip * job->data[t].coefficients[(2 * piece) + 2]);
-        M inside = passes(b, t, piece, before) & (press > 0.0);
-        M leaves = on & ~inside;
-        EACH(lane, bits(leaves)) {
-            end_slide(b, lane, t, piece, x[lane], omega[lane]);
-        }
-        on = on & inside;
+        V press = weight + (grip * height_after(b, t, piece));
+        on = keep_sliding(b, on, t, piece, before, press, x, omega);
     }
 }
 
@@ -2446,7 +2478,7 @@ static M slide_together(Batch *b, M here, int t)
         V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
         V press = weight + (grip * ahead);
         M inside = there & passes(b, t, piece, latest_end(b, t)) & (press > 0.0);
-        slide(b, inside, t, piece, slope, base, grip, weight);
+        slide(b, inside, t, piece, slope * c[job->table[t].cell + SCALED_BY], base, grip * c[job->table[t].cell + SCALED_BY], weight);
     }
     return forward & ~there;
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6320a109699ad4e1b6e2b864a312b911f09f17b417cecb8b4f41e92eed142ede
+# sha256 of the text below: 8811804902a1b24444ab06043c878d7fa8af431bfc7decf1e818dc45c0fe4ab9
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1401,13 +1401,47 @@ def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
     return inside
 
 
+def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
+    """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
+    return t.places[piece + 1] * per
+
+
+def height_after(s: Lanes, t: Table, piece: int) -> Floats:
+    """Return the value of a record, without its factor, at the right end of a piece."""
+    return t.heights[2 * piece + 2]
+
+
+def heights_at_rest(s: Lanes, t: Table) -> tuple[Floats, Floats]:
+    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
+    c = s.cells
+    one = c[ix.QUIET_FROM] / c[t.cells + ix.SCALED_BY]
+    other = c[ix.QUIET_TO] / c[t.cells + ix.SCALED_BY]
+    return (np.minimum(one, other), np.maximum(one, other))
+
+
+def rests_through(s: Lanes, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> Mask:
+    """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it."""
+    height = height_after(s, t, piece)
+    return (low <= height) & (height <= high) & (t.places[piece + 2] < before)
+
+
 def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> int:
     """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
     last = piece
-    while last + 3 < t.pieces and (not np.any(on & np.logical_not((low <= t.heights[2 * last + 4]) & (t.heights[2 *
-         last + 4] <= high) & (t.places[last + 3] < before)))):
+    while last + 3 < t.pieces and (not np.any(on & np.logical_not(rests_through(s, t, last + 1, before, low, high)))):
         last = last + 1
     return last
+
+
+def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press: Floats, x: Floats,
+        omega: Floats) -> Mask:
+    """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
+    inside = passes(s, t, piece, before) & (press > 0.0)
+    leaves = on & np.logical_not(inside)
+    i = np.flatnonzero(leaves)
+    if i.size:
+        end_slide(s, i, t, np.full(i.size, piece), x[i], omega[i])
+    return on & inside
 
 
 def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Floats, grip: Floats,
@@ -1415,45 +1449,33 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
     c = s.cells
     per = 1.0 / c[t.cells + ix.SCALE]
-    one_end = c[ix.QUIET_FROM] / c[t.cells + ix.SCALED_BY]
-    other_end = c[ix.QUIET_TO] / c[t.cells + ix.SCALED_BY]
-    low = np.minimum(one_end, other_end)
-    high = np.maximum(one_end, other_end)
+    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
-    slope = slope * c[t.cells + ix.SCALED_BY]
-    grip = grip * c[t.cells + ix.SCALED_BY]
     piece = first
     now = c[ix.TIME].copy()
     net = s.registers[s.roles.net][0].copy()
     omega: Floats = 0.0
     x: Floats = 0.0
     on = here
-    until = t.places[piece + 1] * per
-    length = until - now
     while np.any(on):
-        after = base + slope * t.heights[2 * piece + 2]
+        until = end_of(s, t, piece, per)
+        after = base + slope * height_after(s, t, piece)
         drives = (net > 0.0) | (after > 0.0)
         acts = on & ((omega > 0.0) | drives)
         if np.any(acts):
-            end, way = pass_piece(s, acts, now, length, x, omega, length * net, length * after)
-            omega = end
+            length = until - now
+            speed, way = pass_piece(s, acts, now, length, x, omega, length * net, length * after)
+            omega = speed
             x = x + length * way
         if not np.any(acts):
             piece = last_at_rest(s, on, t, piece, before, low, high)
-            until = t.places[piece + 1] * per
-            after = base + slope * t.heights[2 * piece + 2]
+            until = end_of(s, t, piece, per)
+            after = base + slope * height_after(s, t, piece)
         now = until
         net = after
         piece = piece + 1
-        until = t.places[piece + 1] * per
-        length = (t.places[piece + 1] - t.places[piece]) * per
-        press = weight + grip * t.heights[2 * piece + 2]
-        inside = passes(s, t, piece, before) & (press > 0.0)
-        leaves = on & np.logical_not(inside)
-        i = np.flatnonzero(leaves)
-        if i.size:
-            end_slide(s, i, t, np.full(i.size, piece), x[i], omega[i])
-        on = on & inside
+        press = weight + grip * height_after(s, t, piece)
+        on = keep_sliding(s, on, t, piece, before, press, x, omega)
 
 
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
@@ -1479,7 +1501,7 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
         ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
         press = weight + grip * ahead
         inside = there & passes(s, t, piece, latest_end(s, t)) & (press > 0.0)
-        slide(s, inside, t, piece, slope, base, grip, weight)
+        slide(s, inside, t, piece, slope * c[t.cells + ix.SCALED_BY], base, grip * c[t.cells + ix.SCALED_BY], weight)
     return forward & np.logical_not(there)
 
 

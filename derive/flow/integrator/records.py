@@ -244,64 +244,83 @@ def passes(s: Lanes, t: T, piece: N, before: V) -> M:
     return inside
 
 
-def last_at_rest(s: Lanes, on: M, t: T, piece: N, before: V, low: V, high: V) -> N:
-    """Return the last piece through which all lanes certainly rest, from a piece at rest on.
+def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
+    """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
+    return t.places[piece + 1] * per
+
+
+def height_after(s: Lanes, t: T, piece: N) -> float:
+    """Return the value of a record, without its factor, at the right end of a piece."""
+    return t.heights[2 * piece + 2]
+
+
+def heights_at_rest(s: Lanes, t: T) -> tuple[V, V]:
+    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
+    one = s.quiet_from / t.scaled_by
+    other = s.quiet_to / t.scaled_by
+    return minimum(one, other), maximum(one, other)
+
+
+def rests_through(s: Lanes, t: T, piece: N, before: V, low: V, high: V) -> M:
+    """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
 
     They rest between two values of the record, in pieces that end before a place.
     """
+    height = height_after(s, t, piece)
+    return low <= height and height <= high and t.places[piece + 2] < before
+
+
+def last_at_rest(s: Lanes, on: M, t: T, piece: N, before: V, low: V, high: V) -> N:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
     last: N = piece
-    while last + 3 < t.pieces and not any_lane(
-        on and not (low <= t.heights[2 * last + 4] and t.heights[2 * last + 4] <= high and t.places[last + 3] < before)
-    ):
+    while last + 3 < t.pieces and not any_lane(on and not rests_through(s, t, last + 1, before, low, high)):
         last = last + 1
     return last
+
+
+def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, omega: V) -> M:
+    """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
+    inside = passes(s, t, piece, before) and press > 0.0
+    leaves = on and not inside
+    if leaves:
+        end_slide(s, t, piece, x, omega)
+    return on and inside
 
 
 def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight: V) -> None:
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic.
 
-    The net moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record.
-    A lane leaves before a piece in which it may lift.
+    The net moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record,
+    which is without its factor. A lane leaves before a piece in which it may lift.
     """
     per = 1.0 / t.scale
-    one_end = s.quiet_from / t.scaled_by
-    other_end = s.quiet_to / t.scaled_by
-    low = minimum(one_end, other_end)
-    high = maximum(one_end, other_end)
+    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
-    slope = slope * t.scaled_by
-    grip = grip * t.scaled_by
     piece: N = first
     now: V = s.time
     net: V = s.series.net[0]
     omega: V = 0.0
     x: V = 0.0
     on: M = here
-    until = t.places[piece + 1] * per
-    length = until - now
     while any_lane(on):
-        after = base + slope * t.heights[2 * piece + 2]
+        until = end_of(s, t, piece, per)
+        after = base + slope * height_after(s, t, piece)
         drives = net > 0.0 or after > 0.0
         acts = on and (omega > 0.0 or drives)
         if any_lane(acts):
-            end, way = pass_piece(s, acts, now, length, x, omega, length * net, length * after)
-            omega = end
+            length = until - now
+            speed, way = pass_piece(s, acts, now, length, x, omega, length * net, length * after)
+            omega = speed
             x = x + length * way
         if not any_lane(acts):
             piece = last_at_rest(s, on, t, piece, before, low, high)
-            until = t.places[piece + 1] * per
-            after = base + slope * t.heights[2 * piece + 2]
+            until = end_of(s, t, piece, per)
+            after = base + slope * height_after(s, t, piece)
         now = until
         net = after
         piece = piece + 1
-        until = t.places[piece + 1] * per
-        length = (t.places[piece + 1] - t.places[piece]) * per
-        press = weight + grip * t.heights[2 * piece + 2]
-        inside = passes(s, t, piece, before) and press > 0.0
-        leaves = on and not inside
-        if leaves:
-            end_slide(s, t, piece, x, omega)
-        on = on and inside
+        press = weight + grip * height_after(s, t, piece)
+        on = keep_sliding(s, on, t, piece, before, press, x, omega)
 
 
 def slide_together(s: Lanes, here: M, t: T) -> M:
@@ -329,5 +348,5 @@ def slide_together(s: Lanes, here: M, t: T) -> M:
         ahead = t.value + t.lower
         press = weight + grip * ahead
         inside = there and passes(s, t, piece, latest_end(s, t)) and press > 0.0
-        slide(s, inside, t, piece, slope, base, grip, weight)
+        slide(s, inside, t, piece, slope * t.scaled_by, base, grip * t.scaled_by, weight)
     return forward and not there
