@@ -3,7 +3,7 @@
 from types import SimpleNamespace
 from typing import Any
 
-from sympy import Catalan, EulerGamma, cancel, nsimplify, pi, symbols
+from sympy import Catalan, EulerGamma, nsimplify, pi, symbols
 
 from derive.algebra import pieces
 from derive.algebra.prove import prove_rational
@@ -29,27 +29,43 @@ CASES = {
 }
 
 
+def _slide(speed: Any, net: Any, rise: Any, left: Any) -> tuple[Any, Any, Any]:
+    """Return the speed at a standstill or after the time that is left, the path, and the time of the standstill."""
+    numbers = {pieces.omega: speed, pieces.net: net, pieces.rise: rise}
+    _, stops = pieces.roots()
+    roots = [stop.subs(numbers) for stop in stops]
+    inside = [root for root in roots if root.is_real and 0 < root < left]
+    time = min(inside, default=left)
+    end, path = (form.subs(pieces.time, time).subs(numbers) for form in pieces.motion())
+    if inside:
+        return 0, path, time
+    return end, path, None
+
+
 def _follow(speed: Any, net: Any, after: Any) -> list[Any]:
     """Return the speed at the end of a piece, its path, and the last standstill, by the derived motion."""
-    level, stops = pieces.roots()
     rise = after - net
-    path = rest = 0
-    begins = [0, level.subs({pieces.net: net, pieces.rise: rise})] if net < 0 < after else [0]
-    for begin in begins:
-        moment = cancel(net + begin * rise)
-        moves = speed > 0
-        if moves == (begin == 0) or moment > 0:
-            numbers = {pieces.omega: speed, pieces.net: moment, pieces.rise: rise}
-            left = 1 - begin
-            roots = [stop.subs(numbers) for stop in stops]
-            inside = [root for root in roots if root.is_real and 0 < root < left]
-            time = min(inside, default=left)
-            speed, further = (form.subs(pieces.time, time).subs(numbers) for form in pieces.motion())
-            path += further
-            if inside:
-                speed = 0
-                rest = now + length * (begin + time)
+    path = 0
+    stop = None
+    rest = 0
+    if speed > 0 or net > 0:
+        speed, path, stop = _slide(speed, net, rise, 1)
+    if stop is not None:
+        rest = now + length * stop
+    if speed == 0 and net < 0 < after:
+        level, _ = pieces.roots()
+        begin = level.subs({pieces.net: net, pieces.rise: rise})
+        speed, further, _ = _slide(0, 0, rise, 1 - begin)
+        path += further
     return [speed, path, rest]
+
+
+def _peak(speed: Any, net: Any, after: Any) -> list[Any]:
+    """Return the greatest speed in a piece, its time and its place, by the derived motion."""
+    numbers = {pieces.omega: speed, pieces.net: net, pieces.rise: after - net}
+    level, _ = pieces.roots()
+    top, way = (form.subs(pieces.time, level).subs(numbers) for form in pieces.motion())
+    return [top, now + length * level.subs(numbers), behind + length * way]
 
 
 def prove() -> str:
@@ -66,19 +82,17 @@ def prove() -> str:
         "phases",
         "turns",
     )
+    of_units = dict(zip(UNITS, symbols("w a b", positive=True), strict=True))
     for case, multiples in CASES.items():
         speed, net, after = (factor * unit for factor, unit in zip(multiples, UNITS, strict=True))
         s = SimpleNamespace(**dict.fromkeys(cells, 0.0), direction=1.0, last_way=1.0)
-        found = records.pass_piece(s, True, now, length, behind, speed, net, after)
+        end, path = records.pass_piece(s, True, now, length, behind, speed, net, after)
+        found = (end, path, s.rest_since, s.peak_omega, s.peak_time, s.peak_rotation)
         expected = _follow(speed, net, after)
         if net > 0 > after:
-            numbers = {pieces.omega: speed, pieces.net: net, pieces.rise: after - net}
-            level, _ = pieces.roots()
-            top, way = (form.subs(pieces.time, level).subs(numbers) for form in pieces.motion())
-            expected += [top, now + length * level.subs(numbers), behind + length * way]
-        values = (*found, s.rest_since, s.peak_omega, s.peak_time, s.peak_rotation)
-        for name, value, derived in zip(names, values, expected, strict=False):
+            expected += _peak(speed, net, after)
+        for name, value, derived in zip(names, found, expected, strict=False):
             exact = nsimplify(value, rational=True)
-            of_symbols = (exact - derived).xreplace(dict(zip(UNITS, symbols("w a b", positive=True), strict=True)))
-            prove_rational(of_symbols, f"{name} in a piece in which a mass {case}")
+            difference = exact - derived
+            prove_rational(difference.xreplace(of_units), f"{name} in a piece in which a mass {case}")
     return f"speed, path, standstill and peak in {len(CASES)} kinds of pieces"
