@@ -316,7 +316,7 @@ FAULTS: dict[str, tuple[Any, str, Any, str]] = {
                        "path in a piece in which a mass stops"),
     "a constant": (records, "SIXTH", 0.166, "path in a piece in which a mass speeds up"),
     "the peak is early": (records, "keep_faster", early, "time of the peak"),
-    "the net moment is not linear": (pieces, "PRESS", (pieces.PRESS[0], pieces.time), "the net moment is linear"),
+    "the net moment is not linear": (pieces, "press_slope", pieces.time, "the net moment is linear"),
 }  # fmt: skip
 
 

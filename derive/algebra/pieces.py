@@ -11,24 +11,22 @@ from derive.algebra import dynamics
 from derive.algebra.prove import prove_zero
 
 time, omega, net, rise = symbols("time omega net rise", real=True)
-FALL = symbols("fall fall_slope", real=True)  # J_theta, and its change in time
-PRESS = symbols("press press_slope", real=True)  # J_r, likewise
+fall, fall_slope, press, press_slope = symbols("fall fall_slope press press_slope", real=True)
 
 
 @cache
 def motion() -> tuple[Expr, Expr]:
     """Return speed and path after a time of sliding, derived from (3.11) without the centripetal term.
 
-    The net moment over Theta* is ``net`` at first, and rises by ``rise``.
+    J_theta and J_r are linear in time. The net moment over Theta* is ``net`` at first, and rises by ``rise``.
     """
-    linear = {dynamics.j_theta: FALL[0] + FALL[1] * time, dynamics.j_r: PRESS[0] + PRESS[1] * time, dynamics.polar: 0}
+    linear = {dynamics.j_theta: fall + fall_slope * time, dynamics.j_r: press + press_slope * time, dynamics.polar: 0}
     rate = dynamics.balance()["3.11"].subs(linear) / dynamics.theta_star
     moment = net + rise * time
-    prove_zero(rate - moment.subs({net: rate.subs(time, 0), rise: diff(rate, time)}), "the net moment is linear")
+    numbers = {net: rate.subs(time, 0), rise: diff(rate, time)}
+    prove_zero(rate - moment.subs(numbers), "the net moment is linear")
     speed = omega + integrate(moment, time)
-    path = integrate(speed, time)
-    prove_zero(speed.subs(time, 0) - omega, "the speed starts from omega")
-    return speed, path
+    return speed, integrate(speed, time)
 
 
 @cache

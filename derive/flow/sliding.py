@@ -13,20 +13,20 @@ length, now, behind = symbols("length now behind", positive=True)
 # Constants in place of symbols, by which SymPy decides comparisons. The proof is for any numbers in their place.
 UNITS = (pi, EulerGamma, Catalan)
 # Speed and net moment at the start of a piece, and net moment at its end, as multiples of these constants.
-CASES = {
-    "speeds up": (1, 3, 3),
-    "slows down": (2, -3, -3),
-    "passes a peak": (2, 8, -3),
-    "dips": (2, -5, 3),
-    "stops": (1, -6, -9),
-    "stops while its net moment rises": (1, -20, -3),
-    "stops after a peak": (1, 3, -20),
-    "stops and starts": (1, -30, 9),
-    "starts": (0, -5, 5),
-    "starts at once": (0, 3, 5),
-    "starts and passes a peak": (0, 9, -3),
-    "starts and stops": (0, 3, -9),
-}
+CASES = """
+1   3   3  speeds up
+2  -3  -3  slows down
+2   8  -3  passes a peak
+2  -5   3  dips
+1  -6  -9  stops
+1 -20  -3  stops while its net moment rises
+1   3 -20  stops after a peak
+1 -30   9  stops and starts
+0  -5   5  starts
+0   3   5  starts at once
+0   9  -3  starts and passes a peak
+0   3  -9  starts and stops
+"""
 
 
 def _slide(speed: Any, net: Any, rise: Any, left: Any) -> tuple[Any, Any, Any]:
@@ -83,8 +83,10 @@ def prove() -> str:
         "turns",
     )
     of_units = dict(zip(UNITS, symbols("w a b", positive=True), strict=True))
-    for case, multiples in CASES.items():
-        speed, net, after = (factor * unit for factor, unit in zip(multiples, UNITS, strict=True))
+    rows = CASES.strip().splitlines()
+    for row in rows:
+        *multiples, case = row.split(maxsplit=3)
+        speed, net, after = (int(factor) * unit for factor, unit in zip(multiples, UNITS, strict=True))
         s = SimpleNamespace(**dict.fromkeys(cells, 0.0), direction=1.0, last_way=1.0)
         end, path = records.pass_piece(s, True, now, length, behind, speed, net, after)
         found = (end, path, s.rest_since, s.peak_omega, s.peak_time, s.peak_rotation)
@@ -95,4 +97,4 @@ def prove() -> str:
             exact = nsimplify(value, rational=True)
             difference = exact - derived
             prove_rational(difference.xreplace(of_units), f"{name} in a piece in which a mass {case}")
-    return f"speed, path, standstill and peak in {len(CASES)} kinds of pieces"
+    return f"speed, path, standstill and peak in {len(rows)} kinds of pieces"

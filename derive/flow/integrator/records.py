@@ -170,8 +170,7 @@ def turn(s: Lanes, here: M, now: V, length: V, share: V, omega: V, net: V, after
     starts = after > 0.0 or (net > 0.0 and not moves)
     left = where(net < 0.0, 1.0 - share, 1.0)
     push = maximum(net, 0.0)
-    rate = push + after
-    speed = 0.5 * left * rate
+    speed = 0.5 * left * (push + after)
     goes_on = starts and speed > 0.0
     end = where(goes_on, speed, 0.0)
     again = starts and not goes_on
@@ -179,11 +178,9 @@ def turn(s: Lanes, here: M, now: V, length: V, share: V, omega: V, net: V, after
     since = where(moves, now + length * stop, s.rest_since)
     s.rest_since = where(again, now + length * span, since)
     count_starts(s, here and starts)
-    nothing = 0.0 * span
-    behind = path(span, nothing, push, rise)
+    behind = path(span, 0.0 * span, push, rise)
     further = where(starts, behind, 0.0)
-    before = path(stop, omega, net, rise)
-    return end, before + further
+    return end, further + path(stop, omega, net, rise)
 
 
 def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
@@ -205,7 +202,7 @@ def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, af
         extreme = omega + 0.5 * share * net
         there = x + length * path(share, omega, net, rise)
         keep_faster(s, peaks, extreme, now + length * share, there, 0.0)
-    turns = here and not (omega > 0.0 and not stops)
+    turns = here and (omega == 0.0 or stops)
     if any_lane(turns):
         speed, further = turn(s, turns, now, length, share, omega, net, after)
         end = where(turns, speed, end)
@@ -236,11 +233,9 @@ def latest_end(s: Lanes, t: T) -> V:
 
 def passes(s: Lanes, t: T, piece: N, before: V) -> M:
     """Return the lanes for which a piece ends before a place and not at the last break, where the record may jump."""
-    last: N = t.pieces - 1
-    following: N = minimum(piece + 2, last)
     inside = none_of(s)
-    if piece + 2 <= last:
-        inside = t.places[following] < before
+    if piece + 2 < t.pieces:
+        inside = t.places[piece + 2] < before
     return inside
 
 
