@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "1d86bace9065997f72c9ae7984ae77c0cb38e9800993f13dc2bd7104d151747c"
+#define DIGEST "b38d11b87cd92d0bea6fd74bddd19f79129a7225328245430d9e4bfd668c8652"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2275,8 +2275,10 @@ INLINE Pair turn(Batch *b, M here, V now, V length, V share, V omega, V net, V a
     V end = pick(goes_on, speed, broadcast(0.0));
     M again = starts & ~goes_on;
     V span = pick(again, 2.0 * share, left);
-    V since = pick(moves, now + (length * stop), c[REST_SINCE]);
-    c[REST_SINCE] = pick(here, pick(again, now + (length * span), since), c[REST_SINCE]);
+    V stopped = now + (length * stop);
+    V stops_later = now + (length * span);
+    V since = pick(moves, stopped, c[REST_SINCE]);
+    c[REST_SINCE] = pick(here, pick(again, stops_later, since), c[REST_SINCE]);
     count_starts(b, here & starts);
     V nothing = 0.0 * span;
     V behind = path(span, nothing, push, rise);
@@ -2293,18 +2295,23 @@ INLINE Pair pass_change(Batch *b, M here, V now, V length, V x, V omega, V net, 
     V rise = after - net;
     V one = broadcast(1.0);
     V way = path(one, omega, net, rise);
-    V end = omega + (0.5 * (net + after));
+    V twice = net + after;
+    V end = omega + (0.5 * twice);
     M dips = (net <= 0.0) & (after > 0.0);
     V square = net * net;
-    M reaches_zero = square >= ((2.0 * rise) * omega);
+    V decrease = (2.0 * rise) * omega;
+    M reaches_zero = square >= decrease;
     M stops = (end <= 0.0) | (dips & reaches_zero);
     M peaks = here & (net > 0.0) & (after <= 0.0);
     if (bits(peaks)) {
-        V extreme = omega + ((0.5 * share) * net);
-        V there = x + (length * path(share, omega, net, rise));
-        keep_faster(b, peaks, extreme, now + (length * share), there, broadcast(0.0));
+        V gain = (0.5 * share) * net;
+        V extreme = omega + gain;
+        V until = path(share, omega, net, rise);
+        V there = x + (length * until);
+        V then = now + (length * share);
+        keep_faster(b, peaks, extreme, then, there, broadcast(0.0));
     }
-    M turns = here & ~((omega > 0.0) & ~stops);
+    M turns = here & ((omega == 0.0) | stops);
     if (bits(turns)) {
         const Pair speed_further = turn(b, turns, now, length, share, omega, net, after);
         V speed = speed_further.one, further = speed_further.other;
@@ -2345,11 +2352,9 @@ INLINE V latest_end(Batch *b, int t)
 INLINE M passes(Batch *b, int t, int piece, V before)
 {
     const Job *const job = b->job;
-    int last = (int)job->data[t].pieces - 1;
-    int following = (piece + 2) < last ? (piece + 2) : last;
     M inside = (M){0};
-    if ((piece + 2) <= last) {
-        inside = job->data[t].breaks[following] < before;
+    if ((piece + 2) < (int)job->data[t].pieces) {
+        inside = job->data[t].breaks[piece + 2] < before;
     }
     return inside;
 }
@@ -2433,7 +2438,9 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
         M acts = on & ((omega > 0.0) | drives);
         if (bits(acts)) {
             V length = until - now;
-            const Pair speed_way = pass_piece(b, acts, now, length, x, omega, length * net, length * after);
+            V at_first = length * net;
+            V at_last = length * after;
+            const Pair speed_way = pass_piece(b, acts, now, length, x, omega, at_first, at_last);
             V speed = speed_way.one, way = speed_way.other;
             omega = speed;
             x = x + (length * way);
@@ -2477,8 +2484,11 @@ static M slide_together(Batch *b, M here, int t)
     if (bits(there)) {
         V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
         V press = weight + (grip * ahead);
-        M inside = there & passes(b, t, piece, latest_end(b, t)) & (press > 0.0);
-        slide(b, inside, t, piece, slope * c[job->table[t].cell + SCALED_BY], base, grip * c[job->table[t].cell + SCALED_BY], weight);
+        V before = latest_end(b, t);
+        M inside = there & passes(b, t, piece, before) & (press > 0.0);
+        V by_height = slope * c[job->table[t].cell + SCALED_BY];
+        V grip_by_height = grip * c[job->table[t].cell + SCALED_BY];
+        slide(b, inside, t, piece, by_height, base, grip_by_height, weight);
     }
     return forward & ~there;
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8811804902a1b24444ab06043c878d7fa8af431bfc7decf1e818dc45c0fe4ab9
+# sha256 of the text below: e00546a31856d934d9a70903bce9e8eae7dbf6532c016ea76c91ce89b27209c2
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1333,8 +1333,10 @@ def turn(s: Lanes, here: Mask, now: Floats, length: Floats, share: Floats, omega
     end = np.where(goes_on, speed, 0.0)
     again = starts & np.logical_not(goes_on)
     span = np.where(again, 2.0 * share, left)
-    since = np.where(moves, now + length * stop, c[ix.REST_SINCE])
-    c[ix.REST_SINCE] = np.where(here, np.where(again, now + length * span, since), c[ix.REST_SINCE])
+    stopped = now + length * stop
+    stops_later = now + length * span
+    since = np.where(moves, stopped, c[ix.REST_SINCE])
+    c[ix.REST_SINCE] = np.where(here, np.where(again, stops_later, since), c[ix.REST_SINCE])
     count_starts(s, here & starts)
     nothing = 0.0 * span
     behind = path(span, nothing, push, rise)
@@ -1350,17 +1352,22 @@ def pass_change(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, om
     rise = after - net
     one: Floats = 1.0
     way = path(one, omega, net, rise)
-    end = omega + 0.5 * (net + after)
+    twice = net + after
+    end = omega + 0.5 * twice
     dips = (net <= 0.0) & (after > 0.0)
     square = net * net
-    reaches_zero = square >= 2.0 * rise * omega
+    decrease = 2.0 * rise * omega
+    reaches_zero = square >= decrease
     stops = (end <= 0.0) | dips & reaches_zero
     peaks = here & (net > 0.0) & (after <= 0.0)
     if np.any(peaks):
-        extreme = omega + 0.5 * share * net
-        there = x + length * path(share, omega, net, rise)
-        keep_faster(s, peaks, extreme, now + length * share, there, 0.0)
-    turns = here & np.logical_not((omega > 0.0) & np.logical_not(stops))
+        gain = 0.5 * share * net
+        extreme = omega + gain
+        until = path(share, omega, net, rise)
+        there = x + length * until
+        then = now + length * share
+        keep_faster(s, peaks, extreme, then, there, 0.0)
+    turns = here & ((omega == 0.0) | stops)
     if np.any(turns):
         speed, further = turn(s, turns, now, length, share, omega, net, after)
         end = np.where(turns, speed, end)
@@ -1393,11 +1400,9 @@ def latest_end(s: Lanes, t: Table) -> Floats:
 
 def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
     """Return the lanes for which a piece ends before a place and not at the last break, where the record may jump."""
-    last = t.pieces - 1
-    following = min(piece + 2, last)
     inside = none_of(s)
-    if piece + 2 <= last:
-        inside = t.places[following] < before
+    if piece + 2 < t.pieces:
+        inside = t.places[piece + 2] < before
     return inside
 
 
@@ -1464,7 +1469,9 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
         acts = on & ((omega > 0.0) | drives)
         if np.any(acts):
             length = until - now
-            speed, way = pass_piece(s, acts, now, length, x, omega, length * net, length * after)
+            at_first = length * net
+            at_last = length * after
+            speed, way = pass_piece(s, acts, now, length, x, omega, at_first, at_last)
             omega = speed
             x = x + length * way
         if not np.any(acts):
@@ -1500,8 +1507,11 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     if np.any(there):
         ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
         press = weight + grip * ahead
-        inside = there & passes(s, t, piece, latest_end(s, t)) & (press > 0.0)
-        slide(s, inside, t, piece, slope * c[t.cells + ix.SCALED_BY], base, grip * c[t.cells + ix.SCALED_BY], weight)
+        before = latest_end(s, t)
+        inside = there & passes(s, t, piece, before) & (press > 0.0)
+        by_height = slope * c[t.cells + ix.SCALED_BY]
+        grip_by_height = grip * c[t.cells + ix.SCALED_BY]
+        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
     return forward & np.logical_not(there)
 
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0621d8e139e3f41632f9e2a0955fb842061999befa886222be2b98a44284af83
+# sha256 of the text below: 3b87a71800cccc08bf5385200b2d26fc8674691f12d224fb7ee8abb6d4ac63f9
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "1d86bace9065997f72c9ae7984ae77c0cb38e9800993f13dc2bd7104d151747c"  # of the compiled integrator's source
+DIGEST = "b38d11b87cd92d0bea6fd74bddd19f79129a7225328245430d9e4bfd668c8652"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -87,7 +87,8 @@ def prove() -> str:
     for row in rows:
         *multiples, case = row.split(maxsplit=3)
         speed, net, after = (int(factor) * unit for factor, unit in zip(multiples, UNITS, strict=True))
-        s = SimpleNamespace(**dict.fromkeys(cells, 0.0), direction=1.0, last_way=1.0)
+        s = SimpleNamespace(**dict.fromkeys(cells, 0.0))
+        s.direction = s.last_way = 1.0
         end, path = records.pass_piece(s, True, now, length, behind, speed, net, after)
         found = (end, path, s.rest_since, s.peak_omega, s.peak_time, s.peak_rotation)
         expected = _follow(speed, net, after)

@@ -170,17 +170,22 @@ def turn(s: Lanes, here: M, now: V, length: V, share: V, omega: V, net: V, after
     starts = after > 0.0 or (net > 0.0 and not moves)
     left = where(net < 0.0, 1.0 - share, 1.0)
     push = maximum(net, 0.0)
-    speed = 0.5 * left * (push + after)
+    rate = push + after
+    speed = 0.5 * left * rate
     goes_on = starts and speed > 0.0
     end = where(goes_on, speed, 0.0)
     again = starts and not goes_on
     span = where(again, 2.0 * share, left)
-    since = where(moves, now + length * stop, s.rest_since)
-    s.rest_since = where(again, now + length * span, since)
+    stopped = now + length * stop
+    stops_later = now + length * span
+    since = where(moves, stopped, s.rest_since)
+    s.rest_since = where(again, stops_later, since)
     count_starts(s, here and starts)
-    behind = path(span, 0.0 * span, push, rise)
+    nothing = 0.0 * span
+    behind = path(span, nothing, push, rise)
     further = where(starts, behind, 0.0)
-    return end, further + path(stop, omega, net, rise)
+    before = path(stop, omega, net, rise)
+    return end, before + further
 
 
 def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
@@ -192,16 +197,21 @@ def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, af
     rise = after - net
     one: V = 1.0
     way = path(one, omega, net, rise)
-    end = omega + 0.5 * (net + after)
+    twice = net + after
+    end = omega + 0.5 * twice
     dips = net <= 0.0 and after > 0.0
     square = net * net
-    reaches_zero = square >= 2.0 * rise * omega
+    decrease = 2.0 * rise * omega
+    reaches_zero = square >= decrease
     stops = end <= 0.0 or (dips and reaches_zero)
     peaks = here and net > 0.0 and after <= 0.0
     if any_lane(peaks):
-        extreme = omega + 0.5 * share * net
-        there = x + length * path(share, omega, net, rise)
-        keep_faster(s, peaks, extreme, now + length * share, there, 0.0)
+        gain = 0.5 * share * net
+        extreme = omega + gain
+        until = path(share, omega, net, rise)
+        there = x + length * until
+        then = now + length * share
+        keep_faster(s, peaks, extreme, then, there, 0.0)
     turns = here and (omega == 0.0 or stops)
     if any_lane(turns):
         speed, further = turn(s, turns, now, length, share, omega, net, after)
@@ -304,7 +314,9 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
         acts = on and (omega > 0.0 or drives)
         if any_lane(acts):
             length = until - now
-            speed, way = pass_piece(s, acts, now, length, x, omega, length * net, length * after)
+            at_first = length * net
+            at_last = length * after
+            speed, way = pass_piece(s, acts, now, length, x, omega, at_first, at_last)
             omega = speed
             x = x + length * way
         if not any_lane(acts):
@@ -342,6 +354,9 @@ def slide_together(s: Lanes, here: M, t: T) -> M:
     if any_lane(there):
         ahead = t.value + t.lower
         press = weight + grip * ahead
-        inside = there and passes(s, t, piece, latest_end(s, t)) and press > 0.0
-        slide(s, inside, t, piece, slope * t.scaled_by, base, grip * t.scaled_by, weight)
+        before = latest_end(s, t)
+        inside = there and passes(s, t, piece, before) and press > 0.0
+        by_height = slope * t.scaled_by
+        grip_by_height = grip * t.scaled_by
+        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
     return forward and not there
