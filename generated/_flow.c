@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b38d11b87cd92d0bea6fd74bddd19f79129a7225328245430d9e4bfd668c8652"
+#define DIGEST "3a55611bbc7cc3224286f378e07a5aba2f321597063c6c04dcdafe955f1e7094"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2266,14 +2266,16 @@ INLINE Pair turn(Batch *b, M here, V now, V length, V share, V omega, V net, V a
     V rise = after - net;
     V root = standstill(omega, net, rise);
     V stop = pick(moves, root, broadcast(0.0));
-    M starts = (after > 0.0) | ((net > 0.0) & ~moves);
-    V left = pick(net < 0.0, 1.0 - share, broadcast(1.0));
+    V later = maximum(1.0 - share, broadcast(0.0));
+    V left = pick(net < 0.0, later, broadcast(1.0));
     V push = maximum(net, broadcast(0.0));
     V rate = push + after;
     V speed = (0.5 * left) * rate;
-    M goes_on = starts & (speed > 0.0);
+    M goes_on = speed > 0.0;
     V end = pick(goes_on, speed, broadcast(0.0));
-    M again = starts & ~goes_on;
+    M pushed = (net > 0.0) & ~moves;
+    M again = pushed & ~goes_on;
+    M starts = pushed | goes_on;
     V span = pick(again, 2.0 * share, left);
     V stopped = now + (length * stop);
     V stops_later = now + (length * span);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e00546a31856d934d9a70903bce9e8eae7dbf6532c016ea76c91ce89b27209c2
+# sha256 of the text below: 42595f49a5c354f130dcc2f23d9ea75fecc2fea10f5cf7ad563bdd42afa5dbde
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1324,14 +1324,16 @@ def turn(s: Lanes, here: Mask, now: Floats, length: Floats, share: Floats, omega
     rise = after - net
     root = standstill(omega, net, rise)
     stop = np.where(moves, root, 0.0)
-    starts = (after > 0.0) | (net > 0.0) & np.logical_not(moves)
-    left = np.where(net < 0.0, 1.0 - share, 1.0)
+    later = np.maximum(1.0 - share, 0.0)
+    left = np.where(net < 0.0, later, 1.0)
     push = np.maximum(net, 0.0)
     rate = push + after
     speed = 0.5 * left * rate
-    goes_on = starts & (speed > 0.0)
+    goes_on = speed > 0.0
     end = np.where(goes_on, speed, 0.0)
-    again = starts & np.logical_not(goes_on)
+    pushed = (net > 0.0) & np.logical_not(moves)
+    again = pushed & np.logical_not(goes_on)
+    starts = pushed | goes_on
     span = np.where(again, 2.0 * share, left)
     stopped = now + length * stop
     stops_later = now + length * span
