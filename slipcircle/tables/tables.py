@@ -1,6 +1,7 @@
 """Piecewise polynomials of slip, speed, time or rotation for friction laws, records and pulses."""
 
 from collections.abc import Mapping
+from functools import lru_cache
 from itertools import chain
 from typing import Any
 
@@ -214,9 +215,14 @@ def of_time(function: Series | LaneSeries | Pulse) -> Data:
         return Data(breaks, coefficients, jumps, first=first)
     if isinstance(function, Pulse):
         return _of_pulse(function)
-    if function.held:
-        return _held_lines(function.time, function.values)
-    return lines(function.time, function.values, 0.0, 0.0)
+    return _of_series(function)
+
+
+@lru_cache(maxsize=8)  # a record is usually solved several times
+def _of_series(series: Series) -> Data:
+    if series.held:
+        return _held_lines(series.time, series.values)
+    return lines(series.time, series.values, 0.0, 0.0)
 
 
 def _of_pulse(pulse: Pulse) -> Data:

@@ -1,6 +1,7 @@
 """Status of a motion at its end."""
 
 from enum import IntEnum
+from itertools import product
 from typing import Any, Self
 
 import numpy as np
@@ -62,25 +63,30 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
 )
 
 
+def _status_of_lane(ended: int, has_turned: int, creeps: int, stays: int) -> int:
+    """Return the status of a lane from the status of its integration, and three further traits, 0 or 1."""
+    status = int(Status.CREEPS if creeps else STATUS_OF_END[ended])
+    if stays and status <= Status.CREEPS and ended != ix.STOPPED:
+        return Status.STAYS
+    return Status.TURNED if has_turned and status == Status.RESTS else status
+
+
+_TRAITS = product(range(ix.NEED + 1), (0, 1), (0, 1), (0, 1))
+_STATUSES = np.array([_status_of_lane(*traits) for traits in _TRAITS], np.int8)
+
+
 def statuses(final: Any, invalid: Any, scene: Any) -> Any:
     """Return the status of each lane (scene of an ensemble) as a number of `Status`.
 
     ``final`` are the final cells, (cells, *shape), and ``invalid`` is a mask of lanes that are not valid scenes.
     """
-    ended = final[ix.STATUS]
-    has_shape = isinstance(ended, np.ndarray)
-    status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else int(STATUS_OF_END[int(ended)])
-    has_turned = final[ix.TURNS] > 0.0
-    status = choose((status == Status.RESTS) & has_turned, int(Status.TURNED), status)
-    status = choose(final[ix.TIME] == np.inf, int(Status.CREEPS), status)
-    answered = status <= Status.CREEPS
-    still = final[ix.PHASES] == 0.0
-    stays = still & (ended != ix.STOPPED)
-    status = choose(answered & stays, int(Status.STAYS), status)
+    traits = 8.0 * final[ix.STATUS] + 4.0 * (final[ix.TURNS] > 0.0)
+    traits = traits + 2.0 * (final[ix.TIME] == np.inf) + (final[ix.PHASES] == 0.0)
+    status = _STATUSES[traits.astype(np.intp)] if isinstance(traits, np.ndarray) else int(_STATUSES[int(traits)])
     if scene.arc.in_standing_water:
         rotations = final[ix.REACH_ROTATION], final[ix.END_ROTATION]
         drowned = lazy_import("standing").comes_to_cover(scene.arc, *rotations)
-        status = choose(answered & drowned, int(Status.DROWNED), status)
+        status = choose((status <= Status.CREEPS) & drowned, int(Status.DROWNED), status)
     strength_factor = scene.strength_factor
     status = choose(strength_factor != strength_factor, int(Status.UNSTARTED), status)
     return choose(invalid, int(Status.INVALID), status)

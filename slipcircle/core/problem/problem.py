@@ -76,13 +76,16 @@ class Problem:
         Cells are the numbers by which the integrator describes a lane; ``which`` is a NumPy index of lanes.
         """
         if self.lanes == 1 and which is EVERY:
-            return self._only_lane.copy()
+            return self._column.copy()
         program = self.program
         count = np.arange(self.lanes)[which].size
         cells = np.empty((len(program.cells), count))  # others are computed where phases begin
-        for name in (*program.cells[: program.given], *program.constants):
-            value = self.start.get(name, 0.0)
-            cells[program.places[name]] = value[which] if isinstance(value, np.ndarray) else value
+        column = self._column
+        for rows in (slice(program.given), _places(program, tuple(program.constants))):
+            cells[rows] = column[rows]
+        for name, value in self.start.items():
+            if isinstance(value, np.ndarray) and name in program.places:
+                cells[program.places[name]] = value[which]
         return cells
 
     def begin_with(self, **cells: Any) -> "Problem":
@@ -90,14 +93,15 @@ class Problem:
         for name, values in cells.items():
             flat = np.ravel(values)
             self.start = {**self.start, name: float(flat[0]) if self.lanes == 1 else flat}
-        vars(self).pop("_only_lane", None)
+        vars(self).pop("_column", None)
         return self
 
     @cached_property
-    def _only_lane(self) -> Floats:
-        """Column of the initial cells of a single lane, (cells, 1), computed once."""
+    def _column(self) -> Floats:
+        """Column of the initial cells that all lanes share, (cells, 1), computed once; zero for other cells."""
+        shared = {name: value for name, value in self.start.items() if not isinstance(value, np.ndarray)}
         column = np.zeros(len(self.program.cells) + 1)
-        column[_places(self.program, tuple(self.start))] = [*self.start.values()]
+        column[_places(self.program, tuple(shared))] = [*shared.values()]
         return column[:-1, None]
 
     def tables(self, which: Any = None) -> list[Data]:
