@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from operator import truediv
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,6 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.arrays import EPS, INFINITY, choose, quiet
 from slipcircle.base.kinds import Floats
-from slipcircle.core.integrator.compiled import OutputSamples
 from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.integrator.neighbours import RUNS, compared, perturbed_runs
 from slipcircle.core.problem.plan import Plan
@@ -32,8 +30,6 @@ AT_END = {ix.ARRESTED, ix.PAUSED, ix.ENDED}  # at rest and at the end time, whic
 # Ratio of the spread of states during the motion to the spread of times, relative to a motion at the peak velocity.
 # Together with ROUNDED it covers the states of all references.
 BETWEEN = 2.0
-# Fractions of the duration at which the states of all runs are compared where forces depend on time or are tabulated.
-SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
 
 def estimate(plan: Plan, problem: Problem, final: Final, runs: Floats | None = None) -> Any:
@@ -47,7 +43,9 @@ def estimate(plan: Plan, problem: Problem, final: Final, runs: Floats | None = N
     """
     rounding = plan.scene.arc.rounding
     if problem.lanes == 1:
-        spread: Any = _of_single(problem, final, rounding, runs)
+        if runs is None:
+            runs = compared(integrate_problem(problem, perturbed_runs(problem, slice(None), rounding)))
+        spread: Any = _of_single(final, runs)
         error: Any = min(max(ROUNDED * spread, LEAST), 1.0)
     else:
         spread = _of_ensemble(_closer(plan, problem), final, rounding)
@@ -84,49 +82,30 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
     return replace(problem, data=closer.data, farther=closer.farther)
 
 
-def _of_single(problem: Problem, final: Final, rounding: float, runs: Floats | None) -> float:
+def _of_single(final: Final, runs: Floats) -> float:
     """Return the greatest relative difference of any run of one lane, infinite if a run ends otherwise.
 
-    The states during the motion are included. All runs are solved in one call, if that of the motion was without them.
-    Results are compared as Python floats, since a few floats cost less than an array.
+    ``runs`` are the `compared` cells. The states during the motion are included: they differ by the spread of times at
+    the peak velocity, BETWEEN times, or by the spread of a result. Results are compared as Python floats, since a few
+    floats cost less than an array.
     """
-    of_motion = _summary(final)
-    duration, run_out, peak = of_motion
-    states = None
-    if runs is None:
-        states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
-        samples = OutputSamples(duration * SHARES, states)
-        runs = compared(integrate_problem(problem, perturbed_runs(problem, slice(None), rounding), samples))
     status, phases, end_times, rests, run_outs, peaks, ends = runs.tolist()
-    moves = min(phases) > 0.0
-    if not ((moves or max(phases) == 0.0) and _end_alike({*status})):
+    endings = {*status}
+    end_alike = len(endings) == 1 or endings <= AT_END
+    if not end_alike or min(phases) == 0.0 < max(phases):
         return INFINITY
-    if ix.ENDED in status and final[ix.TIME] < INFINITY:
+    if ix.ENDED in endings and final[ix.TIME] < INFINITY:
         rests = [end if code == ix.ENDED else rest for code, end, rest in zip(status, end_times, rests, strict=True)]
-    sizes = [max(abs(of), LEAST_SIZE) for of in of_motion]
-    of_duration = _greatest(rests, duration) / sizes[0]
-    of_run_out = _greatest(run_outs, run_out) / sizes[1]
-    of_peak = _greatest([*map(abs, peaks)], peak) / sizes[2]
-    if states is None:
-        shift = of_duration * max(peak * sizes[0] / sizes[1], 1.0)
-        of_end = _greatest(ends, ends[0]) / sizes[1]
-        return max(BETWEEN * shift, of_run_out, of_end, of_peak)
-    if moves:
-        rotation_and_velocity = states[:2]
-        change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
-        greatest = np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
-        of_run_out, of_peak = map(max, (of_run_out, of_peak), map(truediv, greatest, sizes[1:]))
-    return max(of_duration, of_run_out, of_peak)
+    duration, run_out, peak = _summary(final)
+    farthest = abs(run_out) or LEAST_SIZE
+    shift = _greatest(rests, duration) * max(peak / farthest, 1.0 / (duration or LEAST_SIZE))
+    of_rotations = max(_greatest(run_outs, run_out), _greatest(ends, ends[0])) / farthest
+    return max(BETWEEN * shift, of_rotations, _greatest([*map(abs, peaks)], peak) / (peak or LEAST_SIZE))
 
 
 def _greatest(values: Sequence[float], of: float) -> float:
     """Return the greatest difference of any value from one of them."""
     return max(max(values) - of, of - min(values))
-
-
-def _end_alike(endings: set[float]) -> bool:
-    """Return whether status cells are the same, where rest and the end time count as one."""
-    return len(endings) == 1 or endings <= AT_END
 
 
 def _ending(status: Floats) -> Floats:

@@ -64,7 +64,7 @@ _NUMBERS_OF_END: list[int] = STATUS_OF_END.tolist()
 
 
 # Numbers of statuses, as attributes of an enumeration take a third of a microsecond in Python 3.11.
-_RESTS, _STAYS, _, _TURNED, CREEPS, *_, _INVALID, _UNSTARTED, _DROWNED = map(int, Status)
+_RESTS, _STAYS, _, _TURNED, CREEPS, _, _, _, _INVALID, _UNSTARTED, _DROWNED = map(int, Status)
 STATUSES = tuple(Status)  # by number
 
 
