@@ -9,6 +9,7 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.arrays import EPS, INFINITY, choose, quiet
 from slipcircle.base.kinds import Floats
+from slipcircle.core.integrator.compiled import OutputSamples
 from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.integrator.neighbours import RUNS, compared, perturbed_runs
 from slipcircle.core.problem.plan import Plan
@@ -27,9 +28,11 @@ UNDECIDED = 8.0  # units of rounding below which it is uncertain whether the mas
 CLOSER = 1e-3
 CLOSEST = 1e-13
 AT_END = {ix.ARRESTED, ix.PAUSED, ix.ENDED}  # at rest and at the end time, which differ in their durations only
-# Ratio of the spread of velocities during a motion to the spread of times, relative to the peak velocity and to a motion
-# with it. In 325 scenes states differed at most 2.1 times as much as results and times, for which ROUNDED has room.
-BETWEEN = 1.4
+# Ratio of the spread of states during a motion to the spread of times, at the peak velocity. In 325 scenes states
+# differed at most 2.1 times as much as results, for which ROUNDED has room.
+BETWEEN = 2.0
+# Fractions of the duration at which states are compared where runs are not integrated with their motion.
+SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
 
 def estimate(plan: Plan, problem: Problem, final: Final, runs: Floats | None = None) -> Any:
@@ -43,9 +46,7 @@ def estimate(plan: Plan, problem: Problem, final: Final, runs: Floats | None = N
     """
     rounding = plan.scene.arc.rounding
     if problem.lanes == 1:
-        if runs is None:
-            runs = compared(integrate_problem(problem, perturbed_runs(problem, slice(None), rounding)))
-        spread: Any = _of_single(final, runs)
+        spread: Any = _of_single(problem, final, rounding) if runs is None else max(_of_runs(final, runs))
         error: Any = min(max(ROUNDED * spread, LEAST), 1.0)
     else:
         spread = _of_ensemble(_closer(plan, problem), final, rounding)
@@ -82,25 +83,42 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
     return replace(problem, data=closer.data, farther=closer.farther)
 
 
-def _of_single(final: Final, runs: Floats) -> float:
-    """Return the greatest relative difference of any run of one lane, infinite if a run ends otherwise.
+def _of_single(problem: Problem, final: Final, rounding: float) -> float:
+    """Return the greatest relative difference of any run of one lane, at its end or in states before it.
 
-    ``runs`` are the `compared` cells. The states during the motion are included: they differ by the spread of times at
-    the peak velocity, BETWEEN times, or by the spread of a result. Results are compared as Python floats, since a few
-    floats cost less than an array.
+    It is infinite if a run ends otherwise. All runs are solved in one call.
+    """
+    states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
+    duration, *sizes = _summary(final)
+    samples = OutputSamples(duration * SHARES, states)
+    runs = compared(integrate_problem(problem, perturbed_runs(problem, slice(None), rounding), samples))
+    rotation_and_velocity = states[:2]
+    change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
+    greatest = np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
+    *of_results, _ = _of_runs(final, runs)
+    return max(*of_results, *(of / max(abs(size), LEAST_SIZE) for of, size in zip(greatest, sizes, strict=True)))
+
+
+def _of_runs(final: Final, runs: Floats) -> tuple[float, float, float, float]:
+    """Return the greatest relative differences of any run from duration, run-out and peak velocity, and from states.
+
+    ``runs`` are the `compared` cells. States during the motion are not compared, but bounded: they differ by the spread
+    of times, at the peak velocity, or by the spread of rotations. All differences are infinite if a run ends otherwise.
+    Results are compared as Python floats, since a few floats cost less than an array.
     """
     status, phases, end_times, rests, run_outs, peaks, ends = runs.tolist()
     endings = {*status}
     end_alike = len(endings) == 1 or endings <= AT_END
     if not end_alike or min(phases) == 0.0 < max(phases):
-        return INFINITY
+        return INFINITY, INFINITY, INFINITY, INFINITY
     if ix.ENDED in endings and final[ix.TIME] < INFINITY:
         rests = [end if code == ix.ENDED else rest for code, end, rest in zip(status, end_times, rests, strict=True)]
     duration, run_out, peak = _summary(final)
     farthest = abs(run_out) or LEAST_SIZE
-    shift = _greatest(rests, duration) * max(peak / farthest, 1.0 / (duration or LEAST_SIZE))
-    of_rotations = max(_greatest(run_outs, run_out), _greatest(ends, ends[0])) / farthest
-    return max(BETWEEN * shift, of_rotations, _greatest([*map(abs, peaks)], peak) / (peak or LEAST_SIZE))
+    of_times = _greatest(rests, duration)
+    of_states = max(BETWEEN * of_times * peak, _greatest(ends, ends[0])) / farthest
+    of_peak = _greatest([*map(abs, peaks)], peak) / (peak or LEAST_SIZE)
+    return of_times / (duration or LEAST_SIZE), _greatest(run_outs, run_out) / farthest, of_peak, of_states
 
 
 def _greatest(values: Sequence[float], of: float) -> float:
