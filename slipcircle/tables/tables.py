@@ -197,6 +197,7 @@ def _held_lines(places: Floats, values: Floats) -> Data:
     return lines(places, values, first, last)
 
 
+@lru_cache(maxsize=2)  # a record is often solved several times, one after the other
 def of_time(function: Series | LaneSeries | Pulse) -> Data:
     """Return the pieces of a function of time in s, or of one function per lane. A lane is a member of an ensemble."""
     if isinstance(function, LaneSeries):
@@ -215,14 +216,9 @@ def of_time(function: Series | LaneSeries | Pulse) -> Data:
         return Data(breaks, coefficients, jumps, first=first)
     if isinstance(function, Pulse):
         return _of_pulse(function)
-    return _of_series(function)
-
-
-@lru_cache(maxsize=8)  # a record is usually solved several times
-def _of_series(series: Series) -> Data:
-    if series.held:
-        return _held_lines(series.time, series.values)
-    return lines(series.time, series.values, 0.0, 0.0)
+    if function.held:
+        return _held_lines(function.time, function.values)
+    return lines(function.time, function.values, 0.0, 0.0)
 
 
 def _of_pulse(pulse: Pulse) -> Data:
