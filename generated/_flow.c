@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a294ad3a1ab1f1c26ad190c51009e9a6df12754b7459634dda18b7ddf5858941"
+#define DIGEST "150bd1b642f0ae0f09b24c88698b49cbbdbcbee4350e54d96c47d0a65d9c809a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1114,7 +1114,7 @@ static void note(const Batch *b, unsigned k, int kind)
     row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
 }
 
-static V variable_at(Batch *b, M which, int top, V time);
+INLINE V variable_at(Batch *b, int top, V time);
 
 /* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
 static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
@@ -1135,7 +1135,7 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         const double time = times[i * across], since = time - begin;
         if (!(time < end || (closed && time == end))) break;
         const int paced = moving && job->role->pace >= 0;
-        const double past = paced ? variable_at(b, lanes(1u << k), top, broadcast(since))[k] : since;
+        const double past = paced ? variable_at(b, top, broadcast(since))[k] : since;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
             const int32_t of = j < 0 ? net : job->state[j].series;
@@ -1164,7 +1164,7 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
-#define MOST_CORRECTIONS 12
+#define CORRECTIONS 10
 #define LARGEST 0x1.f400000000000p+49
 #define TIE 0x1.0000000000000p-44
 #define CLOSEST 0x1.56e1fc2f8f359p-997
@@ -1190,6 +1190,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
+#define MOST_CORRECTIONS 12
 #define CONVERGED 0x1.0000000000000p-22
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
@@ -1666,9 +1667,10 @@ INLINE V elapsed(Batch *b, int top, V at)
     V *const c = b->c;
     if (job->role->pace >= 0) {
         V *omega = b->r + job->role->omega;
-        V mean = omega[top] * b->inverse[top + 1];
-        for (int k = top - 1; k >= 0; k--) {
-            mean = (mean * at) + (omega[k] * b->inverse[k + 1]);
+        V mean = broadcast(0.0);
+        for (int k = top; k >= 0; k--) {
+            V coefficient = omega[k] * b->inverse[k + 1];
+            mean = (mean * at) + coefficient;
         }
         return at * (1.0 + (c[job->role->pace] * mean));
     }
@@ -1676,17 +1678,15 @@ INLINE V elapsed(Batch *b, int top, V at)
 }
 
 /* Return the variable of a step from the time since its beginning, by Newton's method. */
-static V variable_at(Batch *b, M which, int top, V time)
+INLINE V variable_at(Batch *b, int top, V time)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V at = minimum(per_time(b, time, (b->r + job->role->omega)[0]), c[STEP]);
-    int count = 0;
-    while (bits(which) && (count < MOST_CORRECTIONS)) {
-        V change = per_time(b, time - elapsed(b, top, at), value(b->r + job->role->omega, top, at));
-        at = at + change;
-        which = which & (magnitude(change) > (LAST_STEP * at));
-        count = count + 1;
+    V at = minimum(time, c[STEP]);
+    for (int _ = 1; _ <= CORRECTIONS; _++) {
+        V omega = value(b->r + job->role->omega, top, at);
+        V left = time - elapsed(b, top, at);
+        at = at + per_time(b, left, omega);
     }
     return at;
 }
@@ -1698,10 +1698,10 @@ INLINE void evaluate(Batch *b)
     begin_series(b);
     operate(b, 0);
     operate_later(b, 1);
-    if (job->role->pace >= 0) {
-        for (const State *q = job->state; q < job->state + job->states; q++) {
-            (b->r + q->rate)[0] = per_time(b, (b->r + q->rate)[0], (b->r + job->role->omega)[0]);
-        }
+    V omega = (b->r + job->role->omega)[0];
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        V rate = (b->r + q->rate)[0];
+        (b->r + q->rate)[0] = per_time(b, rate, omega);
     }
 }
 
@@ -2659,13 +2659,14 @@ INLINE void consider(Batch *b, M here, V at, int event)
 }
 
 /* Shorten the step to the time left, and return the lanes that reach its end. */
-static M reach_limit(Batch *b, M here, V room, int top)
+INLINE M reach_limit(Batch *b, M here, V room, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     M reaches = here & (elapsed(b, top, c[STEP]) >= room);
     if ((job->role->pace >= 0) && bits(reaches)) {
-        c[STEP] = pick(here, pick(reaches, variable_at(b, reaches, top, room), c[STEP]), c[STEP]);
+        V at = variable_at(b, top, room);
+        c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
     }
     return reaches;
 }
@@ -2812,8 +2813,10 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
     M peaks = at < INFINITY;
     if (bits(peaks)) {
+        V time = c[TIME] + elapsed(b, top, at);
         V speed = value(b->r + job->role->omega, top, at);
-        keep_faster(b, peaks, speed, c[TIME] + elapsed(b, top, at), value(b->r + job->role->x, top, at), value(net, top - 1, at));
+        V x = value(b->r + job->role->x, top, at);
+        keep_faster(b, peaks, speed, time, x, value(net, top - 1, at));
     }
 }
 
@@ -2837,7 +2840,8 @@ static void make_step(Batch *b, M here)
     V rate = rate_slope.one, slope = rate_slope.other;
     keep_peak(b, here, top, rate, slope);
     M at_limit = here & reaches_limit & uneventful & ~endless;
-    V until = pick(at_limit, limit, c[TIME] + elapsed(b, top, step));
+    V time = c[TIME] + elapsed(b, top, step);
+    V until = pick(at_limit, limit, time);
     if (job->samples > 0) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], until[lane], 1, top);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e474acaa9899594f868fdd05da90f0f73ad9ce02ed57aa80ede4ff2d2f79c61f
+# sha256 of the text below: caf73c943942744b3968f8b1c254c50939c84129e4803a67e0aa6c4edcfaa56f
 """Balance of momentum as fragments of flow programs: operations of each effect and of each law.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
@@ -832,7 +832,7 @@ FRAGMENTS: dict[str, Fragment] = {
             ('div', 'per_speed', '=1.0', 'rate_weakening.velocity'),
             ('abs', 'rate_weakening.mu_size', 'rate_weakening.peak'),
             ('sub', 'rate_weakening.4', 'rate_weakening.peak', 'rate_weakening.residual'),
-            ('set', 'mu_far', 'rate_weakening.residual'),
+            ('set', 'far', 'rate_weakening.residual'),
             ('set', 'rate_weakening.mu', 'rate_weakening.peak'),
         ),
         series=(
@@ -1010,30 +1010,30 @@ FRAGMENTS: dict[str, Fragment] = {
         states=(),
         tables=(),
     ),
-    'stretched': Fragment(
+    'pace': Fragment(
         inputs=(),
         optional=(),
         scalar=(
-            ('sub', 'stretched.t7', 'driving_0', 'resisting_0'),
-            ('mul', 'stretched.t8', 'grip', 'mu_far'),
-            ('mul', 'stretched.t9', 'stretched.t8', 'normal_0'),
-            ('sub', 'gain_0', 'stretched.t7', 'stretched.t9'),
-            ('neg', 'stretched.2', 'stretched.t8'),
-            ('mul', 'stretched.t12', 'grip', 'mu_0'),
-            ('neg', 'stretched.3', 'stretched.t12'),
+            ('sub', 'pace.t7', 'driving_0', 'resisting_0'),
+            ('mul', 'pace.t8', 'far', 'grip'),
+            ('mul', 'pace.t9', 'pace.t8', 'normal_0'),
+            ('sub', 'gain_0', 'pace.t7', 'pace.t9'),
+            ('neg', 'pace.2', 'pace.t8'),
+            ('mul', 'pace.t12', 'grip', 'mu_0'),
+            ('neg', 'pace.3', 'pace.t12'),
             ('set', 'pace', 'per_speed'),
         ),
         series=(
-            ('lin', 'dgain', '', (('=1.0', 'ddriving'), ('stretched.2', 'dnormal'), ('=-1.0', 'dresisting'))),
+            ('lin', 'dgain', '', (('=1.0', 'ddriving'), ('pace.2', 'dnormal'), ('=-1.0', 'dresisting'))),
             ('lin', 'gain', 'gain_0', (('=1.0', 'dgain'),)),
             ('mul', 'gain*omega', 'gain', 'omega'),
-            ('lin', 'dnet', '', (('=1.0', 'ddriving'), ('stretched.3', 'dnormal'), ('=-1.0', 'dresisting'),
-                ('per_speed', 'gain*omega'))),
+            ('lin', 'dnet', '', (('=1.0', 'ddriving'), ('pace.3', 'dnormal'), ('=-1.0', 'dresisting'), ('per_speed',
+                'gain*omega'))),
             ('sqr', 'omega*omega', 'omega'),
-            ('lin', 'stretched.sum1', '', (('=1.0', 'omega'), ('per_speed', 'omega*omega'))),
+            ('lin', 'pace.sum1', '', (('=1.0', 'omega'), ('per_speed', 'omega*omega'))),
         ),
         adds={},
-        states=(('x', 'stretched.sum1'),),
+        states=(('x', 'pace.sum1'),),
         tables=(),
     ),
     'energy': Fragment(

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2ac134d07eaf8501f919b4287d98d494759579743cb7140dbec2465d1ce867a7
+# sha256 of the text below: c69aa523745c9037cc7c2fc3dfe5a8bf1c7f218d0c835cdae29f6b7daf8f18ff
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -68,7 +68,7 @@ class Lanes:
         count = cells.shape[1]
         self.program = program
         working = np.zeros((-ix.PENDING, count))
-        self.cells = np.concatenate([cells, working])  # cells in front are at negative places
+        self.cells: Floats = np.concatenate([cells, working])  # cells in front are at negative places
         self.columns = np.arange(count) if columns is None else columns
         self.highest = int(cells[ix.ORDER].max(initial=0.0))
         self.registers = np.zeros((len(program.registers), self.highest + 2, count))
@@ -216,9 +216,7 @@ def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: 
         if moving:
             paced = s.roles.pace >= 0
             if paced:
-                one = none_of(s)
-                one[lane] = True
-                since = np.array([variable_at(s, one, top, np.full(one.size, t))[lane] for t in since])
+                since = np.array([variable_at(s, top, np.full(s.columns.size, t))[lane] for t in since])
             x, omega, *further = (value(s.registers[r, :, lane], top, since) for r in registers)
             rate = value(s.registers[s.roles.net, :, lane], top - 1, since)
             if paced:
@@ -289,7 +287,7 @@ NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
-MOST_CORRECTIONS = 12
+CORRECTIONS = 10
 LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
@@ -320,6 +318,7 @@ PI = 3.141592653589793
 FARTHEST = 3.14
 FADED = 2.0
 LAST_OF_HALLEY = 3.814697265625e-06
+MOST_CORRECTIONS = 12
 CONVERGED = 2.384185791015625e-07
 TOUCHES = 2.0
 TOGETHER = 1e-09
@@ -724,23 +723,22 @@ def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
     c = s.cells
     if s.roles.pace >= 0:
         omega = s.registers[s.roles.omega]
-        mean = omega[top] * (1.0 / (top + 1))
-        for k in range(top - 1, 0 - 1, -1):
-            mean = mean * at + omega[k] * (1.0 / (k + 1))
+        mean: Floats = 0.0
+        for k in range(top, 0 - 1, -1):
+            coefficient = omega[k] * (1.0 / (k + 1))
+            mean = mean * at + coefficient
         return at * (1.0 + c[s.roles.pace] * mean)
     return at
 
 
-def variable_at(s: Lanes, which: Mask, top: int, time: Floats) -> Floats:
+def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
     """Return the variable of a step from the time since its beginning, by Newton's method."""
     c = s.cells
-    at = np.minimum(per_time(s, time, s.registers[s.roles.omega][0]), c[ix.STEP])
-    count = 0
-    while np.any(which) and count < MOST_CORRECTIONS:
-        change = per_time(s, time - elapsed(s, top, at), value(s.registers[s.roles.omega], top, at))
-        at = at + change
-        which = which & (np.abs(change) > LAST_STEP * at)
-        count = count + 1
+    at = np.minimum(time, c[ix.STEP])
+    for _ in range(1, CORRECTIONS + 1):
+        omega = value(s.registers[s.roles.omega], top, at)
+        left = time - elapsed(s, top, at)
+        at = at + per_time(s, left, omega)
     return at
 
 
@@ -749,9 +747,10 @@ def evaluate(s: Lanes) -> None:
     begin_series(s)
     operate(s, 0)
     operate_later(s, 1)
-    if s.roles.pace >= 0:
-        for q in s.states:
-            s.registers[q.rate][0] = per_time(s, s.registers[q.rate][0], s.registers[s.roles.omega][0])
+    omega = s.registers[s.roles.omega][0].copy()
+    for q in s.states:
+        rate = s.registers[q.rate][0].copy()
+        s.registers[q.rate][0] = per_time(s, rate, omega)
 
 
 def normal_force(s: Lanes) -> Floats:
@@ -1710,7 +1709,8 @@ def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
     c = s.cells
     reaches = here & (elapsed(s, top, c[ix.STEP]) >= room)
     if s.roles.pace >= 0 and np.any(reaches):
-        c[ix.STEP] = np.where(here, np.where(reaches, variable_at(s, reaches, top, room), c[ix.STEP]), c[ix.STEP])
+        at = variable_at(s, top, room)
+        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
     return reaches
 
 
@@ -1822,9 +1822,10 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
     at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
     peaks = at < INFINITY
     if np.any(peaks):
+        time = c[ix.TIME] + elapsed(s, top, at)
         speed = value(s.registers[s.roles.omega], top, at)
-        keep_faster(s, peaks, speed, c[ix.TIME] + elapsed(s, top, at), value(s.registers[s.roles.x], top, at),
-            value(net, top - 1, at))
+        x = value(s.registers[s.roles.x], top, at)
+        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
 
 
 def make_step(s: Lanes, here: Mask) -> None:
@@ -1844,7 +1845,8 @@ def make_step(s: Lanes, here: Mask) -> None:
     rate, slope = value_and_slope(net, top - 1, step)
     keep_peak(s, here, top, rate, slope)
     at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
-    until = np.where(at_limit, limit, c[ix.TIME] + elapsed(s, top, step))
+    time = c[ix.TIME] + elapsed(s, top, step)
+    until = np.where(at_limit, limit, time)
     if s.samples:
         i = np.flatnonzero(here)
         if i.size:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3c67a51fcd8bbd341e7c45a07766cc95879e98f0cca0a63fac13c982f3f82cd0
+# sha256 of the text below: 5f4ec64b459ef59c5b2a211f996961fddbced7d9e8f080fd5e9595b3320cead9
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -122,8 +122,11 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     for part in ("gravity", *effects, "balance", *further):
         for fragment in fragments(part, "rotation" in effects):
             _include(made, fragment, moving, slip_factor)
-    if len(recipe.laws) == 1 and "per_speed" in made.cells and len(made.states) == 2 and not moving:
-        _include(made, fragments("stretched", False)[0])
+    varies = moving or len(made.states) > 2
+    alone = len(recipe.laws) == 1
+    if alone and "per_speed" in made.cells and not varies:
+        (of_pace,) = fragments("pace", False)
+        _include(made, of_pace)
     _define_functions_of_time(made, moving)
     not_shaken = () if "shaking" in effects else ("k_h", "k_v")  # symbols in the terms of other effects
     made.cells |= dict.fromkeys((*absent, *not_shaken), ("set", ZERO))

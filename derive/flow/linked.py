@@ -85,7 +85,9 @@ def rates(program: Program, known: Cells) -> dict[str, Expr]:
     cells = cells_of(program, known)
     values = registers_of(program, cells)
     found = {}
-    pace = cells[program.roles["cell_pace"]] if "cell_pace" in program.roles else ZERO
+    pace = ZERO
+    if "cell_pace" in program.roles:
+        pace = cells[program.roles["cell_pace"]]
     for cell, _, rate in program.states:
         found[program.cells[cell]] = values[rate] / (1 + pace * now("omega"))
     normal = program.roles["normal"]

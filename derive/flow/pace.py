@@ -8,7 +8,7 @@ rotation and speed are therefore polynomials of the registers:
 where net(mu) is the net moment under a constant friction mu.
 """
 
-from sympy import Expr, Poly, fraction, together
+from sympy import Expr
 
 from derive.declare.effects import SPEED
 from derive.flow.lowering import ZERO, Fragment, Lowering, cell, series, varying
@@ -16,13 +16,15 @@ from derive.flow.lowering import ZERO, Fragment, Lowering, cell, series, varying
 
 def of_friction(coefficient: Expr) -> dict[str, Expr]:
     """Return far and pace of a friction coefficient by cell, empty unless it is such a quotient."""
-    if not coefficient.is_rational_function(SPEED):
+    far, change = coefficient.as_independent(SPEED, as_Add=True)
+    _, quotient = change.as_independent(SPEED, as_Add=False)
+    slower = 1 / quotient
+    per_speed = slower.diff(SPEED)
+    if SPEED not in change.free_symbols:
         return {}
-    numerator, denominator = (Poly(x, SPEED) for x in fraction(together(coefficient)))
-    if numerator.degree() != 1 or denominator.degree() != 1:
+    if slower != 1 + per_speed * SPEED:
         return {}
-    slope, constant = denominator.all_coeffs()
-    return {"far": numerator.LC() / slope, "per_speed": slope / constant}
+    return {"far": far, "per_speed": per_speed}
 
 
 def fragment() -> Fragment:

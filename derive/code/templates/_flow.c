@@ -641,7 +641,7 @@ static void note(const Batch *b, unsigned k, int kind)
     row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
 }
 
-static V variable_at(Batch *b, M which, int top, V time);
+INLINE V variable_at(Batch *b, int top, V time);
 
 /* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
 static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
@@ -662,7 +662,7 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         const double time = times[i * across], since = time - begin;
         if (!(time < end || (closed && time == end))) break;
         const int paced = moving && job->role->pace >= 0;
-        const double past = paced ? variable_at(b, lanes(1u << k), top, broadcast(since))[k] : since;
+        const double past = paced ? variable_at(b, top, broadcast(since))[k] : since;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
             const int32_t of = j < 0 ? net : job->state[j].series;

@@ -25,10 +25,11 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
-from derive.flow.integrator.roots import LAST_STEP, MOST_ITERATIONS, value
+from derive.flow.integrator.roots import value
 from derive.flow.integrator.tables import expand_sine
 
 ROUNDING = 2.0**-56  # size over the largest term of a series below which a term is rounding
+CORRECTIONS = 10  # of the variable of a step
 LARGEST = 1000.0 * 2.0**40  # greatest log2 of a radius, scaled like `log2_of`
 
 
@@ -60,17 +61,13 @@ def elapsed(s: Lanes, top: N, at: V) -> V:
     return at
 
 
-def variable_at(s: Lanes, which: M, top: N, time: V) -> V:
+def variable_at(s: Lanes, top: N, time: V) -> V:
     """Return the variable of a step from the time since its beginning, by Newton's method."""
-    at = minimum(per_time(s, time, s.series.omega[0]), s.step)
-    count: N = 0
-    while any_lane(which) and count < MOST_ITERATIONS:
+    at = minimum(time, s.step)
+    for _ in up(1, CORRECTIONS):
         omega = value(s.series.omega, top, at)
         left = time - elapsed(s, top, at)
-        change = per_time(s, left, omega)
-        at = at + change
-        which = which and abs(change) > LAST_STEP * at
-        count = count + 1
+        at = at + per_time(s, left, omega)
     return at
 
 
@@ -79,8 +76,10 @@ def evaluate(s: Lanes) -> None:
     begin_series(s)
     operate(s, 0)
     operate_later(s, 1)
+    omega = s.series.omega[0]
     for q in s.states:
-        q.rate[0] = per_time(s, q.rate[0], s.series.omega[0])
+        rate = q.rate[0]
+        q.rate[0] = per_time(s, rate, omega)
 
 
 def normal_force(s: Lanes) -> V:

@@ -152,7 +152,7 @@ def reach_limit(s: Lanes, here: M, room: V, top: N) -> M:
     """Shorten the step to the time left, and return the lanes that reach its end."""
     reaches = here and elapsed(s, top, s.step) >= room
     if s.has.pace and any_lane(reaches):
-        at = variable_at(s, reaches, top, room)
+        at = variable_at(s, top, room)
         s.step = where(reaches, at, s.step)
     return reaches
 
@@ -289,7 +289,8 @@ def make_step(s: Lanes, here: M) -> None:
     rate, slope = value_and_slope(net, top - 1, step)
     keep_peak(s, here, top, rate, slope)
     at_limit = here and reaches_limit and uneventful and not endless
-    until = where(at_limit, limit, s.time + elapsed(s, top, step))
+    time = s.time + elapsed(s, top, step)
+    until = where(at_limit, limit, time)
     if s.samples and here:
         read_samples(s, s.time, until, 1, top)
     steady = abs(net[0]) * step < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
