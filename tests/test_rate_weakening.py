@@ -84,6 +84,6 @@ def test_another_friction_than_declared_is_no_theorem(wrong: str, monkeypatch: p
 
     monkeypatch.setattr(pace, "of_friction", of_friction)
     fragments.law_fragment.cache_clear()
-    with pytest.raises(ProofError, match="d(omega|x)/dt"):
+    with pytest.raises(ProofError, match=r"d.*/dt"):
         linked.prove_case(effects, (weakening,))
     fragments.law_fragment.cache_clear()
