@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 42595f49a5c354f130dcc2f23d9ea75fecc2fea10f5cf7ad563bdd42afa5dbde
+# sha256 of the text below: 404fa10a7a51c1ca0ac57ab977471baf00c938862bada3080682bc8b01ff96db
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -214,8 +214,13 @@ def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: 
         if not since.size:
             continue
         if moving:
+            paced = s.roles.pace >= 0
+            if paced:
+                since = np.array([variable_at(s, top, np.full(s.columns.size, t))[lane] for t in since])
             x, omega, *further = (value(s.registers[r, :, lane], top, since) for r in registers)
             rate = value(s.registers[s.roles.net, :, lane], top - 1, since)
+            if paced:
+                rate = rate / (1.0 + s.cells[s.roles.pace, lane] * omega)
         else:
             x = omega = rate = np.zeros_like(since)
             further = [np.full_like(since, s.cells[q.cell, lane]) for q in s.states[2:]]
@@ -282,6 +287,7 @@ NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
+CORRECTIONS = 10
 LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
@@ -705,11 +711,47 @@ def begin_series(s: Lanes) -> None:
             s.registers[t.register][0] = c[t.cells + ix.INC]
 
 
+def per_time(s: Lanes, rate: Floats, omega: Floats) -> Floats:
+    """Return a rate by time from a rate by tau, the variable of a step, where dt = (1 + pace omega) dtau."""
+    c = s.cells
+    if s.roles.pace >= 0:
+        return rate / (1.0 + c[s.roles.pace] * omega)
+    return rate
+
+
+def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
+    """Return the time since the beginning of a step from its variable."""
+    c = s.cells
+    if s.roles.pace >= 0:
+        omega = s.registers[s.roles.omega]
+        mean: Floats = 0.0
+        for k in range(top, 0 - 1, -1):
+            coefficient = omega[k] * (1.0 / (k + 1))
+            mean = mean * at + coefficient
+        return at * (1.0 + c[s.roles.pace] * mean)
+    return at
+
+
+def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
+    """Return the variable of a step from the time since its beginning, by Newton's method."""
+    c = s.cells
+    at = np.minimum(time, c[ix.STEP])
+    for _ in range(1, CORRECTIONS + 1):
+        omega = value(s.registers[s.roles.omega], top, at)
+        left = time - elapsed(s, top, at)
+        at = at + per_time(s, left, omega)
+    return at
+
+
 def evaluate(s: Lanes) -> None:
-    """Compute order 0 of all registers."""
+    """Compute order 0 of all registers. Rates of states are per time."""
     begin_series(s)
     operate(s, 0)
     operate_later(s, 1)
+    omega = s.registers[s.roles.omega][0].copy()
+    for q in s.states:
+        rate = s.registers[q.rate][0].copy()
+        s.registers[q.rate][0] = per_time(s, rate, omega)
 
 
 def normal_force(s: Lanes) -> Floats:
@@ -1670,6 +1712,16 @@ def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
     c[ix.STEP] = np.where(here, np.minimum(at, c[ix.STEP]), c[ix.STEP])
 
 
+def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
+    """Shorten the step to the time left, and return the lanes that reach its end."""
+    c = s.cells
+    reaches = here & (elapsed(s, top, c[ix.STEP]) >= room)
+    if s.roles.pace >= 0 and np.any(reaches):
+        at = variable_at(s, top, room)
+        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
+    return reaches
+
+
 def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which the speed becomes zero."""
     c = s.cells
@@ -1744,7 +1796,7 @@ def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
     if np.any(complete):
         radius: Floats = INFINITY
         for q in s.states:
-            if q.rate != s.roles.omega:
+            if q.register != s.roles.x:
                 radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
         c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), c[ix.STEP]), c[ix.STEP])
 
@@ -1778,8 +1830,10 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
     at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
     peaks = at < INFINITY
     if np.any(peaks):
+        time = c[ix.TIME] + elapsed(s, top, at)
         speed = value(s.registers[s.roles.omega], top, at)
-        keep_faster(s, peaks, speed, c[ix.TIME] + at, value(s.registers[s.roles.x], top, at), value(net, top - 1, at))
+        x = value(s.registers[s.roles.x], top, at)
+        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
 
 
 def make_step(s: Lanes, here: Mask) -> None:
@@ -1789,7 +1843,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     room = limit - c[ix.TIME]
     top = expand(s, room, here, 0)
     choose_step(s, here, room, top)
-    reaches_limit = c[ix.STEP] >= room
+    reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
     uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
     endless = is_endless(s, here, room)
@@ -1799,13 +1853,15 @@ def make_step(s: Lanes, here: Mask) -> None:
     rate, slope = value_and_slope(net, top - 1, step)
     keep_peak(s, here, top, rate, slope)
     at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
-    until = np.where(at_limit, limit, c[ix.TIME] + step)
+    time = c[ix.TIME] + elapsed(s, top, step)
+    until = np.where(at_limit, limit, time)
     if s.samples:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
     steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
     advance_states(s, here, top)
+    rate = per_time(s, rate, c[ix.OMEGA])
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
     c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
