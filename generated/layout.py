@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8e4ace3cfc2894792791c8a62a929b50a5e739d6bce6cd08375bd58f6530f618
+# sha256 of the text below: fe5bc3a4c745312d05ff0b8bfc28685b5ff90255d54902877a67b0166111c757
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -125,9 +125,9 @@ TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY',
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'square', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu',
-    'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers', 'cell_normal_square',
-    'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine', 'cell_net_loss_vers',
-    'cell_net_loss_square', 'cell_loss_rate')
+    'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers',
+    'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine',
+    'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate')
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

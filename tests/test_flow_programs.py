@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from derive.algebra.prove import prove_rational
+from derive.algebra import prove
 from derive.check.proof import ProofError
 from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAWS, SLIP, THETA, Effect, Parameter
@@ -157,11 +157,25 @@ def test_a_law_with_fractional_powers_is_in_the_equation_of_motion() -> None:
         law = replace(LINEAR, name="root", coefficient=residual + (peak - residual) / (1 + SLIP / length) ** power)
         assert len(linked.prove_case((CENTRIPETAL,), (law,))) == 6
     x = sp.Symbol("x", real=True)
-    prove_rational(
+    prove.prove_rational(
         x * sp.sqrt(1 + x / length) + length * sp.sqrt(1 + x / length) - length * (1 + x / length) ** power, ""
     )
     with pytest.raises(ProofError, match="wrong power"):
-        prove_rational(sp.sqrt(1 + x / length) - (1 + x / length) ** power, "wrong power")
+        prove.prove_rational(sp.sqrt(1 + x / length) - (1 + x / length) ** power, "wrong power")
+
+
+def test_rational_functions_are_proved_with_their_denominators(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Identities are proved by polynomials alone, without the simplification that follows where they are not zero."""
+    x, y = sp.symbols("x y", real=True)
+    for wrong in (1 / (x - y) + 1 / (x + y), (x - y) / (x + y) - 1, sp.Integer(3)):
+        with pytest.raises(ProofError, match="wrong"):
+            prove.prove_rational(wrong, "wrong")
+    monkeypatch.setattr(prove, "prove_zero", lambda *_: pytest.fail("not zero"))
+    prove.prove_rational(1 / (x - y) - 1 / (x + y) - 2 * y / (x**2 - y**2) + x / 3 - 2 * x / 6, "")
+    prove.prove_rational((x - y) / sp.exp(-2 * x - y) - (x - y) * sp.exp(y) * sp.exp(2 * x), "")
+    for meaningless in (x / ((x + y) ** 2 - x**2 - 2 * x * y - y**2), sp.pi * x):
+        with pytest.raises(ProofError, match="found"):
+            prove.prove_rational(meaningless, "")
 
 
 # --- programs --------------------------------------------------------------------------------------------------------

@@ -1,12 +1,15 @@
 """Proofs that two forms are equal, by numerical refutation and a normal form of sines and cosines."""
 
+from collections.abc import Mapping
 from itertools import chain
+from typing import Any
 
+from flint import Ordering, fmpq_mpoly_ctx
 from sympy import (
-    QQ,
     Dummy,
     Expr,
     Function,
+    Integer,
     N,
     Pow,
     Rational,
@@ -27,9 +30,10 @@ from sympy import (
     together,
     zoo,
 )
-from sympy.polys.fields import field
 
 from derive.check.proof import ProofError
+
+Quotient = tuple[Any, Any]  # numerator and denominator, polynomials of FLINT; the denominator is not zero
 
 
 def refute(expression: Expr, claim: str) -> None:
@@ -61,8 +65,47 @@ def prove_rational(expression: Expr, claim: str) -> None:
     """
     expression = reduce_roots(expression.replace(exp, lambda exponent: expand(exp(exponent))))
     unknowns = sorted(expression.atoms(Symbol, Function), key=default_sort_key)
-    if (unknowns and field(unknowns, QQ)[0].from_expr(expression) != 0) or (not unknowns and expression != 0):
+    context = fmpq_mpoly_ctx.get([f"x{i}" for i in range(len(unknowns))], Ordering.degrevlex)
+    one = context.constant(1)
+    known = {
+        x: (polynomial, one) for x, polynomial in zip((Integer(1), *unknowns), (one, *context.gens()), strict=True)
+    }
+    numerator, _ = _quotient(expression, known, claim)
+    if numerator != 0:
         prove_zero(expression, claim)
+
+
+def _quotient(e: Expr, known: Mapping[Expr, Quotient], claim: str) -> Quotient:
+    """Return an expression as a quotient, from the quotients of 1 and of its unknowns.
+
+    Raises
+    ------
+    ProofError
+        If it is not a rational function, or divides by zero; ``claim`` is the text of the error.
+    """
+    one, _ = known[Integer(1)]
+    if e in known:
+        return known[e]
+    if e.is_Rational:
+        return one * int(e.p), one * int(e.q)
+    if e.is_Pow and e.exp.is_Integer:
+        top, bottom = (part ** abs(int(e.exp)) for part in _quotient(e.base, known, claim))
+        if e.exp > 0:
+            return top, bottom
+        if top == 0:
+            raise ProofError(claim, e, "a denominator that is not zero")
+        return bottom, top
+    if not (e.is_Add or e.is_Mul):
+        raise ProofError(claim, e, "a rational function")
+    (top, bottom), *others = (_quotient(part, known, claim) for part in e.args)
+    for over, under in others:
+        if e.is_Mul:
+            top, bottom = top * over, bottom * under
+        else:  # denominators recur, so that their products would have high powers
+            missing = under / bottom.gcd(under)
+            top = top * missing + over * (bottom * missing / under)
+            bottom = bottom * missing
+    return top, bottom
 
 
 def reduce_roots(expression: Expr) -> Expr:

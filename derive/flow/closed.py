@@ -4,7 +4,7 @@ from itertools import islice
 from types import SimpleNamespace
 from typing import Any
 
-from sympy import Expr, Rational, cos, exp, expand_trig, nsimplify, sin, symbols
+from sympy import Expr, Float, Rational, cos, exp, expand_trig, nsimplify, sin, symbols
 
 from derive.algebra import phase_plane
 from derive.algebra.phase_plane import BASIS, NET, SOFTENING, drive, q, sine, vers, x
@@ -24,13 +24,16 @@ def _factors(*problem: Any) -> list[Expr]:
     return e
 
 
+def _exact(found: Any) -> Expr:
+    """Return an expression with rational numbers for floats, replaced in one pass, as `nsimplify` searches for each."""
+    return found.xreplace({number: nsimplify(number, rational=True) for number in found.atoms(Float)})
+
+
 def prove() -> str:
     """Prove E, its derivatives, and E about the end of a phase, and return the claim."""
 
     def claim(found: Any, derived: Any, form: str) -> None:
-        exact = nsimplify(found, rational=True)
-        expected = nsimplify(derived, rational=True)
-        prove_zero(exact - expected, f"{form} in the integrator")
+        prove_zero(_exact(found) - _exact(derived), f"{form} in the integrator")
 
     forms = (energy.energy, energy.slope_of, energy.bend_of)
     for order, form in enumerate(forms):
@@ -72,4 +75,4 @@ def _prove_softening() -> None:
     for j, problem in enumerate(islice(phase_plane.softening(), TERMS + 1)):
         found -= exp(-j * slope * x) * phase_plane.energy_from_rest(problem)
     numbers = {symbol: Rational(k, 7) for k, symbol in enumerate((drive, sine, vers, q, *SOFTENING), 2)}
-    prove_zero(nsimplify(found, rational=True).subs(numbers), "E under softening friction in the integrator")
+    prove_zero(_exact(found).xreplace(numbers), "E under softening friction in the integrator")

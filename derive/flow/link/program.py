@@ -11,7 +11,6 @@ from derive.flow.link.definitions import ZERO, Definitions, Lookup, Names, OnSer
 from derive.flow.link.linker import EVENTS, SQUARE, Linked, link
 from derive.flow.recurrences import RESULTS
 
-
 # Functions of slip whose series converge no farther in the rotation than in time, and other arguments of tables.
 SHORT = {"exp", "rec", "log", "pow", "time", "speed"}
 
