@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "615096e30d7299797ea3aa33fa2ed7e876dc07209dba633f8c23fafad2fc319f"
+#define DIGEST "b2ccc5f14d8bd7f62abd7888aeff240da961cedc39df9941516c8b96994ccd52"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1270,6 +1270,7 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 #define NEAREST 0x1.ccccccccccccdp-1
 #define EVEN 0x1.0000000000000p-20
 #define MOST_HALVINGS 30
+#define SHORTEST 0x1.ad7f29abcaf48p-24
 #define LAST 7
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
@@ -3155,8 +3156,8 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
     }
 }
 
-/* Make one step of moving lanes in powers of the rotation. If its duration is uncertain, or exceeds the end time,
- * the lane stays where it is and is integrated in time. */
+/* Make one step of moving lanes in powers of the rotation. If its duration is uncertain or extremely short, or
+ * exceeds the end time, the lane stays where it is and is integrated in time. */
 static void turn_on(Batch *b, M here)
 {
     V *const c = b->c;
@@ -3182,7 +3183,8 @@ static void turn_on(Batch *b, M here)
         count = count + 1;
     }
     V until = c[TIME] + (before + after);
-    M fits = here & (until < c[END_TIME]);
+    M stands = c[STEP] == 0.0;
+    M fits = here & (until < c[END_TIME]) & (((before + after) > SHORTEST) | stands);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[CLOCKED] = pick(here, pick(fits, broadcast(0.0), broadcast(1.0)), c[CLOCKED]);
     if (bits(fits)) {
@@ -3801,7 +3803,7 @@ static void advance(Batch *b, M here)
         if (bits(turning)) {
             turn_on(b, turning);
         }
-        moving = moving & ~turning;
+        moving = moving & (c[CLOCKED] > 0.0);
     }
     if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {
         make_step(b, moving);

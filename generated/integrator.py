@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 40eaa5495782c36af9b5095180e932a638985974b1408022c131ac0095d1ee2d
+# sha256 of the text below: 136e28b820122b7716706e345b928731400969c70b98d66811ef38efa31b2d8e
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -306,6 +306,7 @@ NEWTON = 3
 NEAREST = 0.9
 EVEN = 9.5367431640625e-07
 MOST_HALVINGS = 30
+SHORTEST = 1e-07
 LAST = 7
 VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
     -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
@@ -2049,7 +2050,8 @@ def turn_on(s: Lanes, here: Mask) -> None:
         unsure = here & np.logical_not(before + after < INFINITY)
         count = count + 1
     until = c[ix.TIME] + (before + after)
-    fits = here & (until < c[ix.END_TIME])
+    stands = c[ix.STEP] == 0.0
+    fits = here & (until < c[ix.END_TIME]) & ((before + after > SHORTEST) | stands)
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
     c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
     if np.any(fits):
@@ -2600,7 +2602,7 @@ def advance(s: Lanes, here: Mask) -> None:
         turning = moving & (c[ix.CLOCKED] == 0.0)
         if np.any(turning):
             turn_on(s, turning)
-        moving = moving & np.logical_not(turning)
+        moving = moving & (c[ix.CLOCKED] > 0.0)
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)
     if np.count_nonzero(resting) > np.count_nonzero(moving):

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 906ab64d472de0af6ddbea99425619efc7b84448b2e9d93f5263b126a2313ab9
+# sha256 of the text below: e48edd5f34961b0a824d98e30893a0f0f26b2c08223fe5632c7fcaa82fff770e
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "615096e30d7299797ea3aa33fa2ed7e876dc07209dba633f8c23fafad2fc319f"  # of the compiled integrator's source
+DIGEST = "b2ccc5f14d8bd7f62abd7888aeff240da961cedc39df9941516c8b96994ccd52"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -190,7 +190,7 @@ def advance(s: Lanes, here: M) -> None:
         turning = moving and s.clocked == 0.0
         if any_lane(turning):
             turn_on(s, turning)
-        moving = moving and not turning
+        moving = moving and s.clocked > 0.0
     if any_lane(moving) and lanes_in(moving) >= lanes_in(resting):
         make_step(s, moving)
     if lanes_in(resting) > lanes_in(moving):

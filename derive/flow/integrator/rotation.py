@@ -46,6 +46,7 @@ NEWTON = 3  # steps of the method by which a rest near a step is found
 NEAREST = 0.9  # of a rest that is estimated ahead: greatest path over its distance
 EVEN = 2.0**-20  # last coefficients of an integrand up to which its integral is accurate
 MOST_HALVINGS = 30
+SHORTEST = 1e-7  # duration of a step below which series in time, which states are read from, may overflow
 
 
 def time_over(p: S, n: N, base: V, way: V, beyond: V, per: V) -> V:
@@ -168,7 +169,8 @@ def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
 def turn_on(s: Lanes, here: M) -> None:
     """Make one step of moving lanes in powers of the rotation.
 
-    If its duration is uncertain, or exceeds the end time, the lane stays where it is and is integrated in time.
+    If its duration is uncertain or extremely short, or exceeds the end time, the lane stays where it is and is integrated
+    in time.
     """
     omega: V = 1.0 * s.omega
     s.omega = omega * omega
@@ -189,7 +191,8 @@ def turn_on(s: Lanes, here: M) -> None:
         unsure = here and not (before + after < INFINITY)
         count = count + 1
     until = s.time + (before + after)
-    fits = here and until < s.end_time
+    stands = s.step == 0.0
+    fits = here and until < s.end_time and (before + after > SHORTEST or stands)
     s.omega = omega
     s.clocked = where(fits, 0.0, 1.0)
     if any_lane(fits):
