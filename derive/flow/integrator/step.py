@@ -39,7 +39,7 @@ from derive.flow.integrator.roots import (
     value_and_slope,
 )
 from derive.flow.integrator.series import elapsed, expand, per_time, radius_of_convergence, variable_at
-from derive.flow.integrator.tables import next_break, pass_breaks
+from derive.flow.integrator.tables import enter_lines, next_break, pass_breaks
 
 FAR = 1e300  # unreachable bound
 
@@ -300,5 +300,8 @@ def make_step(s: Lanes, here: M) -> None:
     s.time = until
     s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
     s.passed = number(Passed.NOTHING)
-    if here:
+    goes_on = at_limit and until < s.end_time
+    others = enter_lines(s, goes_on)
+    settled = uneventful and not endless and not others and (goes_on or not at_limit)
+    if here and not settled:
         settle(s, rate, at_limit, endless)
