@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "196e8823b08f4e93504816c621671e150879caefc0b3ddc503a4620a017f39e8"
+#define DIGEST "6c96a579a0e20fab3dd9fb396fa5fe57ab621809ee0b3234075769115cf53d50"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1646,7 +1646,8 @@ INLINE void enter_line(Batch *b, M here, int t)
     V last = broadcast((double)((int)job->data[t].pieces - 1));
     V piece = minimum(c[job->table[t].cell + PIECE] + 1.0, last);
     V edge = breaks_at(b, t, piece);
-    V following = breaks_at(b, t, minimum(piece + 1.0, last));
+    V next_piece = minimum(piece + 1.0, last);
+    V following = breaks_at(b, t, next_piece);
     V end = pick(piece < last, following, broadcast(INFINITY));
     V jump = jumps_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
     V slope = slopes_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
@@ -1656,14 +1657,17 @@ INLINE void enter_line(Batch *b, M here, int t)
     V way = c[job->table[t].cell + WAY] + magnitude(jump);
     V rounding = magnitude(there) + magnitude(c[job->table[t].cell + VALUE]);
     M is_long = way > rounding;
-    V inc = pick(is_long, there - c[job->table[t].cell + VALUE], c[job->table[t].cell + LOWER] + jump);
+    V carried = c[job->table[t].cell + LOWER] + jump;
+    V difference = there - c[job->table[t].cell + VALUE];
+    V inc = pick(is_long, difference, carried);
     c[PENDING] = pick(here, pick(jump != 0.0, broadcast(DISCONTINUITY), c[PENDING]), c[PENDING]);
     c[job->table[t].cell + PIECE] = pick(here, piece, c[job->table[t].cell + PIECE]);
     c[job->table[t].cell + INC] = pick(here, inc, c[job->table[t].cell + INC]);
     c[job->table[t].cell + UPPER] = pick(here, end / c[job->table[t].cell + SCALE], c[job->table[t].cell + UPPER]);
     c[job->table[t].cell + RISE] = pick(here, slope * c[job->table[t].cell + SCALE], c[job->table[t].cell + RISE]);
     c[job->table[t].cell + LOWER] = pick(here, inc + rise, c[job->table[t].cell + LOWER]);
-    c[job->table[t].cell + WAY] = pick(here, pick(is_long, rounding, way) + magnitude(rise), c[job->table[t].cell + WAY]);
+    way = pick(is_long, rounding, way);
+    c[job->table[t].cell + WAY] = pick(here, way + magnitude(rise), c[job->table[t].cell + WAY]);
 }
 
 /* Enter the next pieces of functions of time that have a break now; return lanes in which a sine has one. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ddefa766faae27715f8bc4c3763d2ba4c46cee09841160f80eb3819872bd08bb
+# sha256 of the text below: 24498b6890475e432435b156070b5a25d7469b64384c5dc14e09c06009ad6a9c
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -709,7 +709,8 @@ def enter_line(s: Lanes, here: Mask, t: Table) -> None:
     last: Floats = float(t.pieces - 1)
     piece = np.minimum(c[t.cells + ix.PIECE] + 1.0, last)
     edge = breaks_at(s, t, piece)
-    following = breaks_at(s, t, np.minimum(piece + 1.0, last))
+    next_piece = np.minimum(piece + 1.0, last)
+    following = breaks_at(s, t, next_piece)
     end = np.where(piece < last, following, INFINITY)
     jump = jumps_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
     slope = slopes_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
@@ -719,14 +720,17 @@ def enter_line(s: Lanes, here: Mask, t: Table) -> None:
     way = c[t.cells + ix.WAY] + np.abs(jump)
     rounding = np.abs(there) + np.abs(c[t.cells + ix.VALUE])
     is_long = way > rounding
-    inc = np.where(is_long, there - c[t.cells + ix.VALUE], c[t.cells + ix.LOWER] + jump)
+    carried = c[t.cells + ix.LOWER] + jump
+    difference = there - c[t.cells + ix.VALUE]
+    inc = np.where(is_long, difference, carried)
     c[ix.PENDING] = np.where(here, np.where(jump != 0.0, ix.DISCONTINUITY, c[ix.PENDING]), c[ix.PENDING])
     c[t.cells + ix.PIECE] = np.where(here, piece, c[t.cells + ix.PIECE])
     c[t.cells + ix.INC] = np.where(here, inc, c[t.cells + ix.INC])
     c[t.cells + ix.UPPER] = np.where(here, end / c[t.cells + ix.SCALE], c[t.cells + ix.UPPER])
     c[t.cells + ix.RISE] = np.where(here, slope * c[t.cells + ix.SCALE], c[t.cells + ix.RISE])
     c[t.cells + ix.LOWER] = np.where(here, inc + rise, c[t.cells + ix.LOWER])
-    c[t.cells + ix.WAY] = np.where(here, np.where(is_long, rounding, way) + np.abs(rise), c[t.cells + ix.WAY])
+    way = np.where(is_long, rounding, way)
+    c[t.cells + ix.WAY] = np.where(here, way + np.abs(rise), c[t.cells + ix.WAY])
 
 
 def enter_lines(s: Lanes, here: Mask) -> Mask:
