@@ -48,7 +48,11 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
     """
     value = lambdify([*domain], e, [_ARITHMETIC])
     boxes = [(0, [*domain.values()])]
-    places = ""
+    middle: list[float] = []
+
+    def places() -> str:
+        return ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, middle, strict=True))
+
     for count in range(1, BOXES):
         if not boxes:
             return "", ""
@@ -58,19 +62,18 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
             continue
         middle = [_middle(*ends) for ends in box]
         here = arb(value(*map(arb, middle)))
-        places = ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, middle, strict=True))
         if here.upper() < BELOW:
-            return f"{float(here.mid()):.3g} at {places}", ""
+            return f"{float(here.mid()):.3g} at {places()}", ""
         widest = max(range(len(box)), key=lambda k: _width(*box[k]))
         if _width(*box[widest]) < SMALL:
             if not enclosed.is_finite():
-                return f"a pole or a complex number next to {places}", ""
+                return f"a pole or a complex number next to {places()}", ""
             continue
         rank = count if enclosed.is_finite() else -count
         low, high = box[widest]
         for half in ((low, middle[widest]), (middle[widest], high)):
             heapq.heappush(boxes, (rank, [*box[:widest], half, *box[widest + 1 :]]))
-    return "", places
+    return "", places()
 
 
 def _width(low: float, high: float) -> float:
