@@ -72,6 +72,8 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
     stages.line("flow", "balance", prove, "{} claims proved")
     stages.run("phase plane", "balance", "derive.algebra.phase_plane:prove", shown="{}")
     stages.run("flow", "closed form", "derive.flow.closed:prove", shown="{}")
+    stages.run("pieces of records", "balance", "derive.algebra.pieces:prove", shown="{}")
+    stages.run("flow", "pieces", "derive.flow.sliding:prove", shown="{}")
     stages.run("flow", "series", "derive.flow.recurrences:prove", 6, shown="{}")
     return stages.files("flow", "derive.generate.write:flow_files", present, LAWS, EFFECTS, SECTION_EFFECTS)
 

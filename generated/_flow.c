@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2d367c6ab382eb4fb3a089ffd7df037463010c950b4362eec1530653b93c01d3"
+#define DIGEST "79fa8c9b87cfc082453b8a63fe1c87c20e640ed03d354ec349cdd6800cc9c5e8"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
+    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
 } Roles;
 
 typedef struct {
@@ -73,7 +73,7 @@ static const struct { int rates, length; const int32_t *operations; } patterns[]
     {81, 95, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 6 * STRIDE, 5 * STRIDE, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE, SQR, 16 * STRIDE, 1 * STRIDE, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {82, 96, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 9 * STRIDE, 8 * STRIDE, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE, SQR, 13 * STRIDE, 1 * STRIDE, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {105, 119, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 12 * STRIDE, 11 * STRIDE, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE, SQR, 16 * STRIDE, 1 * STRIDE, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {55, 69, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, SQR, 9 * STRIDE, 1 * STRIDE, LIN, 10 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE, LIN, 12 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {45, 63, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE, TIM, 4 * STRIDE, 0 * STRIDE, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE}},
     {77, 91, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE, SQR, 15 * STRIDE, 1 * STRIDE, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {78, 92, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE, SQR, 12 * STRIDE, 1 * STRIDE, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {101, 115, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE, SQR, 15 * STRIDE, 1 * STRIDE, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
@@ -372,7 +372,11 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #include <immintrin.h>
 #endif
 
+#ifdef __wasm__ /* pages shall be small */
+#define INLINE static inline
+#else
 #define INLINE static inline __attribute__((always_inline))
+#endif
 #define APART static __attribute__((noinline)) /* what all programs call, once, so that wheels are small */
 #define NAMED_(name, level) name##_##level
 #define NAMED(name, level) NAMED_(name, level)
@@ -929,20 +933,18 @@ INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 EACH_ORDER(7)
 INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(14, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
-    STRAIGHT(18, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    STRAIGHT(24, SQR, 9 * STRIDE, 1 * STRIDE);
-    STRAIGHT(27, LIN, 10 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE);
-    STRAIGHT(37, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
-    STRAIGHT(41, LIN, 12 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
+    STRAIGHT(11, TIM, 4 * STRIDE, 0 * STRIDE);
+    STRAIGHT(14, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE);
+    STRAIGHT(19, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    STRAIGHT(29, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE);
+    STRAIGHT(33, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(55, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    STRAIGHT(61, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(45, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    STRAIGHT(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
 }
 EACH_ORDER(8)
 INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n)
@@ -1116,8 +1118,10 @@ static void note(const Batch *b, unsigned k, int kind)
     row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
 }
 
+INLINE V variable_at(Batch *b, int top, V time);
+
 /* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
-static void read_samples(const Batch *b, unsigned k, double begin, double end, int moving, int top)
+static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
 {
     const Job *const job = b->job;
     const V *const c = b->c;
@@ -1132,8 +1136,10 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
     const int closed = end >= c[END_TIME][k] && end < INFINITY;
     const int32_t net = job->role->net;
     for (int64_t i = low; i < job->samples; i++) {
-        const double time = times[i * across], past = time - begin;
+        const double time = times[i * across], since = time - begin;
         if (!(time < end || (closed && time == end))) break;
+        const int paced = moving && job->role->pace >= 0;
+        const double past = paced ? variable_at(b, top, broadcast(since))[k] : since;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
             const int32_t of = j < 0 ? net : job->state[j].series;
@@ -1142,6 +1148,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
             states[j < 0 ? 2 : j < 2 ? j : j + 2] = moving || j < 2 ? sum : c[job->state[j].cell][k];
         }
         states[3] = c[SLIP][k] + states[0], states[0] = c[ROTATION][k] + c[DIRECTION][k] * states[0];
+        if (paced) states[2] /= 1.0 + c[job->role->pace][k] * states[1];
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
@@ -1161,11 +1168,13 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
+#define CORRECTIONS 10
 #define LARGEST 0x1.f400000000000p+49
 #define TIE 0x1.0000000000000p-44
 #define CLOSEST 0x1.56e1fc2f8f359p-997
 #define SURE 0x1.ffffe00000000p-1
 #define SIXTH 0x1.5555555555555p-3
+#define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
 #define LAST 7
@@ -1645,12 +1654,60 @@ INLINE void begin_series(Batch *b)
     }
 }
 
-/* Compute order 0 of all registers. */
+/* Return a rate by time from a rate by tau, the variable of a step, where dt = (1 + pace omega) dtau. */
+INLINE V per_time(Batch *b, V rate, V omega)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->pace >= 0) {
+        return rate / (1.0 + (c[job->role->pace] * omega));
+    }
+    return rate;
+}
+
+/* Return the time since the beginning of a step from its variable. */
+INLINE V elapsed(Batch *b, int top, V at)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->pace >= 0) {
+        V *omega = b->r + job->role->omega;
+        V mean = broadcast(0.0);
+        for (int k = top; k >= 0; k--) {
+            V coefficient = omega[k] * b->inverse[k + 1];
+            mean = (mean * at) + coefficient;
+        }
+        return at * (1.0 + (c[job->role->pace] * mean));
+    }
+    return at;
+}
+
+/* Return the variable of a step from the time since its beginning, by Newton's method. */
+INLINE V variable_at(Batch *b, int top, V time)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V at = minimum(time, c[STEP]);
+    for (int _ = 1; _ <= CORRECTIONS; _++) {
+        V omega = value(b->r + job->role->omega, top, at);
+        V left = time - elapsed(b, top, at);
+        at = at + per_time(b, left, omega);
+    }
+    return at;
+}
+
+/* Compute order 0 of all registers. Rates of states are per time. */
 INLINE void evaluate(Batch *b)
 {
+    const Job *const job = b->job;
     begin_series(b);
     operate(b, 0);
     operate_later(b, 1);
+    V omega = (b->r + job->role->omega)[0];
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        V rate = (b->r + q->rate)[0];
+        (b->r + q->rate)[0] = per_time(b, rate, omega);
+    }
 }
 
 /* Return the normal force on the slip surface from order 0. Contact is lost if it is negative. */
@@ -2202,80 +2259,25 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Return the path after a time at a speed with a rate ``net`` that changes linearly. */
-INLINE V path(V time, V omega, V net, V change)
+/* Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly. */
+INLINE V path(V time, V omega, V net, V rise)
 {
-    V by_change = (SIXTH * time) * change;
-    V by_rate = (0.5 * net) + by_change;
-    V mean = omega + (time * by_rate);
+    V by_rise = (SIXTH * time) * rise;
+    V by_net = (0.5 * net) + by_rise;
+    V mean = omega + (time * by_net);
     return time * mean;
 }
 
 /* Return the first time at which a falling speed is zero. */
-INLINE V standstill(V omega, V net, V change)
+INLINE V standstill(V omega, V net, V rise)
 {
     V square = net * net;
-    V decrease = (2.0 * change) * omega;
+    V decrease = (2.0 * rise) * omega;
     V root = sqrt_of(maximum(square - decrease, broadcast(0.0)));
-    V twice = 2.0 * omega;
-    V falling = twice / (root - net);
-    V rising = (net + root) / (0.0 - change);
-    return pick(net <= 0.0, falling, rising);
-}
-
-/* Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale. */
-INLINE V end_of(Batch *b, int t, int piece, V per)
-{
-    const Job *const job = b->job;
-    int last = (int)job->data[t].pieces - 1;
-    int following = (piece + 1) < last ? (piece + 1) : last;
-    return job->data[t].breaks[following] * per;
-}
-
-/* Return the lanes that are pressed through a piece that ends before the end time and not at the last break.
- * ``until`` is the end of the piece. */
-INLINE M passes(Batch *b, int t, int piece, V per, V until, V press)
-{
-    V *const c = b->c;
-    V following = end_of(b, t, piece + 1, per);
-    M before_last = (until < following) & (following < INFINITY);
-    V latest = c[END_TIME] * (1.0 - (4.0 * EPS));
-    M in_time = until < latest;
-    M pressed = press > 0.0;
-    return before_last & in_time & pressed;
-}
-
-/* Return a record at the right end of a piece. */
-INLINE V right_value(Batch *b, int t, int piece)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    int last = (int)job->data[t].pieces - 1;
-    int following = (piece + 1) < last ? (piece + 1) : last;
-    double height = job->data[t].coefficients[2 * following];
-    return height * c[job->table[t].cell + SCALED_BY];
-}
-
-/* Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it. */
-INLINE M rests_through(Batch *b, int t, int piece, V per)
-{
-    V *const c = b->c;
-    V value = right_value(b, t, piece);
-    V until = end_of(b, t, piece, per);
-    V pressed = broadcast(1.0);
-    M inside = passes(b, t, piece, per, until, pressed);
-    M quiet = (c[QUIET_FROM] <= value) & (value <= c[QUIET_TO]);
-    return inside & quiet;
-}
-
-/* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
-static int last_at_rest(Batch *b, M on, int t, int piece, V per)
-{
-    int last = piece;
-    while (!bits(on & ~rests_through(b, t, last + 1, per))) {
-        last = last + 1;
-    }
-    return last;
+    M falls = net <= 0.0;
+    V over = pick(falls, 2.0 * omega, net + root);
+    V under = pick(falls, root - net, 0.0 - rise);
+    return over / under;
 }
 
 /* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
@@ -2300,23 +2302,6 @@ static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, d
     c[PENDING][lane] = BEGIN_PHASE;
 }
 
-/* Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed.
- * ``end`` is the speed at the end of the piece. */
-INLINE V lowest_speed(Batch *b, M here, V now, V length, V x, V omega, V net, V after, V end)
-{
-    V share = net / (net - after);
-    V at = length * share;
-    V gain = at * net;
-    V extreme = omega + (0.5 * gain);
-    V mean = omega + ((2.0 * SIXTH) * gain);
-    V way = at * mean;
-    V there = x + way;
-    M rises = here & (net > 0.0);
-    keep_faster(b, rises, extreme, now + at, there, broadcast(0.0));
-    M falls = here & (net < 0.0);
-    return pick(falls, extreme, end);
-}
-
 /* Count phases that begin down-slope. */
 INLINE void count_starts(Batch *b, M here)
 {
@@ -2327,116 +2312,207 @@ INLINE void count_starts(Batch *b, M here)
     c[LAST_WAY] = pick(here, broadcast(1.0), c[LAST_WAY]);
 }
 
-/* Stop lanes within a piece, start them, or both; return the speed at its end and the path. */
-INLINE Pair turn(Batch *b, M here, V now, V length, V omega, V net, V after)
+/* Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length.
+ * ``share`` is the fraction of the piece at which the net moment, from ``net`` to ``after``, is zero. A lane that
+ * stops and is driven later stops before it. */
+INLINE Pair turn(Batch *b, M here, V now, V length, V share, V omega, V net, V after)
 {
     V *const c = b->c;
     M moves = omega > 0.0;
     V rise = after - net;
-    V change = rise / length;
-    V root = standstill(omega, net, change);
+    V root = standstill(omega, net, rise);
     V stop = pick(moves, root, broadcast(0.0));
-    V share = net / (net - after);
-    V zero = share * length;
-    V start = pick(net < 0.0, zero, broadcast(0.0));
-    M drives_later = (after > 0.0) & (start >= stop);
-    M drives = (net > 0.0) & ~moves;
-    M starts = drives_later | drives;
+    V later = maximum(1.0 - share, broadcast(0.0));
+    V left = pick(net < 0.0, later, broadcast(1.0));
     V push = maximum(net, broadcast(0.0));
-    V left = length - start;
-    V by_change = (0.5 * left) * change;
-    V rate = push + by_change;
-    V speed = left * rate;
-    M again = starts & (speed <= 0.0);
-    V to_stop = ((-2.0) * push) / change;
-    V span = pick(again, to_stop, left);
-    V since = pick(moves, now + stop, c[REST_SINCE]);
-    c[REST_SINCE] = pick(here, pick(again, now + span, since), c[REST_SINCE]);
+    V rate = push + after;
+    V speed = (0.5 * left) * rate;
+    M goes_on = speed > 0.0;
+    V end = pick(goes_on, speed, broadcast(0.0));
+    M pushed = (net > 0.0) & ~moves;
+    M again = pushed & ~goes_on;
+    M starts = pushed | goes_on;
+    V span = pick(again, 2.0 * share, left);
+    V stopped = now + (length * stop);
+    V stops_later = now + (length * span);
+    V since = pick(moves, stopped, c[REST_SINCE]);
+    c[REST_SINCE] = pick(here, pick(again, stops_later, since), c[REST_SINCE]);
     count_starts(b, here & starts);
     V nothing = 0.0 * span;
-    V behind = path(span, nothing, push, change);
+    V behind = path(span, nothing, push, rise);
     V further = pick(starts, behind, broadcast(0.0));
-    M goes_on = starts & ~again;
-    V end = pick(goes_on, speed, broadcast(0.0));
-    V before = path(stop, omega, net, change);
+    V before = path(stop, omega, net, rise);
     return (Pair){end, (before + further)};
 }
 
-/* Return the speed at the end of a piece and the path through it. */
+/* Pass a piece in which lanes start, stop, or have their greatest or lowest speed. Return the speed at its end and
+ * the path over its length. No decision waits for a division. */
+INLINE Pair pass_change(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
+{
+    V share = net / (net - after);
+    V rise = after - net;
+    V one = broadcast(1.0);
+    V way = path(one, omega, net, rise);
+    V twice = net + after;
+    V end = omega + (0.5 * twice);
+    M dips = (net <= 0.0) & (after > 0.0);
+    V square = net * net;
+    V decrease = (2.0 * rise) * omega;
+    M reaches_zero = square >= decrease;
+    M stops = (end <= 0.0) | (dips & reaches_zero);
+    M peaks = here & (net > 0.0) & (after <= 0.0);
+    if (bits(peaks)) {
+        V gain = (0.5 * share) * net;
+        V extreme = omega + gain;
+        V until = path(share, omega, net, rise);
+        V there = x + (length * until);
+        V then = now + (length * share);
+        keep_faster(b, peaks, extreme, then, there, broadcast(0.0));
+    }
+    M turns = here & ((omega == 0.0) | stops);
+    if (bits(turns)) {
+        const Pair speed_further = turn(b, turns, now, length, share, omega, net, after);
+        V speed = speed_further.one, further = speed_further.other;
+        end = pick(turns, speed, end);
+        way = pick(turns, further, way);
+    }
+    return (Pair){end, way};
+}
+
+/* Return the speed at the end of a piece and the path over its length; lanes outside the mask ``here`` rest. */
 INLINE Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
 {
     V twice = net + after;
-    V half = 0.5 * length;
-    V end = omega + (half * twice);
     V by_rates = net + twice;
-    V sixth = SIXTH * length;
-    V mean = omega + (sixth * by_rates);
-    V further = length * mean;
-    V lowest = end;
-    V opposite = net * after;
-    M crosses = here & (opposite < 0.0);
-    if (bits(crosses)) {
-        lowest = lowest_speed(b, crosses, now, length, x, omega, net, after, end);
-    }
-    M moves = omega > 0.0;
-    M stays = moves & (lowest > 0.0);
-    M drives = (net > 0.0) | (after > 0.0);
-    M turns = here & ~stays & (moves | drives);
-    end = pick(stays, end, broadcast(0.0));
-    further = pick(stays, further, broadcast(0.0));
+    V end = pick(here, omega + (0.5 * twice), broadcast(0.0));
+    V way = pick(here, omega + (SIXTH * by_rates), broadcast(0.0));
+    M changes = (net > 0.0) != (after > 0.0);
+    M moves = (omega > 0.0) & (end > 0.0);
+    M turns = here & (changes | ~moves);
     if (bits(turns)) {
-        const Pair speed_way = turn(b, turns, now, length, omega, net, after);
-        V speed = speed_way.one, way = speed_way.other;
+        const Pair speed_further = pass_change(b, turns, now, length, x, omega, net, after);
+        V speed = speed_further.one, further = speed_further.other;
         end = pick(turns, speed, end);
-        further = pick(turns, way, further);
+        way = pick(turns, further, way);
     }
-    return (Pair){end, further};
+    return (Pair){end, way};
+}
+
+/* Return the place in a record, up to rounding, at which the end time is reached. */
+INLINE V latest_end(Batch *b, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    return minimum((c[END_TIME] * c[job->table[t].cell + SCALE]) * (1.0 - (4.0 * EPS)), broadcast(LATEST));
+}
+
+/* Return the lanes for which a piece ends before a place and not at the last break, where the record may jump. */
+INLINE M passes(Batch *b, int t, int piece, V before)
+{
+    const Job *const job = b->job;
+    M inside = (M){0};
+    if ((piece + 2) < (int)job->data[t].pieces) {
+        inside = job->data[t].breaks[piece + 2] < before;
+    }
+    return inside;
+}
+
+/* Return the time at which a piece ends, where ``per`` is 1 over the scale. */
+INLINE V end_of(Batch *b, int t, int piece, V per)
+{
+    const Job *const job = b->job;
+    return job->data[t].breaks[piece + 1] * per;
+}
+
+/* Return the value of a record, without its factor, at the right end of a piece. */
+INLINE double height_after(Batch *b, int t, int piece)
+{
+    const Job *const job = b->job;
+    return job->data[t].coefficients[(2 * piece) + 2];
+}
+
+/* Return the least and the greatest value of a record, without its factor, at which lanes certainly rest. */
+INLINE Pair heights_at_rest(Batch *b, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V one = c[QUIET_FROM] / c[job->table[t].cell + SCALED_BY];
+    V other = c[QUIET_TO] / c[job->table[t].cell + SCALED_BY];
+    return (Pair){minimum(one, other), maximum(one, other)};
+}
+
+/* Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
+ * They rest between two values of the record, in pieces that end before a place. */
+INLINE M rests_through(Batch *b, int t, int piece, V before, V low, V high)
+{
+    const Job *const job = b->job;
+    double height = height_after(b, t, piece);
+    return (low <= height) & (height <= high) & (job->data[t].breaks[piece + 2] < before);
+}
+
+/* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
+static int last_at_rest(Batch *b, M on, int t, int piece, V before, V low, V high)
+{
+    const Job *const job = b->job;
+    int last = piece;
+    while (((last + 3) < (int)job->data[t].pieces) && !bits(on & ~rests_through(b, t, last + 1, before, low, high))) {
+        last = last + 1;
+    }
+    return last;
+}
+
+/* End the slide of lanes that may lift or end in the next piece, and return the other lanes. */
+INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, V omega)
+{
+    M inside = passes(b, t, piece, before) & (press > 0.0);
+    M leaves = on & ~inside;
+    EACH(lane, bits(leaves)) {
+        end_slide(b, lane, t, piece, x[lane], omega[lane]);
+    }
+    return on & inside;
 }
 
 /* Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic. The net
- * moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record. A
- * lane leaves before a piece in which it may lift. */
+ * moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record,
+ * which is without its factor. A lane leaves before a piece in which it may lift. */
 static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V weight)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V per = 1.0 / c[job->table[t].cell + SCALE];
+    const Pair low_high = heights_at_rest(b, t);
+    V low = low_high.one, high = low_high.other;
+    V before = latest_end(b, t);
     int piece = first;
     V now = c[TIME];
-    V current = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
-    V net = base + (slope * current);
-    V value = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
+    V net = (b->r + job->role->net)[0];
     V omega = broadcast(0.0);
     V x = broadcast(0.0);
     M on = here;
-    V until = end_of(b, t, piece, per);
     while (bits(on)) {
-        V length = until - now;
-        V after = base + (slope * value);
-        M acts = on & ((omega > 0.0) | (net > 0.0) | (after > 0.0));
+        V until = end_of(b, t, piece, per);
+        V after = base + (slope * height_after(b, t, piece));
+        M drives = (net > 0.0) | (after > 0.0);
+        M acts = on & ((omega > 0.0) | drives);
         if (bits(acts)) {
-            const Pair speed_way = pass_piece(b, on, now, length, x, omega, net, after);
+            V length = until - now;
+            V at_first = length * net;
+            V at_last = length * after;
+            const Pair speed_way = pass_piece(b, acts, now, length, x, omega, at_first, at_last);
             V speed = speed_way.one, way = speed_way.other;
             omega = speed;
-            x = x + way;
+            x = x + (length * way);
         }
         if (!bits(acts)) {
-            piece = last_at_rest(b, on, t, piece, per);
+            piece = last_at_rest(b, on, t, piece, before, low, high);
             until = end_of(b, t, piece, per);
-            after = base + (slope * right_value(b, t, piece));
+            after = base + (slope * height_after(b, t, piece));
         }
         now = until;
         net = after;
         piece = piece + 1;
-        value = right_value(b, t, piece);
-        V press = weight + (grip * value);
-        until = end_of(b, t, piece, per);
-        M inside = passes(b, t, piece, per, until, press);
-        M leaves = on & ~inside;
-        EACH(lane, bits(leaves)) {
-            end_slide(b, lane, t, piece, x[lane], omega[lane]);
-        }
-        on = on & inside;
+        V press = weight + (grip * height_after(b, t, piece));
+        on = keep_sliding(b, on, t, piece, before, press, x, omega);
     }
 }
 
@@ -2464,12 +2540,13 @@ static M slide_together(Batch *b, M here, int t)
     M same = c[job->table[t].cell + PIECE] == (double)piece;
     M there = forward & same;
     if (bits(there)) {
-        V per = 1.0 / c[job->table[t].cell + SCALE];
         V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
         V press = weight + (grip * ahead);
-        V until = end_of(b, t, piece, per);
-        M inside = there & passes(b, t, piece, per, until, press);
-        slide(b, inside, t, piece, slope, base, grip, weight);
+        V before = latest_end(b, t);
+        M inside = there & passes(b, t, piece, before) & (press > 0.0);
+        V by_height = slope * c[job->table[t].cell + SCALED_BY];
+        V grip_by_height = grip * c[job->table[t].cell + SCALED_BY];
+        slide(b, inside, t, piece, by_height, base, grip_by_height, weight);
     }
     return forward & ~there;
 }
@@ -2606,6 +2683,19 @@ INLINE void consider(Batch *b, M here, V at, int event)
     c[STEP] = pick(here, minimum(at, c[STEP]), c[STEP]);
 }
 
+/* Shorten the step to the time left, and return the lanes that reach its end. */
+INLINE M reach_limit(Batch *b, M here, V room, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M reaches = here & (elapsed(b, top, c[STEP]) >= room);
+    if ((job->role->pace >= 0) && bits(reaches)) {
+        V at = variable_at(b, top, room);
+        c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
+    }
+    return reaches;
+}
+
 /* Find the time at which the speed becomes zero. It is immediate if the drive from rest points backwards or is
  * rounding. */
 static void find_standstill(Batch *b, M here, int top)
@@ -2701,7 +2791,7 @@ INLINE void choose_step(Batch *b, M here, V room, int top)
     if (bits(complete)) {
         V radius = broadcast(INFINITY);
         for (const State *q = job->state; q < job->state + job->states; q++) {
-            if (q->rate != job->role->omega) {
+            if (q->series != job->role->x) {
                 radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
             }
         }
@@ -2748,8 +2838,10 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
     M peaks = at < INFINITY;
     if (bits(peaks)) {
+        V time = c[TIME] + elapsed(b, top, at);
         V speed = value(b->r + job->role->omega, top, at);
-        keep_faster(b, peaks, speed, c[TIME] + at, value(b->r + job->role->x, top, at), value(net, top - 1, at));
+        V x = value(b->r + job->role->x, top, at);
+        keep_faster(b, peaks, speed, time, x, value(net, top - 1, at));
     }
 }
 
@@ -2762,7 +2854,7 @@ static void make_step(Batch *b, M here)
     V room = limit - c[TIME];
     int top = expand(b, room, here, 0);
     choose_step(b, here, room, top);
-    M reaches_limit = c[STEP] >= room;
+    M reaches_limit = reach_limit(b, here, room, top);
     find_events(b, here, top);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
     M endless = is_endless(b, here, room);
@@ -2773,7 +2865,8 @@ static void make_step(Batch *b, M here)
     V rate = rate_slope.one, slope = rate_slope.other;
     keep_peak(b, here, top, rate, slope);
     M at_limit = here & reaches_limit & uneventful & ~endless;
-    V until = pick(at_limit, limit, c[TIME] + step);
+    V time = c[TIME] + elapsed(b, top, step);
+    V until = pick(at_limit, limit, time);
     if (job->samples > 0) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
@@ -2781,6 +2874,7 @@ static void make_step(Batch *b, M here)
     }
     M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
     advance_states(b, here, top);
+    rate = per_time(b, rate, c[OMEGA]);
     keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
     c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 35e9ca9564fb071eec54f56b4e6cb035c3694d9b36a9e8ca5c0e6a5c62229d24
+# sha256 of the text below: 404fa10a7a51c1ca0ac57ab977471baf00c938862bada3080682bc8b01ff96db
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -214,8 +214,13 @@ def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: 
         if not since.size:
             continue
         if moving:
+            paced = s.roles.pace >= 0
+            if paced:
+                since = np.array([variable_at(s, top, np.full(s.columns.size, t))[lane] for t in since])
             x, omega, *further = (value(s.registers[r, :, lane], top, since) for r in registers)
             rate = value(s.registers[s.roles.net, :, lane], top - 1, since)
+            if paced:
+                rate = rate / (1.0 + s.cells[s.roles.pace, lane] * omega)
         else:
             x = omega = rate = np.zeros_like(since)
             further = [np.full_like(since, s.cells[q.cell, lane]) for q in s.states[2:]]
@@ -282,11 +287,13 @@ NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
+CORRECTIONS = 10
 LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
 SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
+LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
 FAR = 1e+300
 LAST = 7
@@ -704,11 +711,47 @@ def begin_series(s: Lanes) -> None:
             s.registers[t.register][0] = c[t.cells + ix.INC]
 
 
+def per_time(s: Lanes, rate: Floats, omega: Floats) -> Floats:
+    """Return a rate by time from a rate by tau, the variable of a step, where dt = (1 + pace omega) dtau."""
+    c = s.cells
+    if s.roles.pace >= 0:
+        return rate / (1.0 + c[s.roles.pace] * omega)
+    return rate
+
+
+def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
+    """Return the time since the beginning of a step from its variable."""
+    c = s.cells
+    if s.roles.pace >= 0:
+        omega = s.registers[s.roles.omega]
+        mean: Floats = 0.0
+        for k in range(top, 0 - 1, -1):
+            coefficient = omega[k] * (1.0 / (k + 1))
+            mean = mean * at + coefficient
+        return at * (1.0 + c[s.roles.pace] * mean)
+    return at
+
+
+def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
+    """Return the variable of a step from the time since its beginning, by Newton's method."""
+    c = s.cells
+    at = np.minimum(time, c[ix.STEP])
+    for _ in range(1, CORRECTIONS + 1):
+        omega = value(s.registers[s.roles.omega], top, at)
+        left = time - elapsed(s, top, at)
+        at = at + per_time(s, left, omega)
+    return at
+
+
 def evaluate(s: Lanes) -> None:
-    """Compute order 0 of all registers."""
+    """Compute order 0 of all registers. Rates of states are per time."""
     begin_series(s)
     operate(s, 0)
     operate_later(s, 1)
+    omega = s.registers[s.roles.omega][0].copy()
+    for q in s.states:
+        rate = s.registers[q.rate][0].copy()
+        s.registers[q.rate][0] = per_time(s, rate, omega)
 
 
 def normal_force(s: Lanes) -> Floats:
@@ -1264,69 +1307,23 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = (i_2, piece_2)
 
 
-def path(time: Floats, omega: Floats, net: Floats, change: Floats) -> Floats:
-    """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
-    by_change = SIXTH * time * change
-    by_rate = 0.5 * net + by_change
-    mean = omega + time * by_rate
+def path(time: Floats, omega: Floats, net: Floats, rise: Floats) -> Floats:
+    """Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly."""
+    by_rise = SIXTH * time * rise
+    by_net = 0.5 * net + by_rise
+    mean = omega + time * by_net
     return time * mean
 
 
-def standstill(omega: Floats, net: Floats, change: Floats) -> Floats:
+def standstill(omega: Floats, net: Floats, rise: Floats) -> Floats:
     """Return the first time at which a falling speed is zero."""
     square = net * net
-    decrease = 2.0 * change * omega
+    decrease = 2.0 * rise * omega
     root = np.sqrt(np.maximum(square - decrease, 0.0))
-    twice = 2.0 * omega
-    falling = twice / (root - net)
-    rising = (net + root) / (0.0 - change)
-    return np.where(net <= 0.0, falling, rising)
-
-
-def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
-    """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
-    last = t.pieces - 1
-    following = min(piece + 1, last)
-    return t.places[following] * per
-
-
-def passes(s: Lanes, t: Table, piece: int, per: Floats, until: Floats, press: Floats) -> Mask:
-    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
-    c = s.cells
-    following = end_of(s, t, piece + 1, per)
-    before_last = (until < following) & (following < INFINITY)
-    latest = c[ix.END_TIME] * (1.0 - 4.0 * EPS)
-    in_time = until < latest
-    pressed = press > 0.0
-    return before_last & in_time & pressed
-
-
-def right_value(s: Lanes, t: Table, piece: int) -> Floats:
-    """Return a record at the right end of a piece."""
-    c = s.cells
-    last = t.pieces - 1
-    following = min(piece + 1, last)
-    height = t.heights[2 * following]
-    return height * c[t.cells + ix.SCALED_BY]
-
-
-def rests_through(s: Lanes, t: Table, piece: int, per: Floats) -> Mask:
-    """Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it."""
-    c = s.cells
-    value = right_value(s, t, piece)
-    until = end_of(s, t, piece, per)
-    pressed: Floats = 1.0
-    inside = passes(s, t, piece, per, until, pressed)
-    quiet = (c[ix.QUIET_FROM] <= value) & (value <= c[ix.QUIET_TO])
-    return inside & quiet
-
-
-def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, per: Floats) -> int:
-    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
-    last = piece
-    while not np.any(on & np.logical_not(rests_through(s, t, last + 1, per))):
-        last = last + 1
-    return last
+    falls = net <= 0.0
+    over = np.where(falls, 2.0 * omega, net + root)
+    under = np.where(falls, root - net, 0.0 - rise)
+    return over / under
 
 
 def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
@@ -1352,22 +1349,6 @@ def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: F
     c[ix.PENDING, i] = ix.BEGIN_PHASE
 
 
-def lowest_speed(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
-        after: Floats, end: Floats) -> Floats:
-    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
-    share = net / (net - after)
-    at = length * share
-    gain = at * net
-    extreme = omega + 0.5 * gain
-    mean = omega + 2.0 * SIXTH * gain
-    way = at * mean
-    there = x + way
-    rises = here & (net > 0.0)
-    keep_faster(s, rises, extreme, now + at, there, 0.0)
-    falls = here & (net < 0.0)
-    return np.where(falls, extreme, end)
-
-
 def count_starts(s: Lanes, here: Mask) -> None:
     """Count phases that begin down-slope."""
     c = s.cells
@@ -1377,67 +1358,139 @@ def count_starts(s: Lanes, here: Mask) -> None:
     c[ix.LAST_WAY] = np.where(here, 1.0, c[ix.LAST_WAY])
 
 
-def turn(s: Lanes, here: Mask, now: Floats, length: Floats, omega: Floats, net: Floats, after: Floats) -> tuple[Floats,
-        Floats]:
-    """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
+def turn(s: Lanes, here: Mask, now: Floats, length: Floats, share: Floats, omega: Floats, net: Floats,
+        after: Floats) -> tuple[Floats, Floats]:
+    """Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length."""
     c = s.cells
     moves = omega > 0.0
     rise = after - net
-    change = rise / length
-    root = standstill(omega, net, change)
+    root = standstill(omega, net, rise)
     stop = np.where(moves, root, 0.0)
-    share = net / (net - after)
-    zero = share * length
-    start = np.where(net < 0.0, zero, 0.0)
-    drives_later = (after > 0.0) & (start >= stop)
-    drives = (net > 0.0) & np.logical_not(moves)
-    starts = drives_later | drives
+    later = np.maximum(1.0 - share, 0.0)
+    left = np.where(net < 0.0, later, 1.0)
     push = np.maximum(net, 0.0)
-    left = length - start
-    by_change = 0.5 * left * change
-    rate = push + by_change
-    speed = left * rate
-    again = starts & (speed <= 0.0)
-    to_stop = -2.0 * push / change
-    span = np.where(again, to_stop, left)
-    since = np.where(moves, now + stop, c[ix.REST_SINCE])
-    c[ix.REST_SINCE] = np.where(here, np.where(again, now + span, since), c[ix.REST_SINCE])
+    rate = push + after
+    speed = 0.5 * left * rate
+    goes_on = speed > 0.0
+    end = np.where(goes_on, speed, 0.0)
+    pushed = (net > 0.0) & np.logical_not(moves)
+    again = pushed & np.logical_not(goes_on)
+    starts = pushed | goes_on
+    span = np.where(again, 2.0 * share, left)
+    stopped = now + length * stop
+    stops_later = now + length * span
+    since = np.where(moves, stopped, c[ix.REST_SINCE])
+    c[ix.REST_SINCE] = np.where(here, np.where(again, stops_later, since), c[ix.REST_SINCE])
     count_starts(s, here & starts)
     nothing = 0.0 * span
-    behind = path(span, nothing, push, change)
+    behind = path(span, nothing, push, rise)
     further = np.where(starts, behind, 0.0)
-    goes_on = starts & np.logical_not(again)
-    end = np.where(goes_on, speed, 0.0)
-    before = path(stop, omega, net, change)
+    before = path(stop, omega, net, rise)
     return (end, before + further)
+
+
+def pass_change(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
+        after: Floats) -> tuple[Floats, Floats]:
+    """Pass a piece in which lanes start, stop, or have their greatest or lowest speed."""
+    share = net / (net - after)
+    rise = after - net
+    one: Floats = 1.0
+    way = path(one, omega, net, rise)
+    twice = net + after
+    end = omega + 0.5 * twice
+    dips = (net <= 0.0) & (after > 0.0)
+    square = net * net
+    decrease = 2.0 * rise * omega
+    reaches_zero = square >= decrease
+    stops = (end <= 0.0) | dips & reaches_zero
+    peaks = here & (net > 0.0) & (after <= 0.0)
+    if np.any(peaks):
+        gain = 0.5 * share * net
+        extreme = omega + gain
+        until = path(share, omega, net, rise)
+        there = x + length * until
+        then = now + length * share
+        keep_faster(s, peaks, extreme, then, there, 0.0)
+    turns = here & ((omega == 0.0) | stops)
+    if np.any(turns):
+        speed, further = turn(s, turns, now, length, share, omega, net, after)
+        end = np.where(turns, speed, end)
+        way = np.where(turns, further, way)
+    return (end, way)
 
 
 def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
         after: Floats) -> tuple[Floats, Floats]:
-    """Return the speed at the end of a piece and the path through it."""
+    """Return the speed at the end of a piece and the path over its length; lanes outside the mask ``here`` rest."""
     twice = net + after
-    half = 0.5 * length
-    end = omega + half * twice
     by_rates = net + twice
-    sixth = SIXTH * length
-    mean = omega + sixth * by_rates
-    further = length * mean
-    lowest = end
-    opposite = net * after
-    crosses = here & (opposite < 0.0)
-    if np.any(crosses):
-        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after, end)
-    moves = omega > 0.0
-    stays = moves & (lowest > 0.0)
-    drives = (net > 0.0) | (after > 0.0)
-    turns = here & np.logical_not(stays) & (moves | drives)
-    end = np.where(stays, end, 0.0)
-    further = np.where(stays, further, 0.0)
+    end = np.where(here, omega + 0.5 * twice, 0.0)
+    way = np.where(here, omega + SIXTH * by_rates, 0.0)
+    changes = (net > 0.0) != (after > 0.0)
+    moves = (omega > 0.0) & (end > 0.0)
+    turns = here & (changes | np.logical_not(moves))
     if np.any(turns):
-        speed, way = turn(s, turns, now, length, omega, net, after)
+        speed, further = pass_change(s, turns, now, length, x, omega, net, after)
         end = np.where(turns, speed, end)
-        further = np.where(turns, way, further)
-    return (end, further)
+        way = np.where(turns, further, way)
+    return (end, way)
+
+
+def latest_end(s: Lanes, t: Table) -> Floats:
+    """Return the place in a record, up to rounding, at which the end time is reached."""
+    c = s.cells
+    return np.minimum(c[ix.END_TIME] * c[t.cells + ix.SCALE] * (1.0 - 4.0 * EPS), LATEST)
+
+
+def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
+    """Return the lanes for which a piece ends before a place and not at the last break, where the record may jump."""
+    inside = none_of(s)
+    if piece + 2 < t.pieces:
+        inside = t.places[piece + 2] < before
+    return inside
+
+
+def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
+    """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
+    return t.places[piece + 1] * per
+
+
+def height_after(s: Lanes, t: Table, piece: int) -> Floats:
+    """Return the value of a record, without its factor, at the right end of a piece."""
+    return t.heights[2 * piece + 2]
+
+
+def heights_at_rest(s: Lanes, t: Table) -> tuple[Floats, Floats]:
+    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
+    c = s.cells
+    one = c[ix.QUIET_FROM] / c[t.cells + ix.SCALED_BY]
+    other = c[ix.QUIET_TO] / c[t.cells + ix.SCALED_BY]
+    return (np.minimum(one, other), np.maximum(one, other))
+
+
+def rests_through(s: Lanes, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> Mask:
+    """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it."""
+    height = height_after(s, t, piece)
+    return (low <= height) & (height <= high) & (t.places[piece + 2] < before)
+
+
+def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> int:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last = piece
+    while last + 3 < t.pieces and (not np.any(on & np.logical_not(rests_through(s, t, last + 1, before, low, high)))):
+        last = last + 1
+    return last
+
+
+def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press: Floats, x: Floats,
+        omega: Floats) -> Mask:
+    """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
+    inside = passes(s, t, piece, before) & (press > 0.0)
+    leaves = on & np.logical_not(inside)
+    i = np.flatnonzero(leaves)
+    if i.size:
+        end_slide(s, i, t, np.full(i.size, piece), x[i], omega[i])
+    return on & inside
 
 
 def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Floats, grip: Floats,
@@ -1445,39 +1498,35 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
     c = s.cells
     per = 1.0 / c[t.cells + ix.SCALE]
+    low, high = heights_at_rest(s, t)
+    before = latest_end(s, t)
     piece = first
     now = c[ix.TIME].copy()
-    current = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
-    net = base + slope * current
-    value = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
+    net = s.registers[s.roles.net][0].copy()
     omega: Floats = 0.0
     x: Floats = 0.0
     on = here
-    until = end_of(s, t, piece, per)
     while np.any(on):
-        length = until - now
-        after = base + slope * value
-        acts = on & ((omega > 0.0) | (net > 0.0) | (after > 0.0))
+        until = end_of(s, t, piece, per)
+        after = base + slope * height_after(s, t, piece)
+        drives = (net > 0.0) | (after > 0.0)
+        acts = on & ((omega > 0.0) | drives)
         if np.any(acts):
-            speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+            length = until - now
+            at_first = length * net
+            at_last = length * after
+            speed, way = pass_piece(s, acts, now, length, x, omega, at_first, at_last)
             omega = speed
-            x = x + way
+            x = x + length * way
         if not np.any(acts):
-            piece = last_at_rest(s, on, t, piece, per)
+            piece = last_at_rest(s, on, t, piece, before, low, high)
             until = end_of(s, t, piece, per)
-            after = base + slope * right_value(s, t, piece)
+            after = base + slope * height_after(s, t, piece)
         now = until
         net = after
         piece = piece + 1
-        value = right_value(s, t, piece)
-        press = weight + grip * value
-        until = end_of(s, t, piece, per)
-        inside = passes(s, t, piece, per, until, press)
-        leaves = on & np.logical_not(inside)
-        i = np.flatnonzero(leaves)
-        if i.size:
-            end_slide(s, i, t, np.full(i.size, piece), x[i], omega[i])
-        on = on & inside
+        press = weight + grip * height_after(s, t, piece)
+        on = keep_sliding(s, on, t, piece, before, press, x, omega)
 
 
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
@@ -1500,12 +1549,13 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     same = c[t.cells + ix.PIECE] == float(piece)
     there = forward & same
     if np.any(there):
-        per = 1.0 / c[t.cells + ix.SCALE]
         ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
         press = weight + grip * ahead
-        until = end_of(s, t, piece, per)
-        inside = there & passes(s, t, piece, per, until, press)
-        slide(s, inside, t, piece, slope, base, grip, weight)
+        before = latest_end(s, t)
+        inside = there & passes(s, t, piece, before) & (press > 0.0)
+        by_height = slope * c[t.cells + ix.SCALED_BY]
+        grip_by_height = grip * c[t.cells + ix.SCALED_BY]
+        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
     return forward & np.logical_not(there)
 
 
@@ -1662,6 +1712,16 @@ def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
     c[ix.STEP] = np.where(here, np.minimum(at, c[ix.STEP]), c[ix.STEP])
 
 
+def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
+    """Shorten the step to the time left, and return the lanes that reach its end."""
+    c = s.cells
+    reaches = here & (elapsed(s, top, c[ix.STEP]) >= room)
+    if s.roles.pace >= 0 and np.any(reaches):
+        at = variable_at(s, top, room)
+        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
+    return reaches
+
+
 def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which the speed becomes zero."""
     c = s.cells
@@ -1736,7 +1796,7 @@ def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
     if np.any(complete):
         radius: Floats = INFINITY
         for q in s.states:
-            if q.rate != s.roles.omega:
+            if q.register != s.roles.x:
                 radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
         c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), c[ix.STEP]), c[ix.STEP])
 
@@ -1770,8 +1830,10 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
     at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
     peaks = at < INFINITY
     if np.any(peaks):
+        time = c[ix.TIME] + elapsed(s, top, at)
         speed = value(s.registers[s.roles.omega], top, at)
-        keep_faster(s, peaks, speed, c[ix.TIME] + at, value(s.registers[s.roles.x], top, at), value(net, top - 1, at))
+        x = value(s.registers[s.roles.x], top, at)
+        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
 
 
 def make_step(s: Lanes, here: Mask) -> None:
@@ -1781,7 +1843,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     room = limit - c[ix.TIME]
     top = expand(s, room, here, 0)
     choose_step(s, here, room, top)
-    reaches_limit = c[ix.STEP] >= room
+    reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
     uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
     endless = is_endless(s, here, room)
@@ -1791,13 +1853,15 @@ def make_step(s: Lanes, here: Mask) -> None:
     rate, slope = value_and_slope(net, top - 1, step)
     keep_peak(s, here, top, rate, slope)
     at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
-    until = np.where(at_limit, limit, c[ix.TIME] + step)
+    time = c[ix.TIME] + elapsed(s, top, step)
+    until = np.where(at_limit, limit, time)
     if s.samples:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
     steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
     advance_states(s, here, top)
+    rate = per_time(s, rate, c[ix.OMEGA])
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
     c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),

@@ -12,6 +12,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from derive.algebra import pieces
+from derive.check.proof import ProofError
+from derive.flow import sliding
+from derive.flow.integrator import records
 from generated import integrator, layout
 from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.tables import LaneSeries, Series
@@ -279,8 +283,49 @@ def test_steps_are_counted_since_the_last_break(effects: dict[str, Any]) -> None
 def test_a_push_that_ends_within_a_piece() -> None:
     """Protect the speed, path and time of a stop where a mass at rest is driven at first: v = 0.3 t - 0.3 t^2."""
     lane: Any = SimpleNamespace(cells=np.zeros((len(layout.CELLS), 1)))
-    now, length, omega, net, after = (np.array([x]) for x in (5.0, 2.0, 0.0, 0.3, -0.9))
+    lane.cells[layout.DIRECTION] = 1.0
+    now, length, x, omega, net, after = (np.array([x]) for x in (5.0, 2.0, 0.0, 0.0, 2.0 * 0.3, 2.0 * -0.9))
     with np.errstate(all="ignore"):
-        speed, path = integrator.turn(lane, np.array([True]), now, length, omega, net, after)
-    found = [speed[0], path[0], lane.cells[layout.REST_SINCE, 0], lane.cells[layout.PHASES, 0]]
+        speed, path = integrator.pass_piece(lane, np.array([True]), now, length, x, omega, net, after)
+    found = [speed[0], 2.0 * path[0], lane.cells[layout.REST_SINCE, 0], lane.cells[layout.PHASES, 0]]
     assert found == pytest.approx([0.0, 0.05, 6.0, 1.0], abs=1e-15)
+    peak = [lane.cells[cell, 0] for cell in (layout.PEAK_OMEGA, layout.PEAK_TIME)]
+    assert peak == pytest.approx([0.075, 5.5], abs=1e-15)
+
+
+def test_a_peak_at_a_sample_is_recorded() -> None:
+    """The net moment is zero at a sample exactly, after which the speed falls."""
+    lane: Any = SimpleNamespace(cells=np.zeros((len(layout.CELLS), 1)))
+    lane.cells[[layout.DIRECTION, layout.PEAK_OMEGA], 0] = 1.0
+    given = (np.array([x]) for x in (5.0, 2.0, 0.0, 1.0, 0.5, 0.0))
+    with np.errstate(all="ignore"):
+        speed, _ = integrator.pass_piece(lane, np.array([True]), *given)
+    assert (speed[0], lane.cells[layout.PEAK_OMEGA, 0], lane.cells[layout.PEAK_TIME, 0]) == (1.25, 1.25, 7.0)
+
+
+# --- proofs ----------------------------------------------------------------------------------------------------------
+
+
+def early(s: Any, here: Any, speed: Any, time: Any, x: Any, rate: Any) -> None:
+    s.peak_omega, s.peak_time, s.peak_rotation = speed, 0.5 * time, x
+
+
+FAULTS: dict[str, tuple[Any, str, Any, str]] = {
+    "the path lacks a term": (records, "path", lambda t, v, net, rise: t * (v + 0.5 * t * net), "path in"),
+    "the other root": (records, "standstill", lambda v, net, rise: ((net * net - 2 * rise * v) ** 0.5 - net) / rise,
+                       "path in a piece in which a mass stops"),
+    "a constant": (records, "SIXTH", 0.166, "path in a piece in which a mass speeds up"),
+    "the peak is early": (records, "keep_faster", early, "time of the peak"),
+    "the net moment is not linear": (pieces, "press_slope", pieces.time, "the net moment is linear"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_of_a_piece_is_not_proved(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    module, name, wrong, claim = FAULTS[fault]
+    monkeypatch.setattr(module, name, wrong)
+    pieces.motion.cache_clear()
+    with pytest.raises(ProofError, match=claim):
+        assert [pieces.prove(), sliding.prove()]
+    monkeypatch.undo()
+    pieces.motion.cache_clear()

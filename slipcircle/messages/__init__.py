@@ -1,6 +1,7 @@
 """Texts about a scene and its motion: equation, warnings, summary and error estimate."""
 
-from slipcircle.messages.accuracy import ROUNDED, RUNS, perturbed_runs
+from slipcircle.core.integrator.neighbours import RUNS, perturbed_runs
+from slipcircle.messages.accuracy import ROUNDED
 from slipcircle.messages.choice import describe_integrator
 from slipcircle.messages.summary import OUTSIDE, range_words, standing, swings_back
 from slipcircle.messages.velocity import VelocityTimes

@@ -337,7 +337,11 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #include <immintrin.h>
 #endif
 
+#ifdef __wasm__ /* pages shall be small */
+#define INLINE static inline
+#else
 #define INLINE static inline __attribute__((always_inline))
+#endif
 #define APART static __attribute__((noinline)) /* what all programs call, once, so that wheels are small */
 #define NAMED_(name, level) name##_##level
 #define NAMED(name, level) NAMED_(name, level)
@@ -641,8 +645,10 @@ static void note(const Batch *b, unsigned k, int kind)
     row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
 }
 
+INLINE V variable_at(Batch *b, int top, V time);
+
 /* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
-static void read_samples(const Batch *b, unsigned k, double begin, double end, int moving, int top)
+static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
 {
     const Job *const job = b->job;
     const V *const c = b->c;
@@ -657,8 +663,10 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
     const int closed = end >= c[END_TIME][k] && end < INFINITY;
     const int32_t net = job->role->net;
     for (int64_t i = low; i < job->samples; i++) {
-        const double time = times[i * across], past = time - begin;
+        const double time = times[i * across], since = time - begin;
         if (!(time < end || (closed && time == end))) break;
+        const int paced = moving && job->role->pace >= 0;
+        const double past = paced ? variable_at(b, top, broadcast(since))[k] : since;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
             const int32_t of = j < 0 ? net : job->state[j].series;
@@ -667,6 +675,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
             states[j < 0 ? 2 : j < 2 ? j : j + 2] = moving || j < 2 ? sum : c[job->state[j].cell][k];
         }
         states[3] = c[SLIP][k] + states[0], states[0] = c[ROTATION][k] + c[DIRECTION][k] * states[0];
+        if (paced) states[2] /= 1.0 + c[job->role->pace][k] * states[1];
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }

@@ -25,6 +25,7 @@ from derive.flow.integrator.one_lane import (
     integer,
     maximum,
     minimum,
+    none_of,
     number,
     read_samples,
     sqrt,
@@ -36,6 +37,7 @@ from derive.flow.integrator.tables import end_of_piece, pass_break
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
 SIXTH = 1.0 / 6.0
+LATEST = 2.0**1000  # place beyond which a record does not end
 ROUNDINGS = 2.0**27  # least margin, in roundings of its terms
 
 
@@ -105,71 +107,28 @@ def rest_through(lane: Lane, t: T) -> None:
 
 
 # --- side by side ----------------------------------------------------------------------------------------------------
+#
+# Within a piece the time is a fraction of its length, and moments are multiplied by the length: they are the changes of
+# the speed that they would cause.
 
 
-def path(time: V, omega: V, net: V, change: V) -> V:
-    """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
-    by_change = SIXTH * time * change
-    by_rate = 0.5 * net + by_change
-    mean = omega + time * by_rate
+def path(time: V, omega: V, net: V, rise: V) -> V:
+    """Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly."""
+    by_rise = SIXTH * time * rise
+    by_net = 0.5 * net + by_rise
+    mean = omega + time * by_net
     return time * mean
 
 
-def standstill(omega: V, net: V, change: V) -> V:
+def standstill(omega: V, net: V, rise: V) -> V:
     """Return the first time at which a falling speed is zero."""
     square = net * net
-    decrease = 2.0 * change * omega
+    decrease = 2.0 * rise * omega
     root = sqrt(maximum(square - decrease, 0.0))
-    twice = 2.0 * omega
-    falling = twice / (root - net)
-    rising = (net + root) / (0.0 - change)
-    return where(net <= 0.0, falling, rising)
-
-
-def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
-    """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
-    last: N = t.pieces - 1
-    following: N = minimum(piece + 1, last)
-    return t.places[following] * per
-
-
-def passes(s: Lanes, t: T, piece: N, per: V, until: V, press: V) -> M:
-    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break.
-
-    ``until`` is the end of the piece.
-    """
-    following = end_of(s, t, piece + 1, per)
-    before_last = until < following and following < INFINITY
-    latest = s.end_time * (1.0 - 4.0 * EPS)
-    in_time = until < latest
-    pressed = press > 0.0
-    return before_last and in_time and pressed
-
-
-def right_value(s: Lanes, t: T, piece: N) -> V:
-    """Return a record at the right end of a piece."""
-    last: N = t.pieces - 1
-    following: N = minimum(piece + 1, last)
-    height = t.heights[2 * following]
-    return height * t.scaled_by
-
-
-def rests_through(s: Lanes, t: T, piece: N, per: V) -> M:
-    """Return the lanes that certainly rest in a piece if they rest at its left end, and are inside of it."""
-    value = right_value(s, t, piece)
-    until = end_of(s, t, piece, per)
-    pressed: V = 1.0
-    inside = passes(s, t, piece, per, until, pressed)
-    quiet = s.quiet_from <= value and value <= s.quiet_to
-    return inside and quiet
-
-
-def last_at_rest(s: Lanes, on: M, t: T, piece: N, per: V) -> N:
-    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
-    last: N = piece
-    while not any_lane(on and not rests_through(s, t, last + 1, per)):
-        last = last + 1
-    return last
+    falls = net <= 0.0
+    over = where(falls, 2.0 * omega, net + root)
+    under = where(falls, root - net, 0.0 - rise)
+    return over / under
 
 
 def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
@@ -190,24 +149,6 @@ def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
     lane.pending = Pending.BEGIN_PHASE
 
 
-def lowest_speed(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V, end: V) -> V:
-    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed.
-
-    ``end`` is the speed at the end of the piece.
-    """
-    share = net / (net - after)
-    at = length * share
-    gain = at * net
-    extreme = omega + 0.5 * gain
-    mean = omega + 2.0 * SIXTH * gain
-    way = at * mean
-    there = x + way
-    rises = here and net > 0.0
-    keep_faster(s, rises, extreme, now + at, there, 0.0)
-    falls = here and net < 0.0
-    return where(falls, extreme, end)
-
-
 def count_starts(s: Lanes, here: M) -> None:
     """Count phases that begin down-slope."""
     back = s.last_way < 0.0
@@ -216,105 +157,179 @@ def count_starts(s: Lanes, here: M) -> None:
     s.last_way = 1.0
 
 
-def turn(s: Lanes, here: M, now: V, length: V, omega: V, net: V, after: V) -> tuple[V, V]:
-    """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
+def turn(s: Lanes, here: M, now: V, length: V, share: V, omega: V, net: V, after: V) -> tuple[V, V]:
+    """Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length.
+
+    ``share`` is the fraction of the piece at which the net moment, from ``net`` to ``after``, is zero. A lane that
+    stops and is driven later stops before it.
+    """
     moves = omega > 0.0
     rise = after - net
-    change = rise / length
-    root = standstill(omega, net, change)
+    root = standstill(omega, net, rise)
     stop = where(moves, root, 0.0)
-    share = net / (net - after)
-    zero = share * length
-    start = where(net < 0.0, zero, 0.0)
-    drives_later = after > 0.0 and start >= stop
-    drives = net > 0.0 and not moves
-    starts = drives_later or drives
+    later = maximum(1.0 - share, 0.0)
+    left = where(net < 0.0, later, 1.0)
     push = maximum(net, 0.0)
-    left = length - start
-    by_change = 0.5 * left * change
-    rate = push + by_change
-    speed = left * rate
-    again = starts and speed <= 0.0
-    to_stop = -2.0 * push / change
-    span = where(again, to_stop, left)
-    since = where(moves, now + stop, s.rest_since)
-    s.rest_since = where(again, now + span, since)
+    rate = push + after
+    speed = 0.5 * left * rate
+    goes_on = speed > 0.0
+    end = where(goes_on, speed, 0.0)
+    pushed = net > 0.0 and not moves
+    again = pushed and not goes_on
+    starts = pushed or goes_on
+    span = where(again, 2.0 * share, left)
+    stopped = now + length * stop
+    stops_later = now + length * span
+    since = where(moves, stopped, s.rest_since)
+    s.rest_since = where(again, stops_later, since)
     count_starts(s, here and starts)
     nothing = 0.0 * span
-    behind = path(span, nothing, push, change)
+    behind = path(span, nothing, push, rise)
     further = where(starts, behind, 0.0)
-    goes_on = starts and not again
-    end = where(goes_on, speed, 0.0)
-    before = path(stop, omega, net, change)
+    before = path(stop, omega, net, rise)
     return end, before + further
 
 
-def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
-    """Return the speed at the end of a piece and the path through it."""
+def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
+    """Pass a piece in which lanes start, stop, or have their greatest or lowest speed.
+
+    Return the speed at its end and the path over its length. No decision waits for a division.
+    """
+    share = net / (net - after)
+    rise = after - net
+    one: V = 1.0
+    way = path(one, omega, net, rise)
     twice = net + after
-    half = 0.5 * length
-    end: V = omega + half * twice
-    by_rates = net + twice
-    sixth = SIXTH * length
-    mean = omega + sixth * by_rates
-    further: V = length * mean
-    lowest: V = end
-    opposite = net * after
-    crosses = here and opposite < 0.0
-    if any_lane(crosses):
-        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after, end)
-    moves = omega > 0.0
-    stays = moves and lowest > 0.0
-    drives = net > 0.0 or after > 0.0
-    turns = here and not stays and (moves or drives)
-    end = where(stays, end, 0.0)
-    further = where(stays, further, 0.0)
+    end = omega + 0.5 * twice
+    dips = net <= 0.0 and after > 0.0
+    square = net * net
+    decrease = 2.0 * rise * omega
+    reaches_zero = square >= decrease
+    stops = end <= 0.0 or (dips and reaches_zero)
+    peaks = here and net > 0.0 and after <= 0.0
+    if any_lane(peaks):
+        gain = 0.5 * share * net
+        extreme = omega + gain
+        until = path(share, omega, net, rise)
+        there = x + length * until
+        then = now + length * share
+        keep_faster(s, peaks, extreme, then, there, 0.0)
+    turns = here and (omega == 0.0 or stops)
     if any_lane(turns):
-        speed, way = turn(s, turns, now, length, omega, net, after)
+        speed, further = turn(s, turns, now, length, share, omega, net, after)
         end = where(turns, speed, end)
-        further = where(turns, way, further)
-    return end, further
+        way = where(turns, further, way)
+    return end, way
+
+
+def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
+    """Return the speed at the end of a piece and the path over its length; lanes outside the mask ``here`` rest."""
+    twice = net + after
+    by_rates = net + twice
+    end = where(here, omega + 0.5 * twice, 0.0)
+    way = where(here, omega + SIXTH * by_rates, 0.0)
+    changes = (net > 0.0) != (after > 0.0)
+    moves = omega > 0.0 and end > 0.0
+    turns = here and (changes or not moves)
+    if any_lane(turns):
+        speed, further = pass_change(s, turns, now, length, x, omega, net, after)
+        end = where(turns, speed, end)
+        way = where(turns, further, way)
+    return end, way
+
+
+def latest_end(s: Lanes, t: T) -> V:
+    """Return the place in a record, up to rounding, at which the end time is reached."""
+    return minimum(s.end_time * t.scale * (1.0 - 4.0 * EPS), LATEST)
+
+
+def passes(s: Lanes, t: T, piece: N, before: V) -> M:
+    """Return the lanes for which a piece ends before a place and not at the last break, where the record may jump."""
+    inside = none_of(s)
+    if piece + 2 < t.pieces:
+        inside = t.places[piece + 2] < before
+    return inside
+
+
+def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
+    """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
+    return t.places[piece + 1] * per
+
+
+def height_after(s: Lanes, t: T, piece: N) -> float:
+    """Return the value of a record, without its factor, at the right end of a piece."""
+    return t.heights[2 * piece + 2]
+
+
+def heights_at_rest(s: Lanes, t: T) -> tuple[V, V]:
+    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
+    one = s.quiet_from / t.scaled_by
+    other = s.quiet_to / t.scaled_by
+    return minimum(one, other), maximum(one, other)
+
+
+def rests_through(s: Lanes, t: T, piece: N, before: V, low: V, high: V) -> M:
+    """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
+
+    They rest between two values of the record, in pieces that end before a place.
+    """
+    height = height_after(s, t, piece)
+    return low <= height and height <= high and t.places[piece + 2] < before
+
+
+def last_at_rest(s: Lanes, on: M, t: T, piece: N, before: V, low: V, high: V) -> N:
+    """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
+    last: N = piece
+    while last + 3 < t.pieces and not any_lane(on and not rests_through(s, t, last + 1, before, low, high)):
+        last = last + 1
+    return last
+
+
+def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, omega: V) -> M:
+    """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
+    inside = passes(s, t, piece, before) and press > 0.0
+    leaves = on and not inside
+    if leaves:
+        end_slide(s, t, piece, x, omega)
+    return on and inside
 
 
 def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight: V) -> None:
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic.
 
-    The net moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record.
-    A lane leaves before a piece in which it may lift.
+    The net moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record,
+    which is without its factor. A lane leaves before a piece in which it may lift.
     """
     per = 1.0 / t.scale
+    low, high = heights_at_rest(s, t)
+    before = latest_end(s, t)
     piece: N = first
     now: V = s.time
-    current = t.value + t.inc
-    net: V = base + slope * current
-    value: V = t.value + t.lower
+    net: V = s.series.net[0]
     omega: V = 0.0
     x: V = 0.0
     on: M = here
-    until = end_of(s, t, piece, per)
     while any_lane(on):
-        length = until - now
-        after = base + slope * value
-        acts = on and (omega > 0.0 or net > 0.0 or after > 0.0)
+        until = end_of(s, t, piece, per)
+        after = base + slope * height_after(s, t, piece)
+        drives = net > 0.0 or after > 0.0
+        acts = on and (omega > 0.0 or drives)
         if any_lane(acts):
-            speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+            length = until - now
+            at_first = length * net
+            at_last = length * after
+            speed, way = pass_piece(s, acts, now, length, x, omega, at_first, at_last)
             omega = speed
-            x = x + way
+            x = x + length * way
         if not any_lane(acts):
-            piece = last_at_rest(s, on, t, piece, per)
+            piece = last_at_rest(s, on, t, piece, before, low, high)
             until = end_of(s, t, piece, per)
-            after = base + slope * right_value(s, t, piece)
+            after = base + slope * height_after(s, t, piece)
         now = until
         net = after
         piece = piece + 1
-        value = right_value(s, t, piece)
-        press = weight + grip * value
-        until = end_of(s, t, piece, per)
-        inside = passes(s, t, piece, per, until, press)
-        leaves = on and not inside
-        if leaves:
-            end_slide(s, t, piece, x, omega)
-        on = on and inside
+        press = weight + grip * height_after(s, t, piece)
+        on = keep_sliding(s, on, t, piece, before, press, x, omega)
 
 
 def slide_together(s: Lanes, here: M, t: T) -> M:
@@ -339,10 +354,11 @@ def slide_together(s: Lanes, here: M, t: T) -> M:
     same = t.piece == number(piece)
     there = forward and same
     if any_lane(there):
-        per = 1.0 / t.scale
         ahead = t.value + t.lower
         press = weight + grip * ahead
-        until = end_of(s, t, piece, per)
-        inside = there and passes(s, t, piece, per, until, press)
-        slide(s, inside, t, piece, slope, base, grip, weight)
+        before = latest_end(s, t)
+        inside = there and passes(s, t, piece, before) and press > 0.0
+        by_height = slope * t.scaled_by
+        grip_by_height = grip * t.scaled_by
+        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
     return forward and not there

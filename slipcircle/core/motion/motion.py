@@ -19,9 +19,10 @@ from generated import layout as ix
 from slipcircle.base.arrays import choose, float_or_array, may_overflow
 from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
-from slipcircle.core.integrator.lanes import integrate_problem
+from slipcircle.core.integrator.lanes import ENTRIES
+from slipcircle.core.integrator.neighbours import RUNS, compared, integrate_single
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.motion.states import Status, statuses
+from slipcircle.core.motion.states import CREEPS, STATUSES, Status, statuses
 from slipcircle.core.problem.plan import Plan, recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 
@@ -49,8 +50,19 @@ class Motion(Conversions, Generic[Numbers]):
         self._final = final
         self._radius = float_or_array(plan.scene.arc.radius)
         self._time_scale = plan.scene.arc.time_scale
+        self._runs: Any = None
         if problem is not None:
             self.problem = problem
+
+    @classmethod
+    def of_single(cls, plan: Plan, invalid: Any = False) -> Self:
+        """Return the motion of a single scene, with numbers as results, which are ten times cheaper than arrays."""
+        problem = problem_of(plan, invalid)
+        runs = integrate_single(problem)
+        motion = cls(plan, runs[:ENTRIES, 0].tolist(), invalid, problem)
+        if runs.shape[1] == RUNS:
+            motion._runs = compared(runs)
+        return motion
 
     @cached_property
     def _history(self) -> Any:
@@ -72,7 +84,7 @@ class Motion(Conversions, Generic[Numbers]):
     def status(self) -> Any:
         """State at the end, a `Status`; for an ensemble an array of their numbers."""
         status = statuses(self._final, self.invalid, self.plan.scene)
-        return status if self.shape else Status(status)
+        return status if self.shape else STATUSES[status]
 
     @property
     def reason(self) -> Any:
@@ -121,7 +133,7 @@ class Motion(Conversions, Generic[Numbers]):
     @cached_property
     def _solved(self) -> Any:
         """Mask of lanes (cases of an ensemble) with a result, or a bool for a single motion."""
-        return self.status <= Status.CREEPS
+        return self.status <= CREEPS
 
     def _known(self, values: Any) -> Any:
         """Return values of lanes with a result and NaN of other lanes, without negative zeros."""
@@ -148,7 +160,7 @@ class Motion(Conversions, Generic[Numbers]):
     @cached_property
     def settling_time(self) -> Numbers:
         """Time until a creeping mass has covered 99 % of its run-out, otherwise the duration, s."""
-        return choose(self.status == Status.CREEPS, self._final[ix.REST_SINCE] * self._time_scale, self.duration)
+        return choose(self.status == CREEPS, self._final[ix.REST_SINCE] * self._time_scale, self.duration)
 
     @property
     def run_out(self) -> Numbers:
@@ -318,7 +330,7 @@ class Motion(Conversions, Generic[Numbers]):
     def error_estimate(self) -> Numbers:
         """Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two."""
         final = np.reshape(self._final, (len(self._final), -1)) if self.shape else self._final
-        return self._shaped(lazy_import("estimate").estimate(self.plan, self.problem, final))
+        return self._shaped(lazy_import("estimate").estimate(self.plan, self.problem, final, self._runs))
 
     @cached_property
     def energy(self) -> Any:
@@ -368,8 +380,7 @@ class Motion(Conversions, Generic[Numbers]):
             rows = index if isinstance(index, tuple) else (index,)
             return type(self)(plan, self._final[(slice(None), *rows)], invalid)
         plan = replace(plan, recipe=recipe_of(scene))  # other lanes may have standing water
-        problem = problem_of(plan, invalid)  # a single lane is solved to rounding
-        return type(self)(plan, integrate_problem(problem)[:, 0].tolist(), invalid, problem)
+        return self.of_single(plan, invalid)  # solved to rounding
 
     def __repr__(self) -> str:
         """Return a summary of the results in one line."""

@@ -76,12 +76,12 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     error; the motion's status states the reason.
     """
     scene = chosen.scene
+    if not scene.shape:
+        return Motion.of_single(chosen, invalid)
     lanes = math.prod(scene.shape)
     if lanes <= BLOCK:
         problem = problem_of(chosen, invalid)
         final = integrate_problem(problem)[:ENTRIES]
-        if not scene.shape:  # plain numbers are ten times cheaper than arrays of one
-            return Motion(chosen, final[:, 0].tolist(), invalid, problem)
         return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid, problem)
     final = np.empty((ENTRIES, lanes))
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)

@@ -6,7 +6,7 @@ from typing import Any, Self
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose
+from slipcircle.base.arrays import INFINITY, choose
 from slipcircle.core.lazy import lazy_import
 
 
@@ -60,6 +60,12 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
     Status.UPRIGHT,
     Status.ENDLESS,
 )
+_NUMBERS_OF_END: list[int] = STATUS_OF_END.tolist()
+
+
+# Numbers of statuses, as attributes of an enumeration take a third of a microsecond in Python 3.11.
+_RESTS, _STAYS, _, _TURNED, CREEPS, _, _, _, _INVALID, _UNSTARTED, _DROWNED = map(int, Status)
+STATUSES = tuple(Status)  # by number
 
 
 def statuses(final: Any, invalid: Any, scene: Any) -> Any:
@@ -69,18 +75,18 @@ def statuses(final: Any, invalid: Any, scene: Any) -> Any:
     """
     ended = final[ix.STATUS]
     has_shape = isinstance(ended, np.ndarray)
-    status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else int(STATUS_OF_END[int(ended)])
+    status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else _NUMBERS_OF_END[int(ended)]
     has_turned = final[ix.TURNS] > 0.0
-    status = choose((status == Status.RESTS) & has_turned, int(Status.TURNED), status)
-    status = choose(final[ix.TIME] == np.inf, int(Status.CREEPS), status)
-    answered = status <= Status.CREEPS
+    status = choose((status == _RESTS) & has_turned, _TURNED, status)
+    status = choose(final[ix.TIME] == INFINITY, CREEPS, status)
+    answered = status <= CREEPS
     still = final[ix.PHASES] == 0.0
     stays = still & (ended != ix.STOPPED)
-    status = choose(answered & stays, int(Status.STAYS), status)
+    status = choose(answered & stays, _STAYS, status)
     if scene.arc.in_standing_water:
         rotations = final[ix.REACH_ROTATION], final[ix.END_ROTATION]
         drowned = lazy_import("standing").comes_to_cover(scene.arc, *rotations)
-        status = choose(answered & drowned, int(Status.DROWNED), status)
+        status = choose(answered & drowned, _DROWNED, status)
     strength_factor = scene.strength_factor
-    status = choose(strength_factor != strength_factor, int(Status.UNSTARTED), status)
-    return choose(invalid, int(Status.INVALID), status)
+    status = choose(strength_factor != strength_factor, _UNSTARTED, status)
+    return choose(invalid, _INVALID, status)

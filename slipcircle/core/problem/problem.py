@@ -16,8 +16,8 @@ from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
 from generated.program import OF_COHESION, OF_SOIL, Program, Recipe
-from slipcircle.base.arrays import choose, float_or_array, may_overflow
-from slipcircle.base.kinds import Floats, Function, Names, Parameters, Shape, ValueDict, Values, cached_property
+from slipcircle.base.arrays import INFINITY, choose, float_or_array, may_overflow
+from slipcircle.base.kinds import Floats, Function, Names, Parameters, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
@@ -75,14 +75,22 @@ class Problem:
 
         Cells are the numbers by which the integrator describes a lane; ``which`` is a NumPy index of lanes.
         """
-        if self.lanes == 1 and which is EVERY:
-            return self._only_lane.copy()
         program = self.program
+        shared = self.start
+        if self.lanes != 1:
+            shared = {name: value for name, value in shared.items() if not isinstance(value, np.ndarray)}
+        column = np.zeros(len(program.cells) + 1)
+        column[_places(program, tuple(shared))] = [*shared.values()]
+        column = column[:-1, None]
+        if self.lanes == 1 and which is EVERY:
+            return column
         count = np.arange(self.lanes)[which].size
         cells = np.empty((len(program.cells), count))  # others are computed where phases begin
-        for name in (*program.cells[: program.given], *program.constants):
-            value = self.start.get(name, 0.0)
-            cells[program.places[name]] = value[which] if isinstance(value, np.ndarray) else value
+        for rows in (slice(program.given), slice(-len(program.constants), None)):
+            cells[rows] = column[rows]
+        for name, value in self.start.items():
+            if name not in shared and name in program.places:
+                cells[program.places[name]] = value[which]
         return cells
 
     def begin_with(self, **cells: Any) -> "Problem":
@@ -90,15 +98,7 @@ class Problem:
         for name, values in cells.items():
             flat = np.ravel(values)
             self.start = {**self.start, name: float(flat[0]) if self.lanes == 1 else flat}
-        vars(self).pop("_only_lane", None)
         return self
-
-    @cached_property
-    def _only_lane(self) -> Floats:
-        """Column of the initial cells of a single lane, (cells, 1), computed once."""
-        column = np.zeros(len(self.program.cells) + 1)
-        column[_places(self.program, tuple(self.start))] = [*self.start.values()]
-        return column[:-1, None]
 
     def tables(self, which: Any = None) -> list[Data]:
         """Return the tables (piecewise functions) of all or some lanes in the order of the program.
@@ -130,8 +130,10 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     scene = plan.scene
     lanes = math.prod(scene.shape)
     numbers = Numbers(scene.arc, scene.shape, float_or_array(scene.strength_factor))
+    called = scene.called
     for effect in plan.recipe.effects:
-        numbers.add_effect(effect, scene.called[effect])
+        if parameters := called[effect]:
+            numbers.add_effect(effect, parameters)
     farther = numbers.add_rotations(plan, lanes)
     strength = numbers.start["strength_factor"]
     functions = {}
@@ -147,8 +149,8 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
         numbers.start["STATUS"] = float_or_array(np.where(failed, float(ix.FAILED), 0.0))
     start = _flat(numbers.start, scene.shape)
     start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes, "shaking" in scene.effects)
-    start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
-    start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
+    start["ONE_WAY"] = _one_way(called["shaking"]) if "shaking" in called else 0.0
+    start["FIRST_ONLY"] = choose(start["END_TIME"] == INFINITY, _first_only(plan.recipe, start), 0.0)
     program = plan.program
     start |= program.constants
     return Problem(plan, program, start, numbers.tables, lanes, functions, farther)
@@ -199,7 +201,7 @@ class Numbers:
         self.shape = shape
         self.radius = float_or_array(mass.radius)
         balance = mass.moment_coefficients
-        self.start: ValueDict = {name: getattr(balance, name) for name in INPUTS}
+        self.start: ValueDict = dict(zip(INPUTS, balance, strict=False))  # its first numbers
         self.start["strength_factor"] = strength_factor
         self.tables: dict[str, Data] = {}
 
@@ -220,8 +222,6 @@ class Numbers:
         name.
         """
         symbols = symbols_of(effect)
-        if not symbols:
-            return
         scales = {**self.mass.scales, "strength_factor": self.start["strength_factor"]}
         declared = ALL_EFFECTS[without_soil(effect)].parameters
         present = [p for p in declared if p.name in parameters]
@@ -289,8 +289,8 @@ class Numbers:
             start["omega"] = float_or_array(velocity) / self.radius * self.mass.time_scale
             start["END_TIME"] = end_time / self.mass.time_scale
         start["LIMIT"] = abs(self.mass.moment_coefficients.limit_friction)
-        start["CLOSE"] = np.inf
-        start["LIFT_TIME"] = np.nan
+        start["CLOSE"] = INFINITY
+        start["LIFT_TIME"] = math.nan
 
 
 def _one_way(shaking: Parameters) -> float:
@@ -315,6 +315,8 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
     if recipe.laws[0] == "constant":
         frictionless = start["constant.coefficient"] == 0.0
     lifts = lifts or any(np.any(start[name]) for name in pressures if name in start)
+    if not lifts and frictionless is False:
+        return 0.0
     swings = choose(frictionless, 1.0, 2.0 if lifts else 0.0)
     cohesion = start.get("cohesion", 0.0)
     cohesion = cohesion + start.get("layered_cohesion", 0.0)

@@ -1,0 +1,101 @@
+"""Proof that the integrator passes a piece of a record by the derived motion of a frozen mass."""
+
+from types import SimpleNamespace
+from typing import Any
+
+from sympy import Catalan, EulerGamma, nsimplify, pi, symbols
+
+from derive.algebra import pieces
+from derive.algebra.prove import prove_rational
+from derive.flow.integrator import records
+
+length, now, behind = symbols("length now behind", positive=True)
+# Constants in place of symbols, by which SymPy decides comparisons. The proof is for any numbers in their place.
+UNITS = (pi, EulerGamma, Catalan)
+# Speed and net moment at the start of a piece, and net moment at its end, as multiples of these constants.
+CASES = """
+1   3   3  speeds up
+2  -3  -3  slows down
+2   8  -3  passes a peak
+2  -5   3  dips
+1  -6  -9  stops
+1 -20  -3  stops while its net moment rises
+1   3 -20  stops after a peak
+1 -30   9  stops and starts
+0  -5   5  starts
+0   3   5  starts at once
+0   9  -3  starts and passes a peak
+0   3  -9  starts and stops
+"""
+
+
+def _slide(speed: Any, net: Any, rise: Any, left: Any) -> tuple[Any, Any, Any]:
+    """Return the speed at a standstill or after the time that is left, the path, and the time of the standstill."""
+    numbers = {pieces.omega: speed, pieces.net: net, pieces.rise: rise}
+    _, stops = pieces.roots()
+    roots = [stop.subs(numbers) for stop in stops]
+    inside = [root for root in roots if root.is_real and 0 < root < left]
+    time = min(inside, default=left)
+    end, path = (form.subs(pieces.time, time).subs(numbers) for form in pieces.motion())
+    if inside:
+        return 0, path, time
+    return end, path, None
+
+
+def _follow(speed: Any, net: Any, after: Any) -> list[Any]:
+    """Return the speed at the end of a piece, its path, and the last standstill, by the derived motion."""
+    rise = after - net
+    path = 0
+    stop = None
+    rest = 0
+    if speed > 0 or net > 0:
+        speed, path, stop = _slide(speed, net, rise, 1)
+    if stop is not None:
+        rest = now + length * stop
+    if speed == 0 and net < 0 < after:
+        level, _ = pieces.roots()
+        begin = level.subs({pieces.net: net, pieces.rise: rise})
+        speed, further, _ = _slide(0, 0, rise, 1 - begin)
+        path += further
+    return [speed, path, rest]
+
+
+def _peak(speed: Any, net: Any, after: Any) -> list[Any]:
+    """Return the greatest speed in a piece, its time and its place, by the derived motion."""
+    numbers = {pieces.omega: speed, pieces.net: net, pieces.rise: after - net}
+    level, _ = pieces.roots()
+    top, way = (form.subs(pieces.time, level).subs(numbers) for form in pieces.motion())
+    return [top, now + length * level.subs(numbers), behind + length * way]
+
+
+def prove() -> str:
+    """Prove speed, path, standstill and peak in every kind of piece, and return the claim."""
+    names = ("speed", "path", "standstill", "peak", "time of the peak", "place of the peak")
+    cells = (
+        "rest_since",
+        "peak_omega",
+        "peak_time",
+        "peak_rotation",
+        "peak_rate",
+        "rotation",
+        "time",
+        "phases",
+        "turns",
+    )
+    of_units = dict(zip(UNITS, symbols("w a b", positive=True), strict=True))
+    rows = CASES.strip().splitlines()
+    for row in rows:
+        *multiples, case = row.split(maxsplit=3)
+        speed, net, after = (int(factor) * unit for factor, unit in zip(multiples, UNITS, strict=True))
+        s = SimpleNamespace(**dict.fromkeys(cells, 0.0))
+        s.direction = s.last_way = 1.0
+        end, path = records.pass_piece(s, True, now, length, behind, speed, net, after)
+        found = (end, path, s.rest_since, s.peak_omega, s.peak_time, s.peak_rotation)
+        expected = _follow(speed, net, after)
+        if net > 0 > after:
+            expected += _peak(speed, net, after)
+        for name, value, derived in zip(names, found, expected, strict=False):
+            exact = nsimplify(value, rational=True)
+            difference = exact - derived
+            prove_rational(difference.xreplace(of_units), f"{name} in a piece in which a mass {case}")
+    return f"speed, path, standstill and peak in {len(rows)} kinds of pieces"
