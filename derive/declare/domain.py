@@ -2,7 +2,7 @@
 
 import heapq
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import reduce
 
 from flint import arb
@@ -49,10 +49,6 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
     value = lambdify([*domain], e, [_ARITHMETIC])
     boxes = [(0, [*domain.values()])]
     middle: list[float] = []
-
-    def places() -> str:
-        return ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, middle, strict=True))
-
     for count in range(1, BOXES):
         if not boxes:
             return "", ""
@@ -63,17 +59,22 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
         middle = [_middle(*ends) for ends in box]
         here = arb(value(*map(arb, middle)))
         if here.upper() < BELOW:
-            return f"{float(here.mid()):.3g} at {places()}", ""
+            return f"{float(here.mid()):.3g} at {_place(domain, middle)}", ""
         widest = max(range(len(box)), key=lambda k: _width(*box[k]))
         if _width(*box[widest]) < SMALL:
             if not enclosed.is_finite():
-                return f"a pole or a complex number next to {places()}", ""
+                return f"a pole or a complex number next to {_place(domain, middle)}", ""
             continue
         rank = count if enclosed.is_finite() else -count
         low, high = box[widest]
         for half in ((low, middle[widest]), (middle[widest], high)):
             heapq.heappush(boxes, (rank, [*box[:widest], half, *box[widest + 1 :]]))
-    return "", places()
+    return "", _place(domain, middle)
+
+
+def _place(domain: Mapping[Symbol, Ends], values: Sequence[float]) -> str:
+    """Return the values of the symbols as text."""
+    return ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, values, strict=True))
 
 
 def _width(low: float, high: float) -> float:
