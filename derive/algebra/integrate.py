@@ -89,14 +89,16 @@ def _check_continuity(primitive: Expr, integrand: Expr, x: Symbol, half_width: s
     with workdps(30):  # of which steep integrands of r**5 lose ten
         rule = _gauss(mpmath.mp.prec, 5)  # 48 nodes, far more accurate than the bound below
         values = [mpf(12 + k) / 10 for k in range(len(others))]  # angles, away from special values
-        step = 2 * mpf(half_width) / intervals
+        half = mpf(half_width) / intervals
+        step = 2 * half
         low = -mpf(half_width)
         start = above(low, *values)
         for _ in range(intervals):
             high = low + step
             end = above(high, *values)
-            middle = low + step / 2
-            area = step / 2 * fsum(share * below(middle + step / 2 * y, *values) for y, share in rule)
+            middle = low + half
+            weighted = (share * below(middle + half * y, *values) for y, share in rule)
+            area = half * fsum(weighted)
             jump = abs(end - start - area)
             allowed = mpf(10) ** -12 * (1 + abs(end))
             if not jump < allowed:

@@ -74,7 +74,10 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
 
 def _place(domain: Mapping[Symbol, Ends], values: Sequence[float]) -> str:
     """Return the values of the symbols as text."""
-    return ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, values, strict=True))
+    texts = []
+    for x, at in zip(domain, values, strict=True):
+        texts.append(f"{x} = {at:.3g}")
+    return ", ".join(texts)
 
 
 def _width(low: float, high: float) -> float:
