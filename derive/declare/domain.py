@@ -53,11 +53,13 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
         if not boxes:
             return "", ""
         _, box = heapq.heappop(boxes)
-        enclosed = arb(value(*(ball(*ends) for ends in box)))
+        balls = [ball(*ends) for ends in box]
+        enclosed = arb(value(*balls))
         if enclosed.lower() > BELOW:
             continue
         middle = [_middle(*ends) for ends in box]
-        here = arb(value(*map(arb, middle)))
+        points = map(arb, middle)
+        here = arb(value(*points))
         if here.upper() < BELOW:
             return f"{float(here.mid()):.3g} at {_place(domain, middle)}", ""
         widest = max(range(len(box)), key=lambda k: _width(*box[k]))
