@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "6c96a579a0e20fab3dd9fb396fa5fe57ab621809ee0b3234075769115cf53d50"
+#define DIGEST "51645400e13c9648f3c32db9d2c65a28c045b334de6ebb46c90d94ebc29d9849"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2912,6 +2912,19 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     }
 }
 
+/* Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane. */
+INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
+{
+    V *const c = b->c;
+    M before_end = c[TIME] < c[END_TIME];
+    M others = enter_lines(b, at_limit & before_end);
+    M simple = (c[EVENT] == (double)EVENT_NONE) & ~endless & ~others;
+    M settled = simple & (before_end | ~at_limit);
+    EACH(lane, bits(here & ~settled)) {
+        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
+    }
+}
+
 /* Make one step of moving lanes. */
 static void make_step(Batch *b, M here)
 {
@@ -2946,12 +2959,7 @@ static void make_step(Batch *b, M here)
     c[TIME] = pick(here, until, c[TIME]);
     c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
-    M goes_on = at_limit & (until < c[END_TIME]);
-    M others = enter_lines(b, goes_on);
-    M settled = uneventful & ~endless & ~others & (goes_on | ~at_limit);
-    EACH(lane, bits(here & ~settled)) {
-        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
-    }
+    conclude(b, here, rate, at_limit, endless);
 }
 
 /* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */

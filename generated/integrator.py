@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 24498b6890475e432435b156070b5a25d7469b64384c5dc14e09c06009ad6a9c
+# sha256 of the text below: 5b96f5e39d886eeba55146f81b8cc4936dfef6cb8247606653a7e2f722ecbe01
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1894,6 +1894,18 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
         keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
 
 
+def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
+    """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
+    c = s.cells
+    before_end = c[ix.TIME] < c[ix.END_TIME]
+    others = enter_lines(s, at_limit & before_end)
+    simple = (c[ix.EVENT] == float(ix.EVENT_NONE)) & np.logical_not(endless) & np.logical_not(others)
+    settled = simple & (before_end | np.logical_not(at_limit))
+    i = np.flatnonzero(here & np.logical_not(settled))
+    if i.size:
+        settle(s, i, rate[i], at_limit[i], endless[i])
+
+
 def make_step(s: Lanes, here: Mask) -> None:
     """Make one step of moving lanes."""
     c = s.cells
@@ -1925,12 +1937,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
         c[ix.STEPS])
     c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
-    goes_on = at_limit & (until < c[ix.END_TIME])
-    others = enter_lines(s, goes_on)
-    settled = uneventful & np.logical_not(endless) & np.logical_not(others) & (goes_on | np.logical_not(at_limit))
-    i = np.flatnonzero(here & np.logical_not(settled))
-    if i.size:
-        settle(s, i, rate[i], at_limit[i], endless[i])
+    conclude(s, here, rate, at_limit, endless)
 
 
 def turned(x: Floats) -> tuple[Floats, Floats]:
