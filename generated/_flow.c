@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "4312bfc0e226e189df158d167a260dc2d0c1b25b2779bff680326af9cdd49318"
+#define DIGEST "609c68d34ddfb13df38f28d607afa54b4f27082ece611a00a30ea42216e5b28a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1993,7 +1993,7 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Return a path beyond which a step in rotation is useless, since the mass is at rest, and the size of its terms.
+/* Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of its terms.
  * The end is estimated by a parabola. If it is too near, another step follows. */
 INLINE V look_for_end(Batch *b, V room)
 {

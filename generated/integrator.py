@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8faab9e3809306011f4a935f9056d5909d9ad5d6d032de637c07b5852a11ee1b
+# sha256 of the text below: 85acf7971fe804c3acf447a45b10ea81b9869af2ae647916ca820ec2e06caaf9
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -140,7 +140,7 @@ def power_of_two(y: Floats) -> Floats:
     return pattern.view(np.float64)
 
 
-def operate(s: Lanes, n: int, by_rotation: bool) -> None:
+def operate(s: Lanes, n: int, by_rotation: int) -> None:
     """Compute coefficient n of every register. In powers of the rotation, the square of omega is a state."""
     skipped = int(by_rotation and s.by_rotation == 2)
     series_ops(s.program.series[skipped:], s.registers, s.cells, n)
@@ -922,7 +922,7 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
 
 
 def look_for_end(s: Lanes, room: Floats) -> Floats:
-    """Return a path beyond which a step in rotation is useless, since the mass is at rest, and the size of its terms."""
+    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of its terms."""
     c = s.cells
     e = s.registers[s.roles.omega]
     root = np.sqrt(np.maximum(e[1] * e[1] - 4.0 * (e[0] * e[2]), 0.0))

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6853fefcd7fbc17ef712c48be52074c400ed8d0bd4a825a272075a47724eff77
+# sha256 of the text below: 63e70f516829672dcf4a7dbc4dec3b49f67b3a951eea20b399bc92d03da97213
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -545,9 +545,8 @@ class Program:
     phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
     its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
     each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
-    alone if ``autonomous`` is 2, also on omega if it is 1,
-        and on further registers if it is 0. Unless ``by_rotation`` is
-    0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
+    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. Unless ``by_rotation``
+    is 0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
     E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 

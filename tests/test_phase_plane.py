@@ -36,7 +36,7 @@ EFFECTS: dict[str, dict[str, Any]] = {
 
 
 def in_time(problem: lanes.Problem) -> lanes.Problem:
-    """Return the same lanes without their closed form and series in the rotation, so that they are integrated in time."""
+    """Return the same lanes without closed form and series in the rotation, so that they are integrated in time."""
     roles = {role: place for role, place in problem.program.roles.items() if "cell_net_" not in role}
     return replace(problem, program=replace(problem.program, roles=roles, by_rotation=0))
 

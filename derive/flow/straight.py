@@ -33,12 +33,12 @@ EACH_ORDER({k})
 
 
 def programs() -> Iterator[Program]:
-    """Link the programs: the first smooth laws without argument, of slip and of speed, with each set of parameters."""
+    """Link the programs: the first smooth laws without argument, of slip and of speed, and one in pieces, with all parameters."""
     smooth = [law for law in LAWS if law.coefficient is not None and not law.kinks]
     laws = {law.depends_on: law for law in reversed(smooth)}
-    laws["kink"] = next(law for law in LAWS if law.kinks)
+    laws["slip", "kinks"] = next(law for law in LAWS if law.kinks)
     parts = lookup()
-    for dependence, moving in product(((), ("slip",), ("speed",), "kink"), MOVING):
+    for dependence, moving in product(((), ("slip",), ("speed",), ("slip", "kinks")), MOVING):
         effects = [e for e in EFFECTS if not e.parameters or not e.symbols.keys().isdisjoint(moving)]
         absent = [x for e in effects for x in e.symbols if x not in moving]
         recipe = Recipe(

@@ -53,8 +53,8 @@ def time_over(p: S, n: N, base: V, way: V, beyond: V, per: V) -> V:
     """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
 
     ``way`` is the path from ``base`` with its sign: against the motion if the rest is at the end. ``per`` is 1 over the
-    distance of another rest in this direction, or 0. In the variable v with v^2 = (beyond + y)/(1 - per y) both rests are
-    regular.
+    distance of another rest in this direction, or 0. In the variable v with v^2 = (beyond + y)/(1 - per y) both rests
+    are regular.
     """
     size = abs(way)
     side = where(way < 0.0, -1.0, 1.0)
@@ -169,8 +169,8 @@ def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
 def turn_on(s: Lanes, here: M) -> None:
     """Make one step of moving lanes in powers of the rotation.
 
-    If its duration is uncertain or extremely short, or exceeds the end time, the lane stays where it is and is integrated
-    in time.
+    If its duration is uncertain or extremely short, or exceeds the end time, the lane stays where it is and is
+    integrated in time.
     """
     omega: V = 1.0 * s.omega
     s.omega = omega * omega

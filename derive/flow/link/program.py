@@ -37,8 +37,8 @@ class Program:
     phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
     its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
     each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
-    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. Unless ``by_rotation`` is
-    0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
+    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. Unless ``by_rotation``
+    is 0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
     E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 
