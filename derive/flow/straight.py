@@ -33,7 +33,7 @@ EACH_ORDER({k})
 
 
 def programs() -> Iterator[Program]:
-    """Link the programs: the first smooth laws without argument, of slip and of speed, and one in pieces, with all parameters."""
+    """Link the first smooth law without argument, of slip, of speed, and one in pieces, each with all of `MOVING`."""
     smooth = [law for law in LAWS if law.coefficient is not None and not law.kinks]
     laws = {law.depends_on: law for law in reversed(smooth)}
     laws["slip", "kinks"] = next(law for law in LAWS if law.kinks)
