@@ -11,7 +11,7 @@ import json
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import fields, is_dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -53,23 +53,30 @@ def _module(name: str) -> Path | None:
 
 
 @cache
-def _parsed(path: Path) -> ast.Module:
-    return ast.parse(path.read_text("utf-8"), str(path))
+def _parsed(path: Path, text: str) -> ast.Module:
+    return ast.parse(text, str(path))
 
 
 @cache
-def _needs(path: Path) -> frozenset[Path]:
-    """Return the files that a module imports from `derive` or may read."""
-    names = {".".join(path.relative_to(ROOT).parent.parts)}
-    for node in ast.walk(_parsed(path)):
+def _imported(path: Path, text: str) -> frozenset[str]:
+    """Return the names of all modules, and of their members, that the text of a module imports."""
+    names = set[str]()
+    for node in ast.walk(_parsed(path, text)):
         if isinstance(node, ast.Import):
             names.update(x.name for x in node.names)
         if isinstance(node, ast.ImportFrom):
             package = str(node.module)
             names.add(package)
             names.update(f"{package}.{x.name}" for x in node.names)
-    needed = {_module(name) for name in names} - {None}
+    return frozenset(names)
+
+
+@cache
+def _needs(path: Path) -> frozenset[Path]:
+    """Return the files that a module imports from `derive` or may read."""
     text = path.read_text("utf-8")
+    names = {".".join(path.relative_to(ROOT).parent.parts), *_imported(path, text)}
+    needed = {_module(name) for name in names} - {None}
     if path.name != Path(__file__).name and any(reader in text for reader in READERS):
         needed.update(path.parent.rglob("*.*"))
     return frozenset(x for x in needed if x and "__pycache__" not in x.parts)
@@ -97,7 +104,7 @@ def _text(path: Path, without_declarations: bool) -> str:
     if not without_declarations or path.parent.name != "declare":
         return text
     lines = text.splitlines()
-    for node in reversed(_parsed(path).body):
+    for node in reversed(_parsed(path, text).body):
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in DECLARED:
             del lines[node.lineno - 1 : node.end_lineno]
     return "\n".join(lines)
@@ -111,7 +118,13 @@ def _described(argument: Any) -> Any:
         return [_described(x) for x in argument]
     if is_dataclass(argument):
         return [_described(getattr(argument, f.name)) for f in fields(argument)]
-    return import_module("sympy").srepr(argument)
+    return _symbolic(argument)
+
+
+@lru_cache(maxsize=None, typed=True)
+def _symbolic(argument: Any) -> str:
+    """Return a formula, a number or a truth value as SymPy writes it."""
+    return str(import_module("sympy").srepr(argument))
 
 
 @cache

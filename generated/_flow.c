@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "3a55611bbc7cc3224286f378e07a5aba2f321597063c6c04dcdafe955f1e7094"
+#define DIGEST "51645400e13c9648f3c32db9d2c65a28c045b334de6ebb46c90d94ebc29d9849"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
+    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
 } Roles;
 
 typedef struct {
@@ -73,7 +73,7 @@ static const struct { int rates, length; const int32_t *operations; } patterns[]
     {81, 95, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 6 * STRIDE, 5 * STRIDE, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE, SQR, 16 * STRIDE, 1 * STRIDE, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {82, 96, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 9 * STRIDE, 8 * STRIDE, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE, SQR, 13 * STRIDE, 1 * STRIDE, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {105, 119, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 12 * STRIDE, 11 * STRIDE, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE, SQR, 16 * STRIDE, 1 * STRIDE, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {55, 69, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, SQR, 9 * STRIDE, 1 * STRIDE, LIN, 10 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE, LIN, 12 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {45, 63, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE, TIM, 4 * STRIDE, 0 * STRIDE, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE}},
     {77, 91, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE, SQR, 15 * STRIDE, 1 * STRIDE, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {78, 92, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE, SQR, 12 * STRIDE, 1 * STRIDE, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {101, 115, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE, SQR, 15 * STRIDE, 1 * STRIDE, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
@@ -372,7 +372,11 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #include <immintrin.h>
 #endif
 
+#ifdef __wasm__ /* pages shall be small */
+#define INLINE static inline
+#else
 #define INLINE static inline __attribute__((always_inline))
+#endif
 #define APART static __attribute__((noinline)) /* what all programs call, once, so that wheels are small */
 #define NAMED_(name, level) name##_##level
 #define NAMED(name, level) NAMED_(name, level)
@@ -929,20 +933,18 @@ INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 EACH_ORDER(7)
 INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(14, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
-    STRAIGHT(18, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    STRAIGHT(24, SQR, 9 * STRIDE, 1 * STRIDE);
-    STRAIGHT(27, LIN, 10 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE);
-    STRAIGHT(37, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
-    STRAIGHT(41, LIN, 12 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
+    STRAIGHT(11, TIM, 4 * STRIDE, 0 * STRIDE);
+    STRAIGHT(14, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE);
+    STRAIGHT(19, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    STRAIGHT(29, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE);
+    STRAIGHT(33, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(55, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    STRAIGHT(61, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(45, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    STRAIGHT(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
 }
 EACH_ORDER(8)
 INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n)
@@ -1107,6 +1109,33 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
     return b->job->data[t].jumps[piece];
 }
 
+/* The same of a piece in each lane, and the coefficients of a straight line there. */
+INLINE V breaks_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V jumps_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V slopes_at(const Batch *b, int t, V piece)
+{
+    const Data *const d = b->job->data + t;
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    return x;
+}
+
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
 {
@@ -1116,8 +1145,10 @@ static void note(const Batch *b, unsigned k, int kind)
     row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
 }
 
+INLINE V variable_at(Batch *b, int top, V time);
+
 /* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
-static void read_samples(const Batch *b, unsigned k, double begin, double end, int moving, int top)
+static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
 {
     const Job *const job = b->job;
     const V *const c = b->c;
@@ -1132,8 +1163,10 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
     const int closed = end >= c[END_TIME][k] && end < INFINITY;
     const int32_t net = job->role->net;
     for (int64_t i = low; i < job->samples; i++) {
-        const double time = times[i * across], past = time - begin;
+        const double time = times[i * across], since = time - begin;
         if (!(time < end || (closed && time == end))) break;
+        const int paced = moving && job->role->pace >= 0;
+        const double past = paced ? variable_at(b, top, broadcast(since))[k] : since;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
             const int32_t of = j < 0 ? net : job->state[j].series;
@@ -1142,6 +1175,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
             states[j < 0 ? 2 : j < 2 ? j : j + 2] = moving || j < 2 ? sum : c[job->state[j].cell][k];
         }
         states[3] = c[SLIP][k] + states[0], states[0] = c[ROTATION][k] + c[DIRECTION][k] * states[0];
+        if (paced) states[2] /= 1.0 + c[job->role->pace][k] * states[1];
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
@@ -1161,6 +1195,7 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
+#define CORRECTIONS 10
 #define LARGEST 0x1.f400000000000p+49
 #define TIE 0x1.0000000000000p-44
 #define CLOSEST 0x1.56e1fc2f8f359p-997
@@ -1603,6 +1638,58 @@ static void pass_breaks(Batch *b, unsigned lane)
     }
 }
 
+/* Enter the next piece of a piecewise linear function of time, side by side, as `pass_break` does. */
+INLINE void enter_line(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    V piece = minimum(c[job->table[t].cell + PIECE] + 1.0, last);
+    V edge = breaks_at(b, t, piece);
+    V next_piece = minimum(piece + 1.0, last);
+    V following = breaks_at(b, t, next_piece);
+    V end = pick(piece < last, following, broadcast(INFINITY));
+    V jump = jumps_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
+    V slope = slopes_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
+    V there = heights_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
+    V past = pick(end < INFINITY, end - edge, broadcast(0.0));
+    V rise = slope * past;
+    V way = c[job->table[t].cell + WAY] + magnitude(jump);
+    V rounding = magnitude(there) + magnitude(c[job->table[t].cell + VALUE]);
+    M is_long = way > rounding;
+    V carried = c[job->table[t].cell + LOWER] + jump;
+    V difference = there - c[job->table[t].cell + VALUE];
+    V inc = pick(is_long, difference, carried);
+    c[PENDING] = pick(here, pick(jump != 0.0, broadcast(DISCONTINUITY), c[PENDING]), c[PENDING]);
+    c[job->table[t].cell + PIECE] = pick(here, piece, c[job->table[t].cell + PIECE]);
+    c[job->table[t].cell + INC] = pick(here, inc, c[job->table[t].cell + INC]);
+    c[job->table[t].cell + UPPER] = pick(here, end / c[job->table[t].cell + SCALE], c[job->table[t].cell + UPPER]);
+    c[job->table[t].cell + RISE] = pick(here, slope * c[job->table[t].cell + SCALE], c[job->table[t].cell + RISE]);
+    c[job->table[t].cell + LOWER] = pick(here, inc + rise, c[job->table[t].cell + LOWER]);
+    way = pick(is_long, rounding, way);
+    c[job->table[t].cell + WAY] = pick(here, way + magnitude(rise), c[job->table[t].cell + WAY]);
+}
+
+/* Enter the next pieces of functions of time that have a break now; return lanes in which a sine has one. */
+INLINE M enter_lines(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M others = (M){0};
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            M ends = here & (c[job->table[t].cell + UPPER] <= c[TIME]);
+            if (job->data[t].sine) {
+                others = others | ends;
+            }
+            if (!job->data[t].sine) {
+                enter_line(b, ends, t);
+            }
+        }
+    }
+    return others;
+}
+
 /* Return whether a force will still change while the lane rests. */
 INLINE int still_changes(Batch *b, unsigned lane)
 {
@@ -1646,12 +1733,60 @@ INLINE void begin_series(Batch *b)
     }
 }
 
-/* Compute order 0 of all registers. */
+/* Return a rate by time from a rate by tau, the variable of a step, where dt = (1 + pace omega) dtau. */
+INLINE V per_time(Batch *b, V rate, V omega)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->pace >= 0) {
+        return rate / (1.0 + (c[job->role->pace] * omega));
+    }
+    return rate;
+}
+
+/* Return the time since the beginning of a step from its variable. */
+INLINE V elapsed(Batch *b, int top, V at)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->pace >= 0) {
+        V *omega = b->r + job->role->omega;
+        V mean = broadcast(0.0);
+        for (int k = top; k >= 0; k--) {
+            V coefficient = omega[k] * b->inverse[k + 1];
+            mean = (mean * at) + coefficient;
+        }
+        return at * (1.0 + (c[job->role->pace] * mean));
+    }
+    return at;
+}
+
+/* Return the variable of a step from the time since its beginning, by Newton's method. */
+INLINE V variable_at(Batch *b, int top, V time)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V at = minimum(time, c[STEP]);
+    for (int _ = 1; _ <= CORRECTIONS; _++) {
+        V omega = value(b->r + job->role->omega, top, at);
+        V left = time - elapsed(b, top, at);
+        at = at + per_time(b, left, omega);
+    }
+    return at;
+}
+
+/* Compute order 0 of all registers. Rates of states are per time. */
 INLINE void evaluate(Batch *b)
 {
+    const Job *const job = b->job;
     begin_series(b);
     operate(b, 0);
     operate_later(b, 1);
+    V omega = (b->r + job->role->omega)[0];
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        V rate = (b->r + q->rate)[0];
+        (b->r + q->rate)[0] = per_time(b, rate, omega);
+    }
 }
 
 /* Return the normal force on the slip surface from order 0. Contact is lost if it is negative. */
@@ -2114,25 +2249,6 @@ static void begin_here(Batch *b, unsigned lane)
     begin_pieces(b, lane);
 }
 
-/* Return whether a piece ends before the end time and not at the last break, where the function may jump. */
-INLINE int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    int last = (int)job->data[t].pieces - 1;
-    int64_t following = (piece + 1) < last ? (piece + 1) : last;
-    int ends = end_of_piece(b, lane, t, following) < INFINITY;
-    return ends && (break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS))));
-}
-
-/* Return a piecewise linear function of time at the left end of a piece. */
-INLINE double value_at_break(Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    return c[job->table[t].cell + SCALED_BY][lane] * constant_of(b, lane, t, piece);
-}
-
 /* Place the lane at the left end of a piece, which it has not entered yet. */
 static void stand_before(Batch *b, unsigned lane, int t, int64_t piece, double now)
 {
@@ -2175,14 +2291,16 @@ INLINE void look_for_quiet(Batch *b, M here)
     }
 }
 
-/* Return whether the mass certainly rests through a piece, as both its end values are in the quiet range. */
-INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
+/* Return whether the mass certainly rests through a piece, as both its end values are in the quiet range. The
+ * piece must end before a place, and not at the last break, where the function may jump. */
+INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece, double low, double high, double before)
 {
     const Job *const job = b->job;
-    V *const c = b->c;
     int last = (int)job->data[t].pieces - 1;
-    double value = value_at_break(b, lane, t, (piece + 1) < last ? (piece + 1) : last);
-    return (c[QUIET_FROM][lane] <= value) && (value <= c[QUIET_TO][lane]) && passes_quietly(b, lane, t, piece);
+    int64_t following = (piece + 1) < last ? (piece + 1) : last;
+    double height = constant_of(b, lane, t, following);
+    int inside = (break_of(b, lane, t, following) < before) && (end_of_piece(b, lane, t, following) < INFINITY);
+    return (low <= height) && (height <= high) && inside;
 }
 
 /* Pass the pieces through which the mass certainly rests. */
@@ -2191,7 +2309,12 @@ static void rest_through(Batch *b, unsigned lane, int t)
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    while (rests_on(b, lane, t, piece)) {
+    double one = c[QUIET_FROM][lane] / c[job->table[t].cell + SCALED_BY][lane];
+    double other = c[QUIET_TO][lane] / c[job->table[t].cell + SCALED_BY][lane];
+    double low = fmin(one, other);
+    double high = fmax(one, other);
+    double before = (c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS));
+    while (rests_on(b, lane, t, piece, low, high, before)) {
         piece = piece + 1;
     }
     if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
@@ -2627,6 +2750,19 @@ INLINE void consider(Batch *b, M here, V at, int event)
     c[STEP] = pick(here, minimum(at, c[STEP]), c[STEP]);
 }
 
+/* Shorten the step to the time left, and return the lanes that reach its end. */
+INLINE M reach_limit(Batch *b, M here, V room, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M reaches = here & (elapsed(b, top, c[STEP]) >= room);
+    if ((job->role->pace >= 0) && bits(reaches)) {
+        V at = variable_at(b, top, room);
+        c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
+    }
+    return reaches;
+}
+
 /* Find the time at which the speed becomes zero. It is immediate if the drive from rest points backwards or is
  * rounding. */
 static void find_standstill(Batch *b, M here, int top)
@@ -2722,7 +2858,7 @@ INLINE void choose_step(Batch *b, M here, V room, int top)
     if (bits(complete)) {
         V radius = broadcast(INFINITY);
         for (const State *q = job->state; q < job->state + job->states; q++) {
-            if (q->rate != job->role->omega) {
+            if (q->series != job->role->x) {
                 radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
             }
         }
@@ -2769,8 +2905,23 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
     M peaks = at < INFINITY;
     if (bits(peaks)) {
+        V time = c[TIME] + elapsed(b, top, at);
         V speed = value(b->r + job->role->omega, top, at);
-        keep_faster(b, peaks, speed, c[TIME] + at, value(b->r + job->role->x, top, at), value(net, top - 1, at));
+        V x = value(b->r + job->role->x, top, at);
+        keep_faster(b, peaks, speed, time, x, value(net, top - 1, at));
+    }
+}
+
+/* Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane. */
+INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
+{
+    V *const c = b->c;
+    M before_end = c[TIME] < c[END_TIME];
+    M others = enter_lines(b, at_limit & before_end);
+    M simple = (c[EVENT] == (double)EVENT_NONE) & ~endless & ~others;
+    M settled = simple & (before_end | ~at_limit);
+    EACH(lane, bits(here & ~settled)) {
+        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
     }
 }
 
@@ -2783,7 +2934,7 @@ static void make_step(Batch *b, M here)
     V room = limit - c[TIME];
     int top = expand(b, room, here, 0);
     choose_step(b, here, room, top);
-    M reaches_limit = c[STEP] >= room;
+    M reaches_limit = reach_limit(b, here, room, top);
     find_events(b, here, top);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
     M endless = is_endless(b, here, room);
@@ -2794,7 +2945,8 @@ static void make_step(Batch *b, M here)
     V rate = rate_slope.one, slope = rate_slope.other;
     keep_peak(b, here, top, rate, slope);
     M at_limit = here & reaches_limit & uneventful & ~endless;
-    V until = pick(at_limit, limit, c[TIME] + step);
+    V time = c[TIME] + elapsed(b, top, step);
+    V until = pick(at_limit, limit, time);
     if (job->samples > 0) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
@@ -2802,13 +2954,12 @@ static void make_step(Batch *b, M here)
     }
     M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
     advance_states(b, here, top);
+    rate = per_time(b, rate, c[OMEGA]);
     keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
     c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
-    EACH(lane, bits(here)) {
-        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
-    }
+    conclude(b, here, rate, at_limit, endless);
 }
 
 /* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d2bc0555733a22b7ff6e500efed79e3ec7a73869e595211b1d88ef965fff0428
+# sha256 of the text below: caf73c943942744b3968f8b1c254c50939c84129e4803a67e0aa6c4edcfaa56f
 """Balance of momentum as fragments of flow programs: operations of each effect and of each law.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
@@ -829,17 +829,18 @@ FRAGMENTS: dict[str, Fragment] = {
         inputs=('rate_weakening.peak', 'rate_weakening.residual', 'rate_weakening.velocity'),
         optional=(),
         scalar=(
-            ('div', 'rate_weakening.0', '=1.0', 'rate_weakening.velocity'),
+            ('div', 'per_speed', '=1.0', 'rate_weakening.velocity'),
             ('abs', 'rate_weakening.mu_size', 'rate_weakening.peak'),
-            ('sub', 'rate_weakening.3', 'rate_weakening.peak', 'rate_weakening.residual'),
+            ('sub', 'rate_weakening.4', 'rate_weakening.peak', 'rate_weakening.residual'),
+            ('set', 'far', 'rate_weakening.residual'),
             ('set', 'rate_weakening.mu', 'rate_weakening.peak'),
         ),
         series=(
-            ('lin', 'rate_weakening.sum1', '', (('rate_weakening.0', 'omega'),)),
+            ('lin', 'rate_weakening.sum1', '', (('per_speed', 'omega'),)),
             ('rec', 'rate_weakening.rec2', 'rate_weakening.rec2_less_1', 'rate_weakening.sum1'),
         ),
         adds={
-            'mu': ('rate_weakening.mu', 'rate_weakening.mu_size', (('rate_weakening.3',
+            'mu': ('rate_weakening.mu', 'rate_weakening.mu_size', (('rate_weakening.4',
                 'rate_weakening.rec2_less_1'),)),
         },
         states=(),
@@ -1007,6 +1008,32 @@ FRAGMENTS: dict[str, Fragment] = {
         ),
         adds={},
         states=(),
+        tables=(),
+    ),
+    'pace': Fragment(
+        inputs=(),
+        optional=(),
+        scalar=(
+            ('sub', 'pace.t7', 'driving_0', 'resisting_0'),
+            ('mul', 'pace.t8', 'far', 'grip'),
+            ('mul', 'pace.t9', 'pace.t8', 'normal_0'),
+            ('sub', 'gain_0', 'pace.t7', 'pace.t9'),
+            ('neg', 'pace.2', 'pace.t8'),
+            ('mul', 'pace.t12', 'grip', 'mu_0'),
+            ('neg', 'pace.3', 'pace.t12'),
+            ('set', 'pace', 'per_speed'),
+        ),
+        series=(
+            ('lin', 'dgain', '', (('=1.0', 'ddriving'), ('pace.2', 'dnormal'), ('=-1.0', 'dresisting'))),
+            ('lin', 'gain', 'gain_0', (('=1.0', 'dgain'),)),
+            ('mul', 'gain*omega', 'gain', 'omega'),
+            ('lin', 'dnet', '', (('=1.0', 'ddriving'), ('pace.3', 'dnormal'), ('=-1.0', 'dresisting'), ('per_speed',
+                'gain*omega'))),
+            ('sqr', 'omega*omega', 'omega'),
+            ('lin', 'pace.sum1', '', (('=1.0', 'omega'), ('per_speed', 'omega*omega'))),
+        ),
+        adds={},
+        states=(('x', 'pace.sum1'),),
         tables=(),
     ),
     'energy': Fragment(

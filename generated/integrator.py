@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 42595f49a5c354f130dcc2f23d9ea75fecc2fea10f5cf7ad563bdd42afa5dbde
+# sha256 of the text below: 5b96f5e39d886eeba55146f81b8cc4936dfef6cb8247606653a7e2f722ecbe01
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -182,6 +182,28 @@ def coefficients_of(s: Lanes, i: Index, t: Table, piece: Index, terms: Floats) -
     terms[: t.terms] = of_piece.T
 
 
+def breaks_at(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the left end of a piece of each lane in the table's argument."""
+    return break_of(s, np.arange(piece.size), t, piece.astype(int))
+
+
+def heights_at(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the first coefficient of a piece of each lane."""
+    return constant_of(s, np.arange(piece.size), t, piece.astype(int))
+
+
+def slopes_at(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the second coefficient of a piece of each lane."""
+    terms = np.zeros((t.terms, piece.size))
+    coefficients_of(s, np.arange(piece.size), t, piece.astype(int), terms)
+    return terms[1]
+
+
+def jumps_at(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the jump of a function of time at the left end of a piece of each lane."""
+    return jump_of(s, np.arange(piece.size), t, piece.astype(int))
+
+
 def note(s: Lanes, i: Index, event: int) -> None:
     """Log an event of the first lane."""
     if s.log is None or not np.any(s.columns[i] == 0):
@@ -214,8 +236,13 @@ def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: 
         if not since.size:
             continue
         if moving:
+            paced = s.roles.pace >= 0
+            if paced:
+                since = np.array([variable_at(s, top, np.full(s.columns.size, t))[lane] for t in since])
             x, omega, *further = (value(s.registers[r, :, lane], top, since) for r in registers)
             rate = value(s.registers[s.roles.net, :, lane], top - 1, since)
+            if paced:
+                rate = rate / (1.0 + s.cells[s.roles.pace, lane] * omega)
         else:
             x = omega = rate = np.zeros_like(since)
             further = [np.full_like(since, s.cells[q.cell, lane]) for q in s.states[2:]]
@@ -282,6 +309,7 @@ NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
+CORRECTIONS = 10
 LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
@@ -675,6 +703,50 @@ def pass_breaks(lane: Lanes, i: Index) -> None:
             i = i_1
 
 
+def enter_line(s: Lanes, here: Mask, t: Table) -> None:
+    """Enter the next piece of a piecewise linear function of time, side by side, as `pass_break` does."""
+    c = s.cells
+    last: Floats = float(t.pieces - 1)
+    piece = np.minimum(c[t.cells + ix.PIECE] + 1.0, last)
+    edge = breaks_at(s, t, piece)
+    next_piece = np.minimum(piece + 1.0, last)
+    following = breaks_at(s, t, next_piece)
+    end = np.where(piece < last, following, INFINITY)
+    jump = jumps_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
+    slope = slopes_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
+    there = heights_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
+    past = np.where(end < INFINITY, end - edge, 0.0)
+    rise = slope * past
+    way = c[t.cells + ix.WAY] + np.abs(jump)
+    rounding = np.abs(there) + np.abs(c[t.cells + ix.VALUE])
+    is_long = way > rounding
+    carried = c[t.cells + ix.LOWER] + jump
+    difference = there - c[t.cells + ix.VALUE]
+    inc = np.where(is_long, difference, carried)
+    c[ix.PENDING] = np.where(here, np.where(jump != 0.0, ix.DISCONTINUITY, c[ix.PENDING]), c[ix.PENDING])
+    c[t.cells + ix.PIECE] = np.where(here, piece, c[t.cells + ix.PIECE])
+    c[t.cells + ix.INC] = np.where(here, inc, c[t.cells + ix.INC])
+    c[t.cells + ix.UPPER] = np.where(here, end / c[t.cells + ix.SCALE], c[t.cells + ix.UPPER])
+    c[t.cells + ix.RISE] = np.where(here, slope * c[t.cells + ix.SCALE], c[t.cells + ix.RISE])
+    c[t.cells + ix.LOWER] = np.where(here, inc + rise, c[t.cells + ix.LOWER])
+    way = np.where(is_long, rounding, way)
+    c[t.cells + ix.WAY] = np.where(here, way + np.abs(rise), c[t.cells + ix.WAY])
+
+
+def enter_lines(s: Lanes, here: Mask) -> Mask:
+    """Enter the next pieces of functions of time that have a break now; return lanes in which a sine has one."""
+    c = s.cells
+    others = none_of(s)
+    for t in s.tables:
+        if t.kind == ix.OF_TIME:
+            ends = here & (c[t.cells + ix.UPPER] <= c[ix.TIME])
+            if t.sine:
+                others = others | ends
+            if not t.sine:
+                enter_line(s, ends, t)
+    return others
+
+
 def still_changes(lane: Lanes, i: Index) -> Mask:
     """Return whether a force will still change while the lane rests."""
     c = lane.cells
@@ -705,11 +777,47 @@ def begin_series(s: Lanes) -> None:
             s.registers[t.register][0] = c[t.cells + ix.INC]
 
 
+def per_time(s: Lanes, rate: Floats, omega: Floats) -> Floats:
+    """Return a rate by time from a rate by tau, the variable of a step, where dt = (1 + pace omega) dtau."""
+    c = s.cells
+    if s.roles.pace >= 0:
+        return rate / (1.0 + c[s.roles.pace] * omega)
+    return rate
+
+
+def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
+    """Return the time since the beginning of a step from its variable."""
+    c = s.cells
+    if s.roles.pace >= 0:
+        omega = s.registers[s.roles.omega]
+        mean: Floats = 0.0
+        for k in range(top, 0 - 1, -1):
+            coefficient = omega[k] * (1.0 / (k + 1))
+            mean = mean * at + coefficient
+        return at * (1.0 + c[s.roles.pace] * mean)
+    return at
+
+
+def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
+    """Return the variable of a step from the time since its beginning, by Newton's method."""
+    c = s.cells
+    at = np.minimum(time, c[ix.STEP])
+    for _ in range(1, CORRECTIONS + 1):
+        omega = value(s.registers[s.roles.omega], top, at)
+        left = time - elapsed(s, top, at)
+        at = at + per_time(s, left, omega)
+    return at
+
+
 def evaluate(s: Lanes) -> None:
-    """Compute order 0 of all registers."""
+    """Compute order 0 of all registers. Rates of states are per time."""
     begin_series(s)
     operate(s, 0)
     operate_later(s, 1)
+    omega = s.registers[s.roles.omega][0].copy()
+    for q in s.states:
+        rate = s.registers[q.rate][0].copy()
+        s.registers[q.rate][0] = per_time(s, rate, omega)
 
 
 def normal_force(s: Lanes) -> Floats:
@@ -1183,21 +1291,6 @@ def begin_here(lane: Lanes, i: Index) -> None:
     begin_pieces(lane, i)
 
 
-def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
-    """Return whether a piece ends before the end time and not at the last break, where the function may jump."""
-    c = lane.cells
-    last = t.pieces - 1
-    following = np.fmin(piece + 1, last)
-    ends = end_of_piece(lane, i, t, following) < INFINITY
-    return ends & (break_of(lane, i, t, following) < c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS))
-
-
-def value_at_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Return a piecewise linear function of time at the left end of a piece."""
-    c = lane.cells
-    return c[t.cells + ix.SCALED_BY, i] * constant_of(lane, i, t, piece)
-
-
 def stand_before(lane: Lanes, i: Index, t: Table, piece: Index, now: Floats) -> None:
     """Place the lane at the left end of a piece, which it has not entered yet."""
     c = lane.cells
@@ -1233,27 +1326,34 @@ def look_for_quiet(s: Lanes, here: Mask) -> None:
                 keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
 
 
-def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
+def rests_on(lane: Lanes, i: Index, t: Table, piece: Index, low: Floats, high: Floats, before: Floats) -> Mask:
     """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range."""
-    c = lane.cells
     last = t.pieces - 1
-    value = value_at_break(lane, i, t, np.fmin(piece + 1, last))
-    return (c[ix.QUIET_FROM, i] <= value) & (value <= c[ix.QUIET_TO, i]) & passes_quietly(lane, i, t, piece)
+    following = np.fmin(piece + 1, last)
+    height = constant_of(lane, i, t, following)
+    inside = (break_of(lane, i, t, following) < before) & (end_of_piece(lane, i, t, following) < INFINITY)
+    return (low <= height) & (height <= high) & inside
 
 
 def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     """Pass the pieces through which the mass certainly rests."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
-    i_1, piece_1 = (i, piece.copy())
+    one = c[ix.QUIET_FROM, i] / c[t.cells + ix.SCALED_BY, i]
+    other = c[ix.QUIET_TO, i] / c[t.cells + ix.SCALED_BY, i]
+    low = np.fmin(one, other)
+    high = np.fmax(one, other)
+    before = c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS)
+    i_1, piece_1, low_1, high_1, before_1 = (i, piece.copy(), low, high, before)
     place_1 = np.arange(i.size)
     while True:
-        i, piece, place_1 = among(rests_on(lane, i, t, piece), i, piece, place_1)
+        i, piece, low, high, before, place_1 = among(rests_on(lane, i, t, piece, low, high, before), i, piece, low,
+            high, before, place_1)
         if not i.size:
             break
         piece = piece + 1
         piece_1[place_1] = piece
-    i, piece = (i_1, piece_1)
+    i, piece, low, high, before = (i_1, piece_1, low_1, high_1, before_1)
     holds_2 = piece > integer(c[t.cells + ix.PIECE, i])
     i_2, piece_2 = (i, piece)
     i, piece = among(holds_2, i_2, piece_2)
@@ -1670,6 +1770,16 @@ def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
     c[ix.STEP] = np.where(here, np.minimum(at, c[ix.STEP]), c[ix.STEP])
 
 
+def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
+    """Shorten the step to the time left, and return the lanes that reach its end."""
+    c = s.cells
+    reaches = here & (elapsed(s, top, c[ix.STEP]) >= room)
+    if s.roles.pace >= 0 and np.any(reaches):
+        at = variable_at(s, top, room)
+        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
+    return reaches
+
+
 def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which the speed becomes zero."""
     c = s.cells
@@ -1744,7 +1854,7 @@ def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
     if np.any(complete):
         radius: Floats = INFINITY
         for q in s.states:
-            if q.rate != s.roles.omega:
+            if q.register != s.roles.x:
                 radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
         c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), c[ix.STEP]), c[ix.STEP])
 
@@ -1778,8 +1888,22 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
     at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
     peaks = at < INFINITY
     if np.any(peaks):
+        time = c[ix.TIME] + elapsed(s, top, at)
         speed = value(s.registers[s.roles.omega], top, at)
-        keep_faster(s, peaks, speed, c[ix.TIME] + at, value(s.registers[s.roles.x], top, at), value(net, top - 1, at))
+        x = value(s.registers[s.roles.x], top, at)
+        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
+
+
+def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
+    """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
+    c = s.cells
+    before_end = c[ix.TIME] < c[ix.END_TIME]
+    others = enter_lines(s, at_limit & before_end)
+    simple = (c[ix.EVENT] == float(ix.EVENT_NONE)) & np.logical_not(endless) & np.logical_not(others)
+    settled = simple & (before_end | np.logical_not(at_limit))
+    i = np.flatnonzero(here & np.logical_not(settled))
+    if i.size:
+        settle(s, i, rate[i], at_limit[i], endless[i])
 
 
 def make_step(s: Lanes, here: Mask) -> None:
@@ -1789,7 +1913,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     room = limit - c[ix.TIME]
     top = expand(s, room, here, 0)
     choose_step(s, here, room, top)
-    reaches_limit = c[ix.STEP] >= room
+    reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
     uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
     endless = is_endless(s, here, room)
@@ -1799,21 +1923,21 @@ def make_step(s: Lanes, here: Mask) -> None:
     rate, slope = value_and_slope(net, top - 1, step)
     keep_peak(s, here, top, rate, slope)
     at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
-    until = np.where(at_limit, limit, c[ix.TIME] + step)
+    time = c[ix.TIME] + elapsed(s, top, step)
+    until = np.where(at_limit, limit, time)
     if s.samples:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
     steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
     advance_states(s, here, top)
+    rate = per_time(s, rate, c[ix.OMEGA])
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
     c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
         c[ix.STEPS])
     c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
-    i = np.flatnonzero(here)
-    if i.size:
-        settle(s, i, rate[i], at_limit[i], endless[i])
+    conclude(s, here, rate, at_limit, endless)
 
 
 def turned(x: Floats) -> tuple[Floats, Floats]:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 13bfe78e1b52db79ad3e70c649714f2f36813ec80afe05ca6276209084ab09f1
+# sha256 of the text below: 67c7c065e29f7fd811e2a721faf9471af457edb2f0c72aa50e0249cdc03d820b
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -124,9 +124,9 @@ TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY',
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu',
-    'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers', 'cell_normal_square',
-    'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine', 'cell_net_loss_vers',
-    'cell_net_loss_square', 'cell_loss_rate')
+    'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers',
+    'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine',
+    'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate')
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

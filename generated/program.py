@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 35e7d556e33571d0013919d167f88a1a756941f781ef2aa96364beb9ef563821
+# sha256 of the text below: 5f4ec64b459ef59c5b2a211f996961fddbced7d9e8f080fd5e9595b3320cead9
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -119,9 +119,14 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     effects, _, moving, absent = recipe
     made = Definitions()
     slip_factor = _include_laws(made, recipe, fragments)
-    for effect in ("gravity", *effects, "balance", *further):
-        for fragment in fragments(effect, "rotation" in effects):
+    for part in ("gravity", *effects, "balance", *further):
+        for fragment in fragments(part, "rotation" in effects):
             _include(made, fragment, moving, slip_factor)
+    varies = moving or len(made.states) > 2
+    alone = len(recipe.laws) == 1
+    if alone and "per_speed" in made.cells and not varies:
+        (of_pace,) = fragments("pace", False)
+        _include(made, of_pace)
     _define_functions_of_time(made, moving)
     not_shaken = () if "shaking" in effects else ("k_h", "k_v")  # symbols in the terms of other effects
     made.cells |= dict.fromkeys((*absent, *not_shaken), ("set", ZERO))
@@ -259,6 +264,7 @@ OUTPUT_CELLS = {
     "cell_resisting": "resisting_0",
     "cell_mu": "mu_0",
     "cell_limit": "limit",
+    "cell_pace": "pace",
 }
 # Sums of which phases have a closed form, with the roles of their constants, and registers by their names in roles.
 CONSTANTS = {"net": "cell_drive", "normal": "cell_normal0", "upright": "cell_normal_load"}
@@ -287,7 +293,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
             registers[name] = linker.event(registers[name])
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
-    outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
+    outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items() if name in definitions.cells}
     if not definitions.tables and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}

@@ -28,8 +28,8 @@ def alike(one: Any, other: Any, within: float) -> bool:
 
 FAULTS = {
     "a mask is dropped": ("step", "make_step", "here and reaches_limit and uneventful", "here and uneventful"),
-    "branches are swapped": ("step", "make_step", "where(at_limit, limit, s.time + step)",
-                             "where(at_limit, s.time + step, limit)"),
+    "branches are swapped": ("step", "make_step", "where(at_limit, limit, time)",
+                             "where(at_limit, time, limit)"),
     "a bound is wrong": ("roots", "value_and_slope", "down(n - 1, 0)", "down(n - 1, 1)"),
     "a sign is wrong": ("phases", "advance_origin", "lane.rotation + lane.direction", "lane.rotation - lane.direction"),
     "a direction is kept": ("step", "on_standstill", "face(lane, where(one_way, lane.direction, -lane.direction))",

@@ -42,7 +42,7 @@ CHANGES = {
 
 
 def forget() -> None:
-    for cached in (stages._parsed, stages._needs, stages.sources, stages._text, stages._own):
+    for cached in (stages._needs, stages.sources, stages._text, stages._own):
         cached.cache_clear()
 
 

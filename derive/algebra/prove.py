@@ -65,11 +65,12 @@ def prove_rational(expression: Expr, claim: str) -> None:
     """
     expression = reduce_roots(expression.replace(exp, lambda exponent: expand(exp(exponent))))
     unknowns = sorted(expression.atoms(Symbol, Function), key=default_sort_key)
-    context = fmpq_mpoly_ctx.get([f"x{i}" for i in range(len(unknowns))], Ordering.degrevlex)
+    names = [f"x{i}" for i in range(len(unknowns))]
+    context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
     one = context.constant(1)
-    known = {
-        x: (polynomial, one) for x, polynomial in zip((Integer(1), *unknowns), (one, *context.gens()), strict=True)
-    }
+    known = {Integer(1): (one, one)}
+    for x, polynomial in zip(unknowns, context.gens(), strict=True):
+        known[x] = (polynomial, one)
     numerator, _ = _quotient(expression, known, claim)
     if numerator != 0:
         prove_zero(expression, claim)
@@ -103,8 +104,8 @@ def _quotient(e: Expr, known: Mapping[Expr, Quotient], claim: str) -> Quotient:
             top, bottom = top * over, bottom * under
         else:  # denominators recur, so that their products would have high powers
             missing = under / bottom.gcd(under)
-            top = top * missing + over * (bottom * missing / under)
             bottom = bottom * missing
+            top = top * missing + over * (bottom / under)
     return top, bottom
 
 

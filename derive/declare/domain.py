@@ -2,7 +2,7 @@
 
 import heapq
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import reduce
 
 from flint import arb
@@ -48,29 +48,38 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
     """
     value = lambdify([*domain], e, [_ARITHMETIC])
     boxes = [(0, [*domain.values()])]
-    places = ""
+    middle: list[float] = []
     for count in range(1, BOXES):
         if not boxes:
             return "", ""
         _, box = heapq.heappop(boxes)
-        enclosed = arb(value(*(ball(*ends) for ends in box)))
+        balls = [ball(*ends) for ends in box]
+        enclosed = arb(value(*balls))
         if enclosed.lower() > BELOW:
             continue
         middle = [_middle(*ends) for ends in box]
-        here = arb(value(*map(arb, middle)))
-        places = ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, middle, strict=True))
+        points = map(arb, middle)
+        here = arb(value(*points))
         if here.upper() < BELOW:
-            return f"{float(here.mid()):.3g} at {places}", ""
+            return f"{float(here.mid()):.3g} at {_place(domain, middle)}", ""
         widest = max(range(len(box)), key=lambda k: _width(*box[k]))
         if _width(*box[widest]) < SMALL:
             if not enclosed.is_finite():
-                return f"a pole or a complex number next to {places}", ""
+                return f"a pole or a complex number next to {_place(domain, middle)}", ""
             continue
         rank = count if enclosed.is_finite() else -count
         low, high = box[widest]
         for half in ((low, middle[widest]), (middle[widest], high)):
             heapq.heappush(boxes, (rank, [*box[:widest], half, *box[widest + 1 :]]))
-    return "", places
+    return "", _place(domain, middle)
+
+
+def _place(domain: Mapping[Symbol, Ends], values: Sequence[float]) -> str:
+    """Return the values of the symbols as text."""
+    texts = []
+    for x, at in zip(domain, values, strict=True):
+        texts.append(f"{x} = {at:.3g}")
+    return ", ".join(texts)
 
 
 def _width(low: float, high: float) -> float:

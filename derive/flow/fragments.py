@@ -41,6 +41,7 @@ from derive.declare.effects import (
     Law,
     Parameter,
 )
+from derive.flow import pace
 from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
 
 # Inputs of every scene, over Theta*.
@@ -216,7 +217,9 @@ def law_fragment(law: Law) -> Fragment:
     low = Lowering(law.name, moving())
     if law.coefficient is not None and not law.kinks:
         inputs = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
-        return low.fragment({"mu": law.coefficient.xreplace(inputs)}, [str(x) for x in inputs.values()])
+        coefficient = law.coefficient.xreplace(inputs)
+        low.cells |= pace.of_friction(coefficient)
+        return low.fragment({"mu": coefficient}, [str(x) for x in inputs.values()])
     value = cell(f"{law.name}.VALUE")
     (variable,) = law.depends_on
     argument = {"time": f"d{law.name}", "speed": "log_speed"}.get(variable, "x")
@@ -381,4 +384,4 @@ def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAW
     every["product"] = both.fragment({"mu": Mul(*factors)})
     soils = Lowering("soils", {cell(x): varying(x) for x in (*SOIL_SUMS.values(), "slip_mu")})
     every["soils"] = soils.fragment({x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
-    return every | {"balance": _balance(), "energy": _energy()}
+    return every | {"balance": _balance(), "pace": pace.fragment(), "energy": _energy()}

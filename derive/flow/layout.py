@@ -127,6 +127,7 @@ ROLES = (
     "cell_driving",
     "cell_resisting",
     "cell_mu",
+    "cell_pace",
     "cell_net_sine",
     "cell_net_vers",
     "cell_net_square",

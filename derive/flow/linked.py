@@ -85,8 +85,11 @@ def rates(program: Program, known: Cells) -> dict[str, Expr]:
     cells = cells_of(program, known)
     values = registers_of(program, cells)
     found = {}
+    pace = ZERO
+    if "cell_pace" in program.roles:
+        pace = cells[program.roles["cell_pace"]]
     for cell, _, rate in program.states:
-        found[program.cells[cell]] = values[rate]
+        found[program.cells[cell]] = values[rate] / (1 + pace * now("omega"))
     normal = program.roles["normal"]
     if normal >= 0:
         found["normal"] = values[normal]

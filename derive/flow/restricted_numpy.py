@@ -41,7 +41,7 @@ FORMS = {
     "TABLE": "{of}.{x}",
     "TABLE.series": "{s}.registers[{of}.register]",
     "NOW": "c[{of}.cell{at}]",
-    "HAS_OWN_RADIUS": "({of}.rate != {s}.roles.omega)",
+    "HAS_OWN_RADIUS": "({of}.register != {s}.roles.x)",
     "STATE.series": "{s}.registers[{of}.register]",
     "STATE.rate": "{s}.registers[{of}.rate]",
     "inverse": "(1.0 / ({x}))",

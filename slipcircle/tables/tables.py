@@ -1,6 +1,7 @@
 """Piecewise polynomials of slip, speed, time or rotation for friction laws, records and pulses."""
 
 from collections.abc import Mapping
+from functools import lru_cache
 from itertools import chain
 from typing import Any
 
@@ -77,12 +78,12 @@ def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> 
     return continuous(starts, coefficients)
 
 
-def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
-    """Return the linear interpolation of samples, with constant values before the first and after the last.
+def lines(places: Floats, values: Floats, held: bool = False) -> Data:
+    """Return the linear interpolation of samples, zero outside, or continued by the first and the last if `held`.
 
-    `places` are the increasing arguments of the samples, such as times in s. `before` and `after` are the constant
-    values.
+    `places` are the increasing arguments of the samples, such as times in s.
     """
+    before, after = (values[0], values[-1]) if held else (0.0, 0.0)
     first = places[:1] - 1.0
     breaks = np.concatenate([first, places])
     coefficients = np.zeros((len(breaks), 2))
@@ -186,16 +187,10 @@ def of_list(argument: str, places: Floats, values: Floats) -> Data:
         breaks = np.concatenate([[0.0], places])
         coefficients = np.vstack([constant, cubics.coefficients])
         return continuous(breaks, coefficients)
-    return _held_lines(places, values)
+    return lines(places, values, held=True)
 
 
-def _held_lines(places: Floats, values: Floats) -> Data:
-    """Return the linear interpolation of samples at increasing places, continued by the first and the last value."""
-    first = float(values[0])
-    last = float(values[-1])
-    return lines(places, values, first, last)
-
-
+@lru_cache(maxsize=2)  # a record is often solved several times, one after the other
 def of_time(function: Series | LaneSeries | Pulse) -> Data:
     """Return the pieces of a function of time in s, or of one function per lane. A lane is a member of an ensemble."""
     if isinstance(function, LaneSeries):
@@ -214,9 +209,7 @@ def of_time(function: Series | LaneSeries | Pulse) -> Data:
         return Data(breaks, coefficients, jumps, first=first)
     if isinstance(function, Pulse):
         return _of_pulse(function)
-    if function.held:
-        return _held_lines(function.time, function.values)
-    return lines(function.time, function.values, 0.0, 0.0)
+    return lines(function.time, function.values, function.held)
 
 
 def _of_pulse(pulse: Pulse) -> Data:
@@ -227,4 +220,4 @@ def _of_pulse(pulse: Pulse) -> Data:
     is_constant = pulse.name == "rectangular"
     heights = [amplitude, amplitude] if is_constant else [0.0, amplitude, 0.0]
     values = np.array(heights)
-    return lines(pulse.kinks, values, 0.0, 0.0)
+    return lines(pulse.kinks, values)

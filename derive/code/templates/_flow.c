@@ -337,7 +337,11 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #include <immintrin.h>
 #endif
 
+#ifdef __wasm__ /* pages shall be small */
+#define INLINE static inline
+#else
 #define INLINE static inline __attribute__((always_inline))
+#endif
 #define APART static __attribute__((noinline)) /* what all programs call, once, so that wheels are small */
 #define NAMED_(name, level) name##_##level
 #define NAMED(name, level) NAMED_(name, level)
@@ -632,6 +636,33 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
     return b->job->data[t].jumps[piece];
 }
 
+/* The same of a piece in each lane, and the coefficients of a straight line there. */
+INLINE V breaks_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V jumps_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V slopes_at(const Batch *b, int t, V piece)
+{
+    const Data *const d = b->job->data + t;
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    return x;
+}
+
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
 {
@@ -641,8 +672,10 @@ static void note(const Batch *b, unsigned k, int kind)
     row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
 }
 
+INLINE V variable_at(Batch *b, int top, V time);
+
 /* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
-static void read_samples(const Batch *b, unsigned k, double begin, double end, int moving, int top)
+static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
 {
     const Job *const job = b->job;
     const V *const c = b->c;
@@ -657,8 +690,10 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
     const int closed = end >= c[END_TIME][k] && end < INFINITY;
     const int32_t net = job->role->net;
     for (int64_t i = low; i < job->samples; i++) {
-        const double time = times[i * across], past = time - begin;
+        const double time = times[i * across], since = time - begin;
         if (!(time < end || (closed && time == end))) break;
+        const int paced = moving && job->role->pace >= 0;
+        const double past = paced ? variable_at(b, top, broadcast(since))[k] : since;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
             const int32_t of = j < 0 ? net : job->state[j].series;
@@ -667,6 +702,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
             states[j < 0 ? 2 : j < 2 ? j : j + 2] = moving || j < 2 ? sum : c[job->state[j].cell][k];
         }
         states[3] = c[SLIP][k] + states[0], states[0] = c[ROTATION][k] + c[DIRECTION][k] * states[0];
+        if (paced) states[2] /= 1.0 + c[job->role->pace][k] * states[1];
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }

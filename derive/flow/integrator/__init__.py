@@ -13,7 +13,8 @@ other     cohesion, drag, viscosity
 
 A lane is one motion. Its numbers, called cells, are attributes (see `derive.flow.layout`). The program of a scene
 contains only the terms of its effects, as operations on series, in increments since the lane's phase began. A step is a
-Taylor series in time, as long as its radius of convergence allows. Events are roots of the step's series.
+Taylor series in time, as long as its radius of convergence allows. Events are roots of the step's series. Under rate
+weakening the variable of a step is tau instead of the time (see `derive.flow.pace`).
 
 step       steps of moving lanes to the first event, and the consequences of events: standstill, an upright chord,
            lift-off and landing, edges of tables, the end time

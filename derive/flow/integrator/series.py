@@ -11,6 +11,7 @@ from derive.flow.integrator.one_lane import (
     V,
     all_lanes,
     any_lane,
+    down,
     greatest,
     least,
     log2_of,
@@ -24,9 +25,11 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
+from derive.flow.integrator.roots import value
 from derive.flow.integrator.tables import expand_sine
 
 ROUNDING = 2.0**-56  # size over the largest term of a series below which a term is rounding
+CORRECTIONS = 10  # of the variable of a step
 LARGEST = 1000.0 * 2.0**40  # greatest log2 of a radius, scaled like `log2_of`
 
 
@@ -39,11 +42,44 @@ def begin_series(s: Lanes) -> None:
             t.series[0] = t.inc
 
 
+def per_time(s: Lanes, rate: V, omega: V) -> V:
+    """Return a rate by time from a rate by tau, the variable of a step, where dt = (1 + pace omega) dtau."""
+    if s.has.pace:
+        return rate / (1.0 + s.pace * omega)
+    return rate
+
+
+def elapsed(s: Lanes, top: N, at: V) -> V:
+    """Return the time since the beginning of a step from its variable."""
+    if s.has.pace:
+        omega = s.series.omega
+        mean: V = 0.0
+        for k in down(top, 0):
+            coefficient = omega[k] * s.inverse[k + 1]
+            mean = mean * at + coefficient
+        return at * (1.0 + s.pace * mean)
+    return at
+
+
+def variable_at(s: Lanes, top: N, time: V) -> V:
+    """Return the variable of a step from the time since its beginning, by Newton's method."""
+    at = minimum(time, s.step)
+    for _ in up(1, CORRECTIONS):
+        omega = value(s.series.omega, top, at)
+        left = time - elapsed(s, top, at)
+        at = at + per_time(s, left, omega)
+    return at
+
+
 def evaluate(s: Lanes) -> None:
-    """Compute order 0 of all registers."""
+    """Compute order 0 of all registers. Rates of states are per time."""
     begin_series(s)
     operate(s, 0)
     operate_later(s, 1)
+    omega = s.series.omega[0]
+    for q in s.states:
+        rate = q.rate[0]
+        q.rate[0] = per_time(s, rate, omega)
 
 
 def normal_force(s: Lanes) -> V:

@@ -38,8 +38,8 @@ from derive.flow.integrator.roots import (
     value,
     value_and_slope,
 )
-from derive.flow.integrator.series import expand, radius_of_convergence
-from derive.flow.integrator.tables import next_break, pass_breaks
+from derive.flow.integrator.series import elapsed, expand, per_time, radius_of_convergence, variable_at
+from derive.flow.integrator.tables import enter_lines, next_break, pass_breaks
 
 FAR = 1e300  # unreachable bound
 
@@ -146,6 +146,15 @@ def consider(s: Lanes, here: M, at: V, event: N) -> None:
     """
     s.event = where(at <= s.step, number(event), s.event)
     s.step = minimum(at, s.step)
+
+
+def reach_limit(s: Lanes, here: M, room: V, top: N) -> M:
+    """Shorten the step to the time left, and return the lanes that reach its end."""
+    reaches = here and elapsed(s, top, s.step) >= room
+    if s.has.pace and any_lane(reaches):
+        at = variable_at(s, top, room)
+        s.step = where(reaches, at, s.step)
+    return reaches
 
 
 def find_standstill(s: Lanes, here: M, top: N) -> None:
@@ -258,8 +267,20 @@ def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
     at = falling_root(net, top - 1, s.step, rate, slope, here)
     peaks = at < INFINITY
     if any_lane(peaks):
+        time = s.time + elapsed(s, top, at)
         speed = value(s.series.omega, top, at)
-        keep_faster(s, peaks, speed, s.time + at, value(s.series.x, top, at), value(net, top - 1, at))
+        x = value(s.series.x, top, at)
+        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
+
+
+def conclude(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
+    """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
+    before_end = s.time < s.end_time
+    others = enter_lines(s, at_limit and before_end)
+    simple = s.event == number(Event.NONE) and not endless and not others
+    settled = simple and (before_end or not at_limit)
+    if here and not settled:
+        settle(s, rate, at_limit, endless)
 
 
 def make_step(s: Lanes, here: M) -> None:
@@ -268,7 +289,7 @@ def make_step(s: Lanes, here: M) -> None:
     room = limit - s.time
     top: N = expand(s, room, here, 0)
     choose_step(s, here, room, top)
-    reaches_limit = s.step >= room
+    reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
     uneventful = s.event == number(Event.NONE)
     endless = is_endless(s, here, room)
@@ -278,14 +299,15 @@ def make_step(s: Lanes, here: M) -> None:
     rate, slope = value_and_slope(net, top - 1, step)
     keep_peak(s, here, top, rate, slope)
     at_limit = here and reaches_limit and uneventful and not endless
-    until = where(at_limit, limit, s.time + step)
+    time = s.time + elapsed(s, top, step)
+    until = where(at_limit, limit, time)
     if s.samples and here:
         read_samples(s, s.time, until, 1, top)
     steady = abs(net[0]) * step < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
     advance_states(s, here, top)
+    rate = per_time(s, rate, s.omega)
     keep_faster(s, here, s.omega, until, s.x, rate)
     s.time = until
     s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
     s.passed = number(Passed.NOTHING)
-    if here:
-        settle(s, rate, at_limit, endless)
+    conclude(s, here, rate, at_limit, endless)

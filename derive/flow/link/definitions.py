@@ -120,9 +120,14 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     effects, _, moving, absent = recipe
     made = Definitions()
     slip_factor = _include_laws(made, recipe, fragments)
-    for effect in ("gravity", *effects, "balance", *further):
-        for fragment in fragments(effect, "rotation" in effects):
+    for part in ("gravity", *effects, "balance", *further):
+        for fragment in fragments(part, "rotation" in effects):
             _include(made, fragment, moving, slip_factor)
+    varies = moving or len(made.states) > 2
+    alone = len(recipe.laws) == 1
+    if alone and "per_speed" in made.cells and not varies:
+        (of_pace,) = fragments("pace", False)
+        _include(made, of_pace)
     _define_functions_of_time(made, moving)
     not_shaken = () if "shaking" in effects else ("k_h", "k_v")  # symbols in the terms of other effects
     made.cells |= dict.fromkeys((*absent, *not_shaken), ("set", ZERO))

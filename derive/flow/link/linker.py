@@ -23,6 +23,7 @@ OUTPUT_CELLS = {
     "cell_resisting": "resisting_0",
     "cell_mu": "mu_0",
     "cell_limit": "limit",
+    "cell_pace": "pace",
 }
 # Sums of which phases have a closed form, with the roles of their constants, and registers by their names in roles.
 CONSTANTS = {"net": "cell_drive", "normal": "cell_normal0", "upright": "cell_normal_load"}
@@ -51,7 +52,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
             registers[name] = linker.event(registers[name])
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
-    outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
+    outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items() if name in definitions.cells}
     if not definitions.tables and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}

@@ -76,15 +76,21 @@ class Problem:
         Cells are the numbers by which the integrator describes a lane; ``which`` is a NumPy index of lanes.
         """
         program = self.program
+        shared = self.start
+        if self.lanes != 1:
+            shared = {name: value for name, value in shared.items() if not isinstance(value, np.ndarray)}
+        column = np.zeros(len(program.cells) + 1)
+        column[_places(program, tuple(shared))] = [*shared.values()]
+        column = column[:-1, None]
         if self.lanes == 1 and which is EVERY:
-            column = np.zeros(len(program.cells) + 1)
-            column[_places(program, tuple(self.start))] = [*self.start.values()]
-            return column[:-1, None]
+            return column
         count = np.arange(self.lanes)[which].size
         cells = np.empty((len(program.cells), count))  # others are computed where phases begin
-        for name in (*program.cells[: program.given], *program.constants):
-            value = self.start.get(name, 0.0)
-            cells[program.places[name]] = value[which] if isinstance(value, np.ndarray) else value
+        for rows in (slice(program.given), slice(-len(program.constants), None)):
+            cells[rows] = column[rows]
+        for name, value in self.start.items():
+            if name not in shared and name in program.places:
+                cells[program.places[name]] = value[which]
         return cells
 
     def begin_with(self, **cells: Any) -> "Problem":

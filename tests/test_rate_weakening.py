@@ -1,0 +1,89 @@
+"""Rate weakening, whose steps are in a variable tau instead of the time, in which friction needs no quotient."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from sympy import Expr
+
+from derive.check.proof import ProofError
+from derive.declare.effects import EFFECTS, LAWS
+from derive.flow import fragments, linked, pace
+from slipcircle import Scene, load, solve
+from tests.support import oracle, taylor
+from tests.support.lanes import BACKENDS, Recipe, backend, build_program
+
+VAIONT: Scene[Any] = load("vaiont")
+GIVEN = {"arc": oracle.plain(VAIONT.arc), "effects": dict(VAIONT.called), "initial_velocity": 0.0, "end_time": None}
+TURNING = ("rotation", "centripetal")
+SHARES = [0.01, 0.3, 0.55, 0.9]
+
+
+def law(peak: Any, velocity: float) -> dict[str, Any]:
+    return {"law": "rate_weakening", "peak": peak, "residual": 0.14, "velocity": velocity}
+
+
+@pytest.mark.parametrize("velocity", [0.05, 1.0, 20.0])
+def test_ensembles_have_the_digits_of_a_plain_integration(velocity: float) -> None:
+    """Vaiont at three frictions, by Taylor series in time with twenty digits."""
+    peaks = np.tan(np.radians([10.0, 19.5, 22.5]))
+    found = solve(replace(VAIONT, friction=law(peaks, velocity)), 1e-9).outcomes
+    for lane, peak in enumerate(peaks.tolist()):
+        exact = taylor.solve(GIVEN | {"friction": law(peak, velocity)}, digits=20)
+        for name in ("run_out", "duration", "peak_velocity"):
+            assert found[name][lane] == pytest.approx(float(exact[name]), rel=1e-10), name
+
+
+@pytest.mark.parametrize("name", BACKENDS)
+def test_states_at_given_times_and_at_the_end_time(name: str) -> None:
+    friction = law(math.tan(math.radians(14.0)), 1.0)
+    exact = taylor.solve(GIVEN | {"friction": friction}, SHARES, digits=20)
+    with backend(name):
+        scene = replace(VAIONT, friction=friction)
+        motion = solve(scene)
+        state = motion.at(exact["times"])
+        cut = [solve(replace(scene, end_time=time)).end for time in exact["times"]]
+        after = [motion.at(np.array([time - 1e-4, time + 1e-4])).velocity for time in exact["times"]]
+    for k, (place, speed) in enumerate(zip(exact["displacement"], exact["velocity"], strict=True)):
+        assert state.displacement[k] == pytest.approx(float(place), rel=1e-12)
+        assert state.velocity[k] == pytest.approx(float(speed), rel=1e-12)
+        assert cut[k].displacement == pytest.approx(float(place), rel=1e-12)
+        assert cut[k].velocity == pytest.approx(float(speed), rel=1e-12)
+        slope = float(after[k][1] - after[k][0]) / 2e-4
+        assert state.acceleration[k] == pytest.approx(slope, rel=1e-6, abs=1e-6)
+        assert cut[k].acceleration == pytest.approx(slope, rel=1e-6, abs=1e-6)
+
+
+def test_tau_replaces_the_time_where_a_quotient_of_the_speed_is_the_only_friction() -> None:
+    """Functions of time, further states and a law of slip beside it leave the time."""
+    (weakening,) = [x.name for x in LAWS if x.coefficient is not None and pace.of_friction(x.coefficient)]
+    alone = build_program(Recipe(TURNING, (weakening,)))
+    others = [
+        build_program(Recipe(TURNING, ("exponential", weakening))),
+        build_program(Recipe((*TURNING, "shaking"), (weakening,), ("k_h",), ("k_v",))),
+        build_program(Recipe((*TURNING, "thermal_pressurisation"), (weakening,))),
+    ]
+    assert "rec" not in {kind for kind, *_ in alone.series}
+    for program in others:
+        assert "rec" in {kind for kind, *_ in program.series}
+        assert "cell_pace" not in program.roles
+
+
+@pytest.mark.parametrize("wrong", ["far", "per_speed"])
+def test_another_friction_than_declared_is_no_theorem(wrong: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    (weakening,) = [x for x in LAWS if x.coefficient is not None and pace.of_friction(x.coefficient)]
+    effects = [effect for effect in EFFECTS if not effect.states and {p.kind for p in effect.parameters} <= {"number"}]
+    assert linked.prove_case(effects, (weakening,))
+    right = pace.of_friction
+
+    def of_friction(coefficient: Expr) -> dict[str, Expr]:
+        found = right(coefficient)
+        return {x: 2 * e if x == wrong else e for x, e in found.items()}
+
+    monkeypatch.setattr(pace, "of_friction", of_friction)
+    fragments.law_fragment.cache_clear()
+    with pytest.raises(ProofError, match=r"d.*/dt"):
+        linked.prove_case(effects, (weakening,))
+    fragments.law_fragment.cache_clear()
