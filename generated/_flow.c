@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "609c68d34ddfb13df38f28d607afa54b4f27082ece611a00a30ea42216e5b28a"
+#define DIGEST "b5da60cfa01b3c400dd9a88e7ae9f4b3a4f2f9884c76ab13ead19ad2fb8cd8e5"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1993,8 +1993,8 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of its terms.
- * The end is estimated by a parabola. If it is too near, another step follows. */
+/* Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms. The
+ * end is estimated by a parabola. If it is too near, another step follows. */
 INLINE V look_for_end(Batch *b, V room)
 {
     const Job *const job = b->job;

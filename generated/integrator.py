@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 85acf7971fe804c3acf447a45b10ea81b9869af2ae647916ca820ec2e06caaf9
+# sha256 of the text below: fa4f89a62436c570645788e870fb0f598b519835512df83a416a0ea5f071d0e5
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -922,7 +922,7 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
 
 
 def look_for_end(s: Lanes, room: Floats) -> Floats:
-    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of its terms."""
+    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms."""
     c = s.cells
     e = s.registers[s.roles.omega]
     root = np.sqrt(np.maximum(e[1] * e[1] - 4.0 * (e[0] * e[2]), 0.0))

@@ -167,7 +167,7 @@ def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
 
 
 def look_for_end(s: Lanes, room: V) -> V:
-    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of its terms.
+    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms.
 
     The end is estimated by a parabola. If it is too near, another step follows.
     """
