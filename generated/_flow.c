@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b5da60cfa01b3c400dd9a88e7ae9f4b3a4f2f9884c76ab13ead19ad2fb8cd8e5"
+#define DIGEST "fa91ceb83eb265bf8b00be8cd46585ba4d42f8e5a53de979166ea2a59f219c32"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1368,7 +1368,9 @@ INLINE V inside_or_middle(V at, V low, V high)
 static V bracketed_root(V *p, int n, V low, V at_low, V high, V at_high, M which)
 {
     M falls = at_low > 0.0;
-    V at = inside_or_middle(low + ((high - low) * (at_low / (at_low - at_high))), low, high);
+    V share = at_low / (at_low - at_high);
+    V chord = low + ((high - low) * share);
+    V at = inside_or_middle(chord, low, high);
     int count = 0;
     while (bits(which) && (count < MOST_ITERATIONS)) {
         const Pair residual_slope = value_and_slope(p, n, at);
@@ -1934,7 +1936,7 @@ INLINE void cut(Batch *b, V order, int top)
 }
 
 /* Set order 0 of the registers that do not result from operations, and the series of functions of time. */
-INLINE void begin_expansion(Batch *b, M which, int top)
+INLINE void begin_expansion(Batch *b, M which, int top, int at_rest, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1949,32 +1951,42 @@ INLINE void begin_expansion(Batch *b, M which, int top)
             }
         }
     }
-}
-
-/* Compute coefficient n + 1 of the states from coefficient n of their rates. It is zero beyond a lane's order and
- * at rest. */
-INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
-{
-    const Job *const job = b->job;
-    for (const State *q = job->state; q < job->state + job->states; q++) {
-        V coefficient = broadcast(0.0);
-        if (!at_rest) {
-            coefficient = (b->r + q->rate)[n] * b->inverse[n + 1];
-        }
-        (b->r + q->series)[n + 1] = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
+    if (by_rotation && (job->role->square >= 0)) {
+        (b->r + job->role->square)[0] = c[OMEGA];
     }
+    c[LARGEST_X] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->x)[0]);
+    c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
 }
 
 /* Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation. */
 INLINE void integrate_in_rotation(Batch *b, int n, V order, int alike)
 {
     const Job *const job = b->job;
-    V coefficient = 2.0 * ((b->r + job->role->net)[n] * b->inverse[n + 1]);
+    V rate = 2.0 * (b->r + job->role->net)[n];
+    V coefficient = rate * b->inverse[n + 1];
     coefficient = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
     (b->r + job->role->omega)[n + 1] = coefficient;
     (b->r + job->role->x)[n + 1] = broadcast((n == 0) ? 1.0 : 0.0);
     if (job->role->square >= 0) {
         (b->r + job->role->square)[n + 1] = coefficient;
+    }
+}
+
+/* Compute coefficient n + 1 of the states from coefficient n of their rates. It is zero beyond a lane's order and
+ * at rest. */
+INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest, int by_rotation)
+{
+    const Job *const job = b->job;
+    if (by_rotation) {
+        integrate_in_rotation(b, n, order, alike);
+        return;
+    }
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        V coefficient = broadcast(0.0);
+        if (!at_rest) {
+            coefficient = (b->r + q->rate)[n] * b->inverse[n + 1];
+        }
+        (b->r + q->series)[n + 1] = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
     }
 }
 
@@ -2000,9 +2012,15 @@ INLINE V look_for_end(Batch *b, V room)
     const Job *const job = b->job;
     V *const c = b->c;
     V *e = b->r + job->role->omega;
-    V root = sqrt_of(maximum((e[1] * e[1]) - (4.0 * (e[0] * e[2])), broadcast(0.0)));
-    V path = pick(e[2] < 0.0, minimum((BEYOND * (e[1] + root)) / ((-2.0) * e[2]), room), room);
-    c[LARGEST_OMEGA] = maximum(magnitude(e[0]), path * maximum(magnitude(e[1]), path * maximum(magnitude(e[2]), path * magnitude(e[3]))));
+    V product = e[0] * e[2];
+    V square = (e[1] * e[1]) - (4.0 * product);
+    V root = sqrt_of(maximum(square, broadcast(0.0)));
+    V end = (e[1] + root) / ((-2.0) * e[2]);
+    V nearer = minimum(BEYOND * end, room);
+    V path = pick(e[2] < 0.0, nearer, room);
+    V largest = maximum(magnitude(e[2]), path * magnitude(e[3]));
+    largest = maximum(magnitude(e[1]), path * largest);
+    c[LARGEST_OMEGA] = maximum(magnitude(e[0]), path * largest);
     return path;
 }
 
@@ -2017,26 +2035,17 @@ INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
     V order = pick(which, c[ORDER], broadcast(1.0));
     int top = greatest(order);
     int alike = all_lanes(order == (double)top);
-    begin_expansion(b, which, top);
-    if (by_rotation && (job->role->square >= 0)) {
-        (b->r + job->role->square)[0] = c[OMEGA];
-    }
-    c[LARGEST_X] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->x)[0]);
-    c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
+    begin_expansion(b, which, top, at_rest, by_rotation);
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
     while (n < top) {
         operate(b, n, by_rotation);
-        if (by_rotation) {
-            integrate_in_rotation(b, n, order, alike);
-        }
-        if (!by_rotation) {
-            integrate_rates(b, n, order, alike, at_rest);
-        }
+        integrate_rates(b, n, order, alike, at_rest, by_rotation);
         if (by_rotation && (n == 3)) {
             room = look_for_end(b, room);
-            power = (room * room) * (room * room);
+            power = room * room;
+            power = power * power;
             in_a_row = broadcast(0.0);
         }
         if (job->timed || by_rotation) {
@@ -3107,22 +3116,28 @@ INLINE V time_over(V *p, int n, V base, V way, V beyond, V per)
     V first = sqrt_of(beyond);
     V left = 1.0 - (per * size);
     V stretch = 1.0 + (per * beyond);
-    V span = (size * stretch) / (left * (first + sqrt_of((beyond + size) / left)));
+    V final = sqrt_of((beyond + size) / left);
+    V span = (size * stretch) / (left * (first + final));
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
     for (int k = TO_PEAK; k <= (TO_PEAK + FROM_PEAK) - 1; k++) {
         V past = span * NODES[k];
         V v = first + past;
-        V share = 1.0 / (1.0 + (per * (v * v)));
+        V square = v * v;
+        V share = 1.0 / (1.0 + (per * square));
         V y = (past * (first + v)) * share;
-        V slowness = (v * (share * share)) / sqrt_of(value(p, n, base + (side * y)));
+        V at = base + (side * y);
+        V speed = sqrt_of(value(p, n, at));
+        V slowness = (v * (share * share)) / speed;
         total = total + (SHARES[k] * slowness);
         last = last + (LAST_SHARES[k] * slowness);
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
-    M even = (magnitude(last) + magnitude(last_but_one)) <= (EVEN * total);
-    return pick(size > 0.0, pick(even, (span * stretch) * total, broadcast(INFINITY)), broadcast(0.0));
+    V unevenness = magnitude(last) + magnitude(last_but_one);
+    V time = (span * stretch) * total;
+    time = pick(unevenness <= (EVEN * total), time, broadcast(INFINITY));
+    return pick(size > 0.0, time, broadcast(0.0));
 }
 
 /* Return the distance from ``base`` at which E has a zero, by Newton's method as far as it converges. It is
@@ -3133,12 +3148,15 @@ INLINE V distance_of_rest(V *p, int n, V base, V side, V far)
     V at = at_slope.one, slope = at_slope.other;
     V distance = ((-side) * at) / slope;
     for (int _ = 1; _ <= NEWTON; _++) {
-        const Pair at_slope = value_and_slope(p, n, base + (side * distance));
+        V there = base + (side * distance);
+        const Pair at_slope = value_and_slope(p, n, there);
         V at = at_slope.one, slope = at_slope.other;
         V change = ((-side) * at) / slope;
-        distance = pick(magnitude(change) < (0.5 * distance), distance + change, distance);
+        M converges = magnitude(change) < (0.5 * distance);
+        distance = pick(converges, distance + change, distance);
     }
-    return pick(distance >= 0.0, minimum(distance, far), far);
+    V nearest = minimum(distance, far);
+    return pick(distance >= 0.0, nearest, far);
 }
 
 /* Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain. ``peak``
@@ -3153,20 +3171,26 @@ INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
     V slope = value(b->r + job->role->net, top - 1, step);
     V far = STRAIGHT * step;
     M stands = c[EVENT] == (double)EVENT_STANDSTILL;
-    V to_end = pick(stands, broadcast(0.0), distance_of_rest(e, top, step, broadcast(1.0), far));
+    V to_end = distance_of_rest(e, top, step, broadcast(1.0), far);
+    to_end = pick(stands, broadcast(0.0), to_end);
     M rises = e[1] > 0.0;
     M falls = ~rises & (slope < 0.0);
-    V behind = pick(rises, distance_of_rest(e, top, broadcast(0.0), broadcast(-1.0), far), far);
-    V ahead = pick(peaks, 1.0 / (step + to_end), maximum((-e[2]) / e[1], broadcast(0.0)));
-    V first = minimum(peak, step);
-    ahead = pick(rises & ((ahead * first) < NEAREST), ahead, broadcast(0.0));
+    V behind = distance_of_rest(e, top, broadcast(0.0), broadcast(-1.0), far);
+    behind = pick(rises, behind, far);
+    V by_bend = maximum((-e[2]) / e[1], broadcast(0.0));
+    V ahead = pick(peaks, 1.0 / (step + to_end), by_bend);
+    V path = minimum(peak, step);
+    M near = rises & ((ahead * path) < NEAREST);
+    ahead = pick(near, ahead, broadcast(0.0));
     V beyond = pick(falls, to_end, behind);
     V base = pick(falls, step, broadcast(0.0));
-    V before = time_over(e, top, base, pick(falls, -step, first), beyond, ahead);
+    path = pick(falls, -step, path);
+    V before = time_over(e, top, base, path, beyond, ahead);
     V after = broadcast(0.0);
     if (bits(peaks)) {
-        V left = pick(peaks, step - peak, broadcast(0.0));
-        after = time_over(e, top, step, -left, to_end, pick(rises, 1.0 / (step + behind), broadcast(0.0)));
+        V back = pick(peaks, peak - step, broadcast(0.0));
+        V from_end = pick(rises, 1.0 / (step + behind), broadcast(0.0));
+        after = time_over(e, top, step, back, to_end, from_end);
     }
     return (Pair){before, after};
 }
@@ -3194,7 +3218,9 @@ INLINE void shorten(Batch *b, M here)
     M bends = here & (e[2] > 0.0) & (e[1] >= 0.0);
     V by_slope = e[1] / e[2];
     V by_speed = sqrt_of(e[0] / e[2]);
-    c[STEP] = pick(here, pick(bends, minimum(REACH * (by_slope + by_speed), c[STEP]), c[STEP]), c[STEP]);
+    V most = REACH * (by_slope + by_speed);
+    V shorter = minimum(most, c[STEP]);
+    c[STEP] = pick(here, pick(bends, shorter, c[STEP]), c[STEP]);
 }
 
 /* Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity. */
@@ -3202,9 +3228,10 @@ static V greatest_speed(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    const Pair rate_slope = value_and_slope(b->r + job->role->net, top - 1, c[STEP]);
+    V *net = b->r + job->role->net;
+    const Pair rate_slope = value_and_slope(net, top - 1, c[STEP]);
     V rate = rate_slope.one, slope = rate_slope.other;
-    return falling_root(b->r + job->role->net, top - 1, c[STEP], rate, slope, here);
+    return falling_root(net, top - 1, c[STEP], rate, slope, here);
 }
 
 /* Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``. */
@@ -3220,11 +3247,15 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
     if (bits(peaks)) {
         V there = pick(peaks, peak, broadcast(0.0));
         V speed = sqrt_of(value(e, top, there));
-        keep_faster(b, peaks, speed, c[TIME] + before, c[X] + there, value(net, top - 1, there));
+        V slope = value(net, top - 1, there);
+        keep_faster(b, peaks, speed, c[TIME] + before, c[X] + there, slope);
     }
-    M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * e[0])) & (c[EVENT] == (double)EVENT_NONE);
+    V change = magnitude(net[0]) * step;
+    M uneventful = c[EVENT] == (double)EVENT_NONE;
+    M steady = (change < ((double)STIFF_CHANGE * e[0])) & uneventful;
     c[X] = pick(here, c[X] + step, c[X]);
-    c[OMEGA] = pick(here, sqrt_of(maximum(e[0] + increment(e, top, step), broadcast(0.0))), c[OMEGA]);
+    V square = e[0] + increment(e, top, step);
+    c[OMEGA] = pick(here, sqrt_of(maximum(square, broadcast(0.0))), c[OMEGA]);
     keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
     c[STEPS] = pick(here, c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0)), c[STEPS]);
@@ -3260,9 +3291,11 @@ static void turn_on(Batch *b, M here)
         unsure = here & ~((before + after) < INFINITY);
         count = count + 1;
     }
-    V until = c[TIME] + (before + after);
+    V duration = before + after;
+    V until = c[TIME] + duration;
     M stands = c[STEP] == 0.0;
-    M fits = here & (until < c[END_TIME]) & (((before + after) > SHORTEST) | stands);
+    M regular = (duration > SHORTEST) | stands;
+    M fits = here & regular & (until < c[END_TIME]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[CLOCKED] = pick(here, pick(fits, broadcast(0.0), broadcast(1.0)), c[CLOCKED]);
     if (bits(fits)) {
@@ -3311,7 +3344,8 @@ INLINE V faded(V y)
 /* Compute the factors of E, followed by q. */
 INLINE void factors(V *e, V drive, V sine, V vers, V q)
 {
-    V share = 2.0 / (1.0 + (q * q));
+    V square = q * q;
+    V share = 2.0 / (1.0 + square);
     e[0] = 2.0 * drive;
     e[3] = share * (vers - (sine * q));
     e[2] = share * (sine + (vers * q));
@@ -3333,7 +3367,9 @@ INLINE void functions(V *f, V x, V q)
 /* Return E from its factors and its functions. */
 INLINE V energy(V *e, V *f)
 {
-    return (e[0] * f[0]) + ((e[1] * f[1]) + ((e[2] * f[2]) + (e[3] * f[3])));
+    V faded_part = e[1] * f[1];
+    V turned_part = (e[2] * f[2]) + (e[3] * f[3]);
+    return (e[0] * f[0]) + (faded_part + turned_part);
 }
 
 /* Return the derivative of E. */
@@ -3341,7 +3377,9 @@ INLINE V slope_of(V *e, V *f)
 {
     V sine = f[0] - f[3];
     V lost = f[0] - (e[4] * f[1]);
-    return e[0] + ((e[1] * lost) + ((e[2] * sine) + (e[3] * f[2])));
+    V faded_part = e[1] * lost;
+    V turned_part = (e[2] * sine) + (e[3] * f[2]);
+    return e[0] + (faded_part + turned_part);
 }
 
 /* Return the second derivative of E. */
@@ -3350,7 +3388,9 @@ INLINE V bend_of(V *e, V *f)
     V sine = f[0] - f[3];
     V cosine = 1.0 - f[2];
     V lost = f[0] - (e[4] * f[1]);
-    return (e[1] * (1.0 - (e[4] * lost))) + ((e[2] * cosine) + (e[3] * sine));
+    V faded_part = e[1] * (1.0 - (e[4] * lost));
+    V turned_part = (e[2] * cosine) + (e[3] * sine);
+    return faded_part + turned_part;
 }
 
 /* Compute the factors of E about the end of a phase, from the four functions there. */
@@ -3358,7 +3398,8 @@ INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
 {
     V sine_end = f[0] - f[3];
     V cosine = 1.0 - f[2];
-    V at_end = drive + ((sine * sine_end) + (vers * f[2]));
+    V change = (sine * sine_end) + (vers * f[2]);
+    V at_end = drive + change;
     V sine_back = (sine * cosine) + (vers * sine_end);
     V vers_back = (sine * sine_end) - (vers * cosine);
     factors(back, -at_end, sine_back, vers_back, -q);
@@ -3369,7 +3410,9 @@ INLINE void reverse(V *f, V q)
 {
     V y = q * f[0];
     V faded_by = (1.0 - y) + ((q * q) * f[1]);
-    f[1] = (((f[0] * f[0]) - f[1]) - (y * f[1])) / faded_by;
+    V square = f[0] * f[0];
+    V rest = (square - f[1]) - (y * f[1]);
+    f[1] = rest / faded_by;
 }
 
 /* Compute the factors of E. */
@@ -3434,8 +3477,10 @@ INLINE V softening_energy(V *e, V *f)
     for (int k = LAST; k >= 0; k--) {
         grown = FADING[k] - (grown * shift);
     }
-    grown = 1.0 + (shift + ((shift * shift) * grown));
-    return grown * (energy(e, f) + (terms + ((e[4] * above) * (f[0] - (e[4] * f[1])))));
+    V square = shift * shift;
+    grown = 1.0 + (shift + (square * grown));
+    V faded_part = (e[4] * above) * (f[0] - (e[4] * f[1]));
+    return grown * (energy(e, f) + (terms + faded_part));
 }
 
 /* Compute E and its first two derivatives behind the functions of which it consists. */
@@ -3449,12 +3494,16 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
     V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
     V of_square = c[job->role->net_square] + (f[4] * c[job->role->net_loss_square]);
-    V loss = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + ((c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at)));
-    V slope = 2.0 * ((c[job->role->drive] + (f[4] * c[job->role->net_loss])) + ((of_sine * sine) + ((of_vers * f[2]) + (of_square * at))));
+    V lost = (c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at);
+    V loss = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + lost);
+    V bent = (of_vers * f[2]) + (of_square * at);
+    V drive = c[job->role->drive] + (f[4] * c[job->role->net_loss]);
+    V slope = 2.0 * (drive + ((of_sine * sine) + bent));
     V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
     f[5] = at;
     f[6] = slope;
-    f[7] = 2.0 * (turns + ((c[job->role->loss_rate] * (1.0 + f[4])) * loss));
+    V softens = (c[job->role->loss_rate] * (1.0 + f[4])) * loss;
+    f[7] = 2.0 * (turns + softens);
 }
 
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
@@ -3491,7 +3540,8 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     const Job *const job = b->job;
     V *const c = b->c;
     V unit = peak / (end - peak);
-    V bend = (c[FACTOR] * BENT) * sqrt_of(1.0 - (peak * c[job->role->loss_rate]));
+    V softened = 1.0 - (peak * c[job->role->loss_rate]);
+    V bend = (c[FACTOR] * BENT) * sqrt_of(softened);
     V before = time_of_part(b, e, end, unit, bend, 0);
     V after = time_of_part(b, e, end, 1.0 / unit, (4.0 * c[FACTOR]) - 1.0, 1);
     return (Pair){before, (before + after)};

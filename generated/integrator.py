@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fa4f89a62436c570645788e870fb0f598b519835512df83a416a0ea5f071d0e5
+# sha256 of the text below: c188561e63977ba6386fc865c5a4f1ae29273f9f150974a334f9d02a4e27ca95
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -397,7 +397,9 @@ def bracketed_root(p: Floats, n: int, low: Floats, at_low: Floats, high: Floats,
         which: Mask) -> Floats:
     """Return a root between bounds at which values have opposite signs."""
     falls = at_low > 0.0
-    at = inside_or_middle(low + (high - low) * (at_low / (at_low - at_high)), low, high)
+    share = at_low / (at_low - at_high)
+    chord = low + (high - low) * share
+    at = inside_or_middle(chord, low, high)
     count = 0
     while np.any(which) and count < MOST_ITERATIONS:
         residual, slope = value_and_slope(p, n, at)
@@ -875,7 +877,7 @@ def cut(s: Lanes, order: Floats, top: int) -> None:
             s.registers[s.roles.upright][n] = np.where(within, s.registers[s.roles.upright][n], 0.0)
 
 
-def begin_expansion(s: Lanes, which: Mask, top: int) -> None:
+def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int, by_rotation: int) -> None:
     """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     c = s.cells
     begin_series(s)
@@ -886,25 +888,33 @@ def begin_expansion(s: Lanes, which: Mask, top: int) -> None:
             i = np.flatnonzero(which)
             if i.size:
                 expand_sine(s, i, t, top)
-
-
-def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -> None:
-    """Compute coefficient n + 1 of the states from coefficient n of their rates."""
-    for q in s.states:
-        coefficient: Floats = 0.0
-        if not at_rest:
-            coefficient = s.registers[q.rate][n] * (1.0 / (n + 1))
-        s.registers[q.register][n + 1] = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
+    if by_rotation and s.roles.square >= 0:
+        s.registers[s.roles.square][0] = c[ix.OMEGA]
+    c[ix.LARGEST_X] = 0.0 if at_rest else np.abs(s.registers[s.roles.x][0])
+    c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
 
 
 def integrate_in_rotation(s: Lanes, n: int, order: Floats, alike: int) -> None:
     """Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation."""
-    coefficient = 2.0 * (s.registers[s.roles.net][n] * (1.0 / (n + 1)))
+    rate = 2.0 * s.registers[s.roles.net][n]
+    coefficient = rate * (1.0 / (n + 1))
     coefficient = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
     s.registers[s.roles.omega][n + 1] = coefficient
     s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
     if s.roles.square >= 0:
         s.registers[s.roles.square][n + 1] = coefficient
+
+
+def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int, by_rotation: int) -> None:
+    """Compute coefficient n + 1 of the states from coefficient n of their rates."""
+    if by_rotation:
+        integrate_in_rotation(s, n, order, alike)
+        return
+    for q in s.states:
+        coefficient: Floats = 0.0
+        if not at_rest:
+            coefficient = s.registers[q.rate][n] * (1.0 / (n + 1))
+        s.registers[q.register][n + 1] = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
 
 
 def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
@@ -925,10 +935,15 @@ def look_for_end(s: Lanes, room: Floats) -> Floats:
     """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms."""
     c = s.cells
     e = s.registers[s.roles.omega]
-    root = np.sqrt(np.maximum(e[1] * e[1] - 4.0 * (e[0] * e[2]), 0.0))
-    path = np.where(e[2] < 0.0, np.minimum(BEYOND * (e[1] + root) / (-2.0 * e[2]), room), room)
-    c[ix.LARGEST_OMEGA] = np.maximum(np.abs(e[0]), path * np.maximum(np.abs(e[1]), path * np.maximum(np.abs(e[2]),
-        path * np.abs(e[3]))))
+    product = e[0] * e[2]
+    square = e[1] * e[1] - 4.0 * product
+    root = np.sqrt(np.maximum(square, 0.0))
+    end = (e[1] + root) / (-2.0 * e[2])
+    nearer = np.minimum(BEYOND * end, room)
+    path = np.where(e[2] < 0.0, nearer, room)
+    largest = np.maximum(np.abs(e[2]), path * np.abs(e[3]))
+    largest = np.maximum(np.abs(e[1]), path * largest)
+    c[ix.LARGEST_OMEGA] = np.maximum(np.abs(e[0]), path * largest)
     return path
 
 
@@ -938,23 +953,17 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) 
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
     alike = all_lanes(order == float(top))
-    begin_expansion(s, which, top)
-    if by_rotation and s.roles.square >= 0:
-        s.registers[s.roles.square][0] = c[ix.OMEGA]
-    c[ix.LARGEST_X] = 0.0 if at_rest else np.abs(s.registers[s.roles.x][0])
-    c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
+    begin_expansion(s, which, top, at_rest, by_rotation)
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
     while n < top:
         operate(s, n, by_rotation)
-        if by_rotation:
-            integrate_in_rotation(s, n, order, alike)
-        if not by_rotation:
-            integrate_rates(s, n, order, alike, at_rest)
+        integrate_rates(s, n, order, alike, at_rest, by_rotation)
         if by_rotation and n == 3:
             room = look_for_end(s, room)
-            power = room * room * (room * room)
+            power = room * room
+            power = power * power
             in_a_row = 0.0
         if s.timed or by_rotation:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
@@ -1990,21 +1999,27 @@ def time_over(p: Floats, n: int, base: Floats, way: Floats, beyond: Floats, per:
     first = np.sqrt(beyond)
     left = 1.0 - per * size
     stretch = 1.0 + per * beyond
-    span = size * stretch / (left * (first + np.sqrt((beyond + size) / left)))
+    final = np.sqrt((beyond + size) / left)
+    span = size * stretch / (left * (first + final))
     total: Floats = 0.0
     last: Floats = 0.0
     last_but_one: Floats = 0.0
     for k in range(TO_PEAK, TO_PEAK + FROM_PEAK - 1 + 1):
         past = span * NODES[k]
         v = first + past
-        share = 1.0 / (1.0 + per * (v * v))
+        square = v * v
+        share = 1.0 / (1.0 + per * square)
         y = past * (first + v) * share
-        slowness = v * (share * share) / np.sqrt(value(p, n, base + side * y))
+        at = base + side * y
+        speed = np.sqrt(value(p, n, at))
+        slowness = v * (share * share) / speed
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    even = np.abs(last) + np.abs(last_but_one) <= EVEN * total
-    return np.where(size > 0.0, np.where(even, span * stretch * total, INFINITY), 0.0)
+    unevenness = np.abs(last) + np.abs(last_but_one)
+    time = span * stretch * total
+    time = np.where(unevenness <= EVEN * total, time, INFINITY)
+    return np.where(size > 0.0, time, 0.0)
 
 
 def distance_of_rest(p: Floats, n: int, base: Floats, side: Floats, far: Floats) -> Floats:
@@ -2012,10 +2027,13 @@ def distance_of_rest(p: Floats, n: int, base: Floats, side: Floats, far: Floats)
     at, slope = value_and_slope(p, n, base)
     distance = -side * at / slope
     for _ in range(1, NEWTON + 1):
-        at, slope = value_and_slope(p, n, base + side * distance)
+        there = base + side * distance
+        at, slope = value_and_slope(p, n, there)
         change = -side * at / slope
-        distance = np.where(np.abs(change) < 0.5 * distance, distance + change, distance)
-    return np.where(distance >= 0.0, np.minimum(distance, far), far)
+        converges = np.abs(change) < 0.5 * distance
+        distance = np.where(converges, distance + change, distance)
+    nearest = np.minimum(distance, far)
+    return np.where(distance >= 0.0, nearest, far)
 
 
 def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats, Floats]:
@@ -2027,20 +2045,26 @@ def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats,
     slope = value(s.registers[s.roles.net], top - 1, step)
     far = STRAIGHT * step
     stands = c[ix.EVENT] == float(ix.EVENT_STANDSTILL)
-    to_end = np.where(stands, 0.0, distance_of_rest(e, top, step, 1.0, far))
+    to_end = distance_of_rest(e, top, step, 1.0, far)
+    to_end = np.where(stands, 0.0, to_end)
     rises = e[1] > 0.0
     falls = np.logical_not(rises) & (slope < 0.0)
-    behind = np.where(rises, distance_of_rest(e, top, 0.0, -1.0, far), far)
-    ahead = np.where(peaks, 1.0 / (step + to_end), np.maximum(-e[2] / e[1], 0.0))
-    first = np.minimum(peak, step)
-    ahead = np.where(rises & (ahead * first < NEAREST), ahead, 0.0)
+    behind = distance_of_rest(e, top, 0.0, -1.0, far)
+    behind = np.where(rises, behind, far)
+    by_bend = np.maximum(-e[2] / e[1], 0.0)
+    ahead = np.where(peaks, 1.0 / (step + to_end), by_bend)
+    path = np.minimum(peak, step)
+    near = rises & (ahead * path < NEAREST)
+    ahead = np.where(near, ahead, 0.0)
     beyond = np.where(falls, to_end, behind)
     base = np.where(falls, step, 0.0)
-    before = time_over(e, top, base, np.where(falls, -step, first), beyond, ahead)
+    path = np.where(falls, -step, path)
+    before = time_over(e, top, base, path, beyond, ahead)
     after: Floats = 0.0
     if np.any(peaks):
-        left = np.where(peaks, step - peak, 0.0)
-        after = time_over(e, top, step, -left, to_end, np.where(rises, 1.0 / (step + behind), 0.0))
+        back = np.where(peaks, peak - step, 0.0)
+        from_end = np.where(rises, 1.0 / (step + behind), 0.0)
+        after = time_over(e, top, step, back, to_end, from_end)
     return (before, after)
 
 
@@ -2061,15 +2085,17 @@ def shorten(s: Lanes, here: Mask) -> None:
     bends = here & (e[2] > 0.0) & (e[1] >= 0.0)
     by_slope = e[1] / e[2]
     by_speed = np.sqrt(e[0] / e[2])
-    c[ix.STEP] = np.where(here, np.where(bends, np.minimum(REACH * (by_slope + by_speed), c[ix.STEP]), c[ix.STEP]),
-        c[ix.STEP])
+    most = REACH * (by_slope + by_speed)
+    shorter = np.minimum(most, c[ix.STEP])
+    c[ix.STEP] = np.where(here, np.where(bends, shorter, c[ix.STEP]), c[ix.STEP])
 
 
 def greatest_speed(s: Lanes, here: Mask, top: int) -> Floats:
     """Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity."""
     c = s.cells
-    rate, slope = value_and_slope(s.registers[s.roles.net], top - 1, c[ix.STEP])
-    return falling_root(s.registers[s.roles.net], top - 1, c[ix.STEP], rate, slope, here)
+    net = s.registers[s.roles.net]
+    rate, slope = value_and_slope(net, top - 1, c[ix.STEP])
+    return falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
 
 
 def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until: Floats) -> None:
@@ -2083,10 +2109,14 @@ def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until
     if np.any(peaks):
         there = np.where(peaks, peak, 0.0)
         speed = np.sqrt(value(e, top, there))
-        keep_faster(s, peaks, speed, c[ix.TIME] + before, c[ix.X] + there, value(net, top - 1, there))
-    steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * e[0]) & (c[ix.EVENT] == float(ix.EVENT_NONE))
+        slope = value(net, top - 1, there)
+        keep_faster(s, peaks, speed, c[ix.TIME] + before, c[ix.X] + there, slope)
+    change = np.abs(net[0]) * step
+    uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+    steady = (change < ix.STIFF_CHANGE * e[0]) & uneventful
     c[ix.X] = np.where(here, c[ix.X] + step, c[ix.X])
-    c[ix.OMEGA] = np.where(here, np.sqrt(np.maximum(e[0] + increment(e, top, step), 0.0)), c[ix.OMEGA])
+    square = e[0] + increment(e, top, step)
+    c[ix.OMEGA] = np.where(here, np.sqrt(np.maximum(square, 0.0)), c[ix.OMEGA])
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
     c[ix.STEPS] = np.where(here, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0), c[ix.STEPS])
@@ -2117,9 +2147,11 @@ def turn_on(s: Lanes, here: Mask) -> None:
         before, after = times_of_step(s, here, top, peak)
         unsure = here & np.logical_not(before + after < INFINITY)
         count = count + 1
-    until = c[ix.TIME] + (before + after)
+    duration = before + after
+    until = c[ix.TIME] + duration
     stands = c[ix.STEP] == 0.0
-    fits = here & (until < c[ix.END_TIME]) & ((before + after > SHORTEST) | stands)
+    regular = (duration > SHORTEST) | stands
+    fits = here & regular & (until < c[ix.END_TIME])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
     c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
     if np.any(fits):
@@ -2160,7 +2192,8 @@ def faded(y: Floats) -> Floats:
 
 def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> None:
     """Compute the factors of E, followed by q."""
-    share = 2.0 / (1.0 + q * q)
+    square = q * q
+    share = 2.0 / (1.0 + square)
     e[0] = 2.0 * drive
     e[3] = share * (vers - sine * q)
     e[2] = share * (sine + vers * q)
@@ -2179,14 +2212,18 @@ def functions(f: Floats, x: Floats, q: Floats) -> None:
 
 def energy(e: Floats, f: Floats) -> Floats:
     """Return E from its factors and its functions."""
-    return e[0] * f[0] + (e[1] * f[1] + (e[2] * f[2] + e[3] * f[3]))
+    faded_part = e[1] * f[1]
+    turned_part = e[2] * f[2] + e[3] * f[3]
+    return e[0] * f[0] + (faded_part + turned_part)
 
 
 def slope_of(e: Floats, f: Floats) -> Floats:
     """Return the derivative of E."""
     sine = f[0] - f[3]
     lost = f[0] - e[4] * f[1]
-    return e[0] + (e[1] * lost + (e[2] * sine + e[3] * f[2]))
+    faded_part = e[1] * lost
+    turned_part = e[2] * sine + e[3] * f[2]
+    return e[0] + (faded_part + turned_part)
 
 
 def bend_of(e: Floats, f: Floats) -> Floats:
@@ -2194,14 +2231,17 @@ def bend_of(e: Floats, f: Floats) -> Floats:
     sine = f[0] - f[3]
     cosine = 1.0 - f[2]
     lost = f[0] - e[4] * f[1]
-    return e[1] * (1.0 - e[4] * lost) + (e[2] * cosine + e[3] * sine)
+    faded_part = e[1] * (1.0 - e[4] * lost)
+    turned_part = e[2] * cosine + e[3] * sine
+    return faded_part + turned_part
 
 
 def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
     """Compute the factors of E about the end of a phase, from the four functions there."""
     sine_end = f[0] - f[3]
     cosine = 1.0 - f[2]
-    at_end = drive + (sine * sine_end + vers * f[2])
+    change = sine * sine_end + vers * f[2]
+    at_end = drive + change
     sine_back = sine * cosine + vers * sine_end
     vers_back = sine * sine_end - vers * cosine
     factors(back, -at_end, sine_back, vers_back, -q)
@@ -2211,7 +2251,9 @@ def reverse(f: Floats, q: Floats) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
     faded_by = 1.0 - y + q * q * f[1]
-    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
+    square = f[0] * f[0]
+    rest = square - f[1] - y * f[1]
+    f[1] = rest / faded_by
 
 
 def softening_factors(s: Lanes, e: Floats) -> None:
@@ -2268,8 +2310,10 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
     grown: Floats = 0.0
     for k in range(LAST, 0 - 1, -1):
         grown = FADING[k] - grown * shift
-    grown = 1.0 + (shift + shift * shift * grown)
-    return grown * (energy(e, f) + (terms + e[4] * above * (f[0] - e[4] * f[1])))
+    square = shift * shift
+    grown = 1.0 + (shift + square * grown)
+    faded_part = e[4] * above * (f[0] - e[4] * f[1])
+    return grown * (energy(e, f) + (terms + faded_part))
 
 
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -2281,13 +2325,16 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
     of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
     of_square = c[s.roles.net_square] + f[4] * c[s.roles.net_loss_square]
-    loss = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + (c[s.roles.net_loss_vers] *
-         f[2] + c[s.roles.net_loss_square] * at))
-    slope = 2.0 * (c[s.roles.drive] + f[4] * c[s.roles.net_loss] + (of_sine * sine + (of_vers * f[2] + of_square * at)))
+    lost = c[s.roles.net_loss_vers] * f[2] + c[s.roles.net_loss_square] * at
+    loss = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + lost)
+    bent = of_vers * f[2] + of_square * at
+    drive = c[s.roles.drive] + f[4] * c[s.roles.net_loss]
+    slope = 2.0 * (drive + (of_sine * sine + bent))
     turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
     f[6] = slope
-    f[7] = 2.0 * (turns + c[s.roles.loss_rate] * (1.0 + f[4]) * loss)
+    softens = c[s.roles.loss_rate] * (1.0 + f[4]) * loss
+    f[7] = 2.0 * (turns + softens)
 
 
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
@@ -2317,7 +2364,8 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     c = s.cells
     unit = peak / (end - peak)
-    bend = c[ix.FACTOR] * BENT * np.sqrt(1.0 - peak * c[s.roles.loss_rate])
+    softened = 1.0 - peak * c[s.roles.loss_rate]
+    bend = c[ix.FACTOR] * BENT * np.sqrt(softened)
     before = time_of_part(s, e, end, unit, bend, 0)
     after = time_of_part(s, e, end, 1.0 / unit, 4.0 * c[ix.FACTOR] - 1.0, 1)
     return (before, before + after)

@@ -61,21 +61,27 @@ def time_over(p: S, n: N, base: V, way: V, beyond: V, per: V) -> V:
     first = sqrt(beyond)
     left = 1.0 - per * size
     stretch = 1.0 + per * beyond
-    span = size * stretch / (left * (first + sqrt((beyond + size) / left)))
+    final = sqrt((beyond + size) / left)
+    span = size * stretch / (left * (first + final))
     total: V = 0.0
     last: V = 0.0
     last_but_one: V = 0.0
     for k in up(TO_PEAK, TO_PEAK + FROM_PEAK - 1):
         past = span * NODES[k]
         v = first + past
-        share = 1.0 / (1.0 + per * (v * v))
+        square = v * v
+        share = 1.0 / (1.0 + per * square)
         y = past * (first + v) * share
-        slowness = v * (share * share) / sqrt(value(p, n, base + side * y))
+        at = base + side * y
+        speed = sqrt(value(p, n, at))
+        slowness = v * (share * share) / speed
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    even = abs(last) + abs(last_but_one) <= EVEN * total
-    return where(size > 0.0, where(even, span * stretch * total, INFINITY), 0.0)
+    unevenness = abs(last) + abs(last_but_one)
+    time = span * stretch * total
+    time = where(unevenness <= EVEN * total, time, INFINITY)
+    return where(size > 0.0, time, 0.0)
 
 
 def distance_of_rest(p: S, n: N, base: V, side: V, far: V) -> V:
@@ -86,10 +92,13 @@ def distance_of_rest(p: S, n: N, base: V, side: V, far: V) -> V:
     at, slope = value_and_slope(p, n, base)
     distance = -side * at / slope
     for _ in up(1, NEWTON):
-        at, slope = value_and_slope(p, n, base + side * distance)
+        there = base + side * distance
+        at, slope = value_and_slope(p, n, there)
         change = -side * at / slope
-        distance = where(abs(change) < 0.5 * distance, distance + change, distance)
-    return where(distance >= 0.0, minimum(distance, far), far)
+        converges = abs(change) < 0.5 * distance
+        distance = where(converges, distance + change, distance)
+    nearest = minimum(distance, far)
+    return where(distance >= 0.0, nearest, far)
 
 
 def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
@@ -103,20 +112,26 @@ def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     slope = value(s.series.net, top - 1, step)
     far = STRAIGHT * step
     stands = s.event == number(Event.STANDSTILL)
-    to_end = where(stands, 0.0, distance_of_rest(e, top, step, 1.0, far))
+    to_end = distance_of_rest(e, top, step, 1.0, far)
+    to_end = where(stands, 0.0, to_end)
     rises = e[1] > 0.0
     falls = not rises and slope < 0.0
-    behind = where(rises, distance_of_rest(e, top, 0.0, -1.0, far), far)
-    ahead = where(peaks, 1.0 / (step + to_end), maximum(-e[2] / e[1], 0.0))
-    first = minimum(peak, step)
-    ahead = where(rises and ahead * first < NEAREST, ahead, 0.0)
+    behind = distance_of_rest(e, top, 0.0, -1.0, far)
+    behind = where(rises, behind, far)
+    by_bend = maximum(-e[2] / e[1], 0.0)
+    ahead = where(peaks, 1.0 / (step + to_end), by_bend)
+    path = minimum(peak, step)
+    near = rises and ahead * path < NEAREST
+    ahead = where(near, ahead, 0.0)
     beyond = where(falls, to_end, behind)
     base = where(falls, step, 0.0)
-    before = time_over(e, top, base, where(falls, -step, first), beyond, ahead)
+    path = where(falls, -step, path)
+    before = time_over(e, top, base, path, beyond, ahead)
     after: V = 0.0
     if any_lane(peaks):
-        left = where(peaks, step - peak, 0.0)
-        after = time_over(e, top, step, -left, to_end, where(rises, 1.0 / (step + behind), 0.0))
+        back = where(peaks, peak - step, 0.0)
+        from_end = where(rises, 1.0 / (step + behind), 0.0)
+        after = time_over(e, top, step, back, to_end, from_end)
     return before, after
 
 
@@ -135,13 +150,16 @@ def shorten(s: Lanes, here: M) -> None:
     bends = here and e[2] > 0.0 and e[1] >= 0.0
     by_slope = e[1] / e[2]
     by_speed = sqrt(e[0] / e[2])
-    s.step = where(bends, minimum(REACH * (by_slope + by_speed), s.step), s.step)
+    most = REACH * (by_slope + by_speed)
+    shorter = minimum(most, s.step)
+    s.step = where(bends, shorter, s.step)
 
 
 def greatest_speed(s: Lanes, here: M, top: N) -> V:
     """Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity."""
-    rate, slope = value_and_slope(s.series.net, top - 1, s.step)
-    return falling_root(s.series.net, top - 1, s.step, rate, slope, here)
+    net = s.series.net
+    rate, slope = value_and_slope(net, top - 1, s.step)
+    return falling_root(net, top - 1, s.step, rate, slope, here)
 
 
 def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
@@ -154,10 +172,14 @@ def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
     if any_lane(peaks):
         there = where(peaks, peak, 0.0)
         speed = sqrt(value(e, top, there))
-        keep_faster(s, peaks, speed, s.time + before, s.x + there, value(net, top - 1, there))
-    steady = abs(net[0]) * step < Share.STIFF_CHANGE * e[0] and s.event == number(Event.NONE)
+        slope = value(net, top - 1, there)
+        keep_faster(s, peaks, speed, s.time + before, s.x + there, slope)
+    change = abs(net[0]) * step
+    uneventful = s.event == number(Event.NONE)
+    steady = change < Share.STIFF_CHANGE * e[0] and uneventful
     s.x = s.x + step
-    s.omega = sqrt(maximum(e[0] + increment(e, top, step), 0.0))
+    square = e[0] + increment(e, top, step)
+    s.omega = sqrt(maximum(square, 0.0))
     keep_faster(s, here, s.omega, until, s.x, rate)
     s.time = until
     s.steps = s.steps + where(steady, number(Limit.STIFF_STEP), 1.0)
@@ -190,9 +212,11 @@ def turn_on(s: Lanes, here: M) -> None:
         before, after = times_of_step(s, here, top, peak)
         unsure = here and not (before + after < INFINITY)
         count = count + 1
-    until = s.time + (before + after)
+    duration = before + after
+    until = s.time + duration
     stands = s.step == 0.0
-    fits = here and until < s.end_time and (before + after > SHORTEST or stands)
+    regular = duration > SHORTEST or stands
+    fits = here and regular and until < s.end_time
     s.omega = omega
     s.clocked = where(fits, 0.0, 1.0)
     if any_lane(fits):

@@ -122,7 +122,7 @@ def cut(s: Lanes, order: V, top: N) -> None:
             s.series.upright[n] = where(within, s.series.upright[n], 0.0)
 
 
-def begin_expansion(s: Lanes, which: M, top: N) -> None:
+def begin_expansion(s: Lanes, which: M, top: N, at_rest: N, by_rotation: N) -> None:
     """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     begin_series(s)
     for t in s.tables:
@@ -130,28 +130,36 @@ def begin_expansion(s: Lanes, which: M, top: N) -> None:
             t.series[1] = t.rise
         if t.sine and which:
             expand_sine(s, t, top)
-
-
-def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
-    """Compute coefficient n + 1 of the states from coefficient n of their rates.
-
-    It is zero beyond a lane's order and at rest.
-    """
-    for q in s.states:
-        coefficient: V = 0.0
-        if not at_rest:
-            coefficient = q.rate[n] * s.inverse[n + 1]
-        q.series[n + 1] = coefficient if alike else where(order > number(n), coefficient, 0.0)
+    if by_rotation and s.has.square:
+        s.series.square[0] = s.omega
+    s.largest_x = 0.0 if at_rest else abs(s.series.x[0])
+    s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
 
 
 def integrate_in_rotation(s: Lanes, n: N, order: V, alike: N) -> None:
     """Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation."""
-    coefficient = 2.0 * (s.series.net[n] * s.inverse[n + 1])
+    rate = 2.0 * s.series.net[n]
+    coefficient = rate * s.inverse[n + 1]
     coefficient = coefficient if alike else where(order > number(n), coefficient, 0.0)
     s.series.omega[n + 1] = coefficient
     s.series.x[n + 1] = 1.0 if n == 0 else 0.0
     if s.has.square:
         s.series.square[n + 1] = coefficient
+
+
+def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N, by_rotation: N) -> None:
+    """Compute coefficient n + 1 of the states from coefficient n of their rates.
+
+    It is zero beyond a lane's order and at rest.
+    """
+    if by_rotation:
+        integrate_in_rotation(s, n, order, alike)
+        return
+    for q in s.states:
+        coefficient: V = 0.0
+        if not at_rest:
+            coefficient = q.rate[n] * s.inverse[n + 1]
+        q.series[n + 1] = coefficient if alike else where(order > number(n), coefficient, 0.0)
 
 
 def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
@@ -172,9 +180,15 @@ def look_for_end(s: Lanes, room: V) -> V:
     The end is estimated by a parabola. If it is too near, another step follows.
     """
     e = s.series.omega
-    root = sqrt(maximum(e[1] * e[1] - 4.0 * (e[0] * e[2]), 0.0))
-    path = where(e[2] < 0.0, minimum(BEYOND * (e[1] + root) / (-2.0 * e[2]), room), room)
-    s.largest_omega = maximum(abs(e[0]), path * maximum(abs(e[1]), path * maximum(abs(e[2]), path * abs(e[3]))))
+    product = e[0] * e[2]
+    square = e[1] * e[1] - 4.0 * product
+    root = sqrt(maximum(square, 0.0))
+    end = (e[1] + root) / (-2.0 * e[2])
+    nearer = minimum(BEYOND * end, room)
+    path = where(e[2] < 0.0, nearer, room)
+    largest = maximum(abs(e[2]), path * abs(e[3]))
+    largest = maximum(abs(e[1]), path * largest)
+    s.largest_omega = maximum(abs(e[0]), path * largest)
     return path
 
 
@@ -188,23 +202,17 @@ def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
     order = where(which, s.order, 1.0)
     top: N = greatest(order)
     alike: N = all_lanes(order == number(top))
-    begin_expansion(s, which, top)
-    if by_rotation and s.has.square:
-        s.series.square[0] = s.omega
-    s.largest_x = 0.0 if at_rest else abs(s.series.x[0])
-    s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
+    begin_expansion(s, which, top, at_rest, by_rotation)
     power: V = 1.0 if at_rest else room
     in_a_row: V = 0.0
     n: N = 0
     while n < top:
         operate(s, n, by_rotation)
-        if by_rotation:
-            integrate_in_rotation(s, n, order, alike)
-        if not by_rotation:
-            integrate_rates(s, n, order, alike, at_rest)
+        integrate_rates(s, n, order, alike, at_rest, by_rotation)
         if by_rotation and n == 3:
             room = look_for_end(s, room)
-            power = (room * room) * (room * room)
+            power = room * room
+            power = power * power
             in_a_row = 0.0
         if s.timed or by_rotation:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)

@@ -107,11 +107,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
     registers = places.registers
     read = {name: registers.get(str(register), -1) for name, register in linked.registers.items()}
     roles = {name: read[name] for name in ("x", "omega", "net", *EVENTS, *outputs)}
-    for role, name in linked.outputs.items():
-        roles[role] = cells[name]
-    for operation, (result, *_) in linked.series[:1]:
-        if operation[:2] == SQUARE:
-            roles["square"] = registers[result]
+    roles |= _roles(linked, places)
     tables = []
     for table in definitions.tables:
         name, kind, argument, degree = table
@@ -136,6 +132,17 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         by_rotation=_by_rotation(definitions, linked),
         constants={name: float(name[1:]) for name in linked.constants},
     )
+
+
+def _roles(linked: Linked, places: _Places) -> dict[str, int]:
+    """Return the places of cells that have roles, and of the square of omega."""
+    roles = {}
+    for role, name in linked.outputs.items():
+        roles[role] = places.cells[name]
+    for operation, results in linked.series:
+        if operation[:2] == SQUARE:
+            roles["square"] = places.registers[results[0]]
+    return roles
 
 
 def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
@@ -168,6 +175,9 @@ def _by_rotation(definitions: Definitions, linked: Linked) -> int:
     """Return the code of `Program.by_rotation`."""
     others = [operation for operation, _ in linked.series if operation[:2] != SQUARE]
     taken = {register for operation in others for register in operation.registers}
-    kinds = {operation.kind for operation in others} | {table.kind for table in definitions.tables}
-    fits = len(definitions.states) == 2 and "x" in taken and "omega" not in taken and kinds.isdisjoint(SHORT)
-    return fits * (1 + len(linked.series) - len(others))
+    kinds = {operation.kind for operation in others}
+    kinds.update(table.kind for table in definitions.tables)
+    turns = len(definitions.states) == 2 and "x" in taken
+    fits = turns and "omega" not in taken and kinds.isdisjoint(SHORT)
+    squared = len(linked.series) - len(others)
+    return fits * (1 + squared)
