@@ -143,14 +143,15 @@ def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
 
 
 def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
-    """Return whether coefficient n times a power of the step is significant beside the largest term so far."""
-    x = s.series.net if at_rest else s.series.x
+    """Return whether coefficient n times a power of the step is significant beside the largest term so far.
+
+    It is a term of the speed, at rest of the net moment. The path needs no test of its own: its term n + 1 is term n of
+    the speed, times the step over n + 1.
+    """
     omega = s.series.net if at_rest else s.series.omega
-    term_x = abs(x[n]) * power
-    term_omega = abs(omega[n]) * power
-    counts = not (is_negligible(s, term_x, s.largest_x) and is_negligible(s, term_omega, s.largest_omega))
-    s.largest_x = maximum(term_x, s.largest_x)
-    s.largest_omega = maximum(term_omega, s.largest_omega)
+    term = abs(omega[n]) * power
+    counts = not is_negligible(s, term, s.largest_omega)
+    s.largest_omega = maximum(term, s.largest_omega)
     return counts
 
 
@@ -165,7 +166,6 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
     top: N = greatest(order)
     alike: N = all_lanes(order == number(top))
     begin_expansion(s, which, top)
-    s.largest_x = 0.0 if at_rest else abs(s.series.x[0])
     s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
     power: V = 1.0 if at_rest else room
     in_a_row: V = 0.0
