@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "58726687013466892849a36d48a213bc1bc9c63807ef2336655ee7c036aed253"
+#define DIGEST "15fef637c828c088ae93753d03c102aae764bfc1a9b61ca4308d153cbbacff23"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1887,8 +1887,9 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
 
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
  * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
- * negligible there. At rest the states are constant, and the net moment decides. Each lane's order is
- * `series_order`, and net moment, normal force and dip are zero beyond it. */
+ * negligible there, three if the speed grows beyond its first term: from rest, the square of the speed begins
+ * after a gap. At rest the states are constant, and the net moment decides. Each lane's order is `series_order`,
+ * and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest)
 {
     const Job *const job = b->job;
@@ -1898,6 +1899,7 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
     int alike = all_lanes(order == (double)top);
     begin_expansion(b, which, top);
     c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
+    V first = c[LARGEST_OMEGA];
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
@@ -1908,7 +1910,8 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
             M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
             power = power * room;
             in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
-            M ends = (in_a_row >= 2.0) & (order > (double)n) & which;
+            V enough = pick(c[LARGEST_OMEGA] > first, broadcast(3.0), broadcast(2.0));
+            M ends = (in_a_row >= (at_rest ? broadcast(2.0) : enough)) & (order > (double)n) & which;
             if ((n >= 2) && bits(ends)) {
                 order = pick(ends, minimum(order, broadcast((double)(n + 1))), order);
                 alike = 0;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2f87472154f45d21d45ca4eea21def0f2260bc10c4aa56556a70089f2f0df98b
+# sha256 of the text below: b523a2ebd2bd02ee8613097402157c62d64fc403d3232db5ff92ae9cd8a9a43e
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -904,6 +904,7 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     alike = all_lanes(order == float(top))
     begin_expansion(s, which, top)
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
+    first = c[ix.LARGEST_OMEGA].copy()
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
@@ -914,7 +915,8 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
-            ends = (in_a_row >= 2.0) & (order > float(n)) & which
+            enough = np.where(c[ix.LARGEST_OMEGA] > first, 3.0, 2.0)
+            ends = (in_a_row >= (2.0 if at_rest else enough)) & (order > float(n)) & which
             if n >= 2 and np.any(ends):
                 order = np.where(ends, np.minimum(order, float(n + 1)), order)
                 alike = False
