@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "79fa8c9b87cfc082453b8a63fe1c87c20e640ed03d354ec349cdd6800cc9c5e8"
+#define DIGEST "51645400e13c9648f3c32db9d2c65a28c045b334de6ebb46c90d94ebc29d9849"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1109,6 +1109,33 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
     return b->job->data[t].jumps[piece];
 }
 
+/* The same of a piece in each lane, and the coefficients of a straight line there. */
+INLINE V breaks_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V jumps_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V slopes_at(const Batch *b, int t, V piece)
+{
+    const Data *const d = b->job->data + t;
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    return x;
+}
+
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
 {
@@ -1609,6 +1636,58 @@ static void pass_breaks(Batch *b, unsigned lane)
             }
         }
     }
+}
+
+/* Enter the next piece of a piecewise linear function of time, side by side, as `pass_break` does. */
+INLINE void enter_line(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    V piece = minimum(c[job->table[t].cell + PIECE] + 1.0, last);
+    V edge = breaks_at(b, t, piece);
+    V next_piece = minimum(piece + 1.0, last);
+    V following = breaks_at(b, t, next_piece);
+    V end = pick(piece < last, following, broadcast(INFINITY));
+    V jump = jumps_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
+    V slope = slopes_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
+    V there = heights_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
+    V past = pick(end < INFINITY, end - edge, broadcast(0.0));
+    V rise = slope * past;
+    V way = c[job->table[t].cell + WAY] + magnitude(jump);
+    V rounding = magnitude(there) + magnitude(c[job->table[t].cell + VALUE]);
+    M is_long = way > rounding;
+    V carried = c[job->table[t].cell + LOWER] + jump;
+    V difference = there - c[job->table[t].cell + VALUE];
+    V inc = pick(is_long, difference, carried);
+    c[PENDING] = pick(here, pick(jump != 0.0, broadcast(DISCONTINUITY), c[PENDING]), c[PENDING]);
+    c[job->table[t].cell + PIECE] = pick(here, piece, c[job->table[t].cell + PIECE]);
+    c[job->table[t].cell + INC] = pick(here, inc, c[job->table[t].cell + INC]);
+    c[job->table[t].cell + UPPER] = pick(here, end / c[job->table[t].cell + SCALE], c[job->table[t].cell + UPPER]);
+    c[job->table[t].cell + RISE] = pick(here, slope * c[job->table[t].cell + SCALE], c[job->table[t].cell + RISE]);
+    c[job->table[t].cell + LOWER] = pick(here, inc + rise, c[job->table[t].cell + LOWER]);
+    way = pick(is_long, rounding, way);
+    c[job->table[t].cell + WAY] = pick(here, way + magnitude(rise), c[job->table[t].cell + WAY]);
+}
+
+/* Enter the next pieces of functions of time that have a break now; return lanes in which a sine has one. */
+INLINE M enter_lines(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M others = (M){0};
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            M ends = here & (c[job->table[t].cell + UPPER] <= c[TIME]);
+            if (job->data[t].sine) {
+                others = others | ends;
+            }
+            if (!job->data[t].sine) {
+                enter_line(b, ends, t);
+            }
+        }
+    }
+    return others;
 }
 
 /* Return whether a force will still change while the lane rests. */
@@ -2170,25 +2249,6 @@ static void begin_here(Batch *b, unsigned lane)
     begin_pieces(b, lane);
 }
 
-/* Return whether a piece ends before the end time and not at the last break, where the function may jump. */
-INLINE int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    int last = (int)job->data[t].pieces - 1;
-    int64_t following = (piece + 1) < last ? (piece + 1) : last;
-    int ends = end_of_piece(b, lane, t, following) < INFINITY;
-    return ends && (break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS))));
-}
-
-/* Return a piecewise linear function of time at the left end of a piece. */
-INLINE double value_at_break(Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    return c[job->table[t].cell + SCALED_BY][lane] * constant_of(b, lane, t, piece);
-}
-
 /* Place the lane at the left end of a piece, which it has not entered yet. */
 static void stand_before(Batch *b, unsigned lane, int t, int64_t piece, double now)
 {
@@ -2231,14 +2291,16 @@ INLINE void look_for_quiet(Batch *b, M here)
     }
 }
 
-/* Return whether the mass certainly rests through a piece, as both its end values are in the quiet range. */
-INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
+/* Return whether the mass certainly rests through a piece, as both its end values are in the quiet range. The
+ * piece must end before a place, and not at the last break, where the function may jump. */
+INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece, double low, double high, double before)
 {
     const Job *const job = b->job;
-    V *const c = b->c;
     int last = (int)job->data[t].pieces - 1;
-    double value = value_at_break(b, lane, t, (piece + 1) < last ? (piece + 1) : last);
-    return (c[QUIET_FROM][lane] <= value) && (value <= c[QUIET_TO][lane]) && passes_quietly(b, lane, t, piece);
+    int64_t following = (piece + 1) < last ? (piece + 1) : last;
+    double height = constant_of(b, lane, t, following);
+    int inside = (break_of(b, lane, t, following) < before) && (end_of_piece(b, lane, t, following) < INFINITY);
+    return (low <= height) && (height <= high) && inside;
 }
 
 /* Pass the pieces through which the mass certainly rests. */
@@ -2247,7 +2309,12 @@ static void rest_through(Batch *b, unsigned lane, int t)
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    while (rests_on(b, lane, t, piece)) {
+    double one = c[QUIET_FROM][lane] / c[job->table[t].cell + SCALED_BY][lane];
+    double other = c[QUIET_TO][lane] / c[job->table[t].cell + SCALED_BY][lane];
+    double low = fmin(one, other);
+    double high = fmax(one, other);
+    double before = (c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS));
+    while (rests_on(b, lane, t, piece, low, high, before)) {
         piece = piece + 1;
     }
     if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
@@ -2845,6 +2912,19 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     }
 }
 
+/* Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane. */
+INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
+{
+    V *const c = b->c;
+    M before_end = c[TIME] < c[END_TIME];
+    M others = enter_lines(b, at_limit & before_end);
+    M simple = (c[EVENT] == (double)EVENT_NONE) & ~endless & ~others;
+    M settled = simple & (before_end | ~at_limit);
+    EACH(lane, bits(here & ~settled)) {
+        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
+    }
+}
+
 /* Make one step of moving lanes. */
 static void make_step(Batch *b, M here)
 {
@@ -2879,9 +2959,7 @@ static void make_step(Batch *b, M here)
     c[TIME] = pick(here, until, c[TIME]);
     c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
-    EACH(lane, bits(here)) {
-        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
-    }
+    conclude(b, here, rate, at_limit, endless);
 }
 
 /* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */

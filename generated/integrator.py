@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 404fa10a7a51c1ca0ac57ab977471baf00c938862bada3080682bc8b01ff96db
+# sha256 of the text below: 5b96f5e39d886eeba55146f81b8cc4936dfef6cb8247606653a7e2f722ecbe01
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -180,6 +180,28 @@ def coefficients_of(s: Lanes, i: Index, t: Table, piece: Index, terms: Floats) -
     every = t.data.coefficients
     of_piece = every[piece] if every.ndim == 2 else every[piece, :, s.columns[i]]
     terms[: t.terms] = of_piece.T
+
+
+def breaks_at(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the left end of a piece of each lane in the table's argument."""
+    return break_of(s, np.arange(piece.size), t, piece.astype(int))
+
+
+def heights_at(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the first coefficient of a piece of each lane."""
+    return constant_of(s, np.arange(piece.size), t, piece.astype(int))
+
+
+def slopes_at(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the second coefficient of a piece of each lane."""
+    terms = np.zeros((t.terms, piece.size))
+    coefficients_of(s, np.arange(piece.size), t, piece.astype(int), terms)
+    return terms[1]
+
+
+def jumps_at(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the jump of a function of time at the left end of a piece of each lane."""
+    return jump_of(s, np.arange(piece.size), t, piece.astype(int))
 
 
 def note(s: Lanes, i: Index, event: int) -> None:
@@ -679,6 +701,50 @@ def pass_breaks(lane: Lanes, i: Index) -> None:
             if i.size:
                 pass_break(lane, i, t)
             i = i_1
+
+
+def enter_line(s: Lanes, here: Mask, t: Table) -> None:
+    """Enter the next piece of a piecewise linear function of time, side by side, as `pass_break` does."""
+    c = s.cells
+    last: Floats = float(t.pieces - 1)
+    piece = np.minimum(c[t.cells + ix.PIECE] + 1.0, last)
+    edge = breaks_at(s, t, piece)
+    next_piece = np.minimum(piece + 1.0, last)
+    following = breaks_at(s, t, next_piece)
+    end = np.where(piece < last, following, INFINITY)
+    jump = jumps_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
+    slope = slopes_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
+    there = heights_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
+    past = np.where(end < INFINITY, end - edge, 0.0)
+    rise = slope * past
+    way = c[t.cells + ix.WAY] + np.abs(jump)
+    rounding = np.abs(there) + np.abs(c[t.cells + ix.VALUE])
+    is_long = way > rounding
+    carried = c[t.cells + ix.LOWER] + jump
+    difference = there - c[t.cells + ix.VALUE]
+    inc = np.where(is_long, difference, carried)
+    c[ix.PENDING] = np.where(here, np.where(jump != 0.0, ix.DISCONTINUITY, c[ix.PENDING]), c[ix.PENDING])
+    c[t.cells + ix.PIECE] = np.where(here, piece, c[t.cells + ix.PIECE])
+    c[t.cells + ix.INC] = np.where(here, inc, c[t.cells + ix.INC])
+    c[t.cells + ix.UPPER] = np.where(here, end / c[t.cells + ix.SCALE], c[t.cells + ix.UPPER])
+    c[t.cells + ix.RISE] = np.where(here, slope * c[t.cells + ix.SCALE], c[t.cells + ix.RISE])
+    c[t.cells + ix.LOWER] = np.where(here, inc + rise, c[t.cells + ix.LOWER])
+    way = np.where(is_long, rounding, way)
+    c[t.cells + ix.WAY] = np.where(here, way + np.abs(rise), c[t.cells + ix.WAY])
+
+
+def enter_lines(s: Lanes, here: Mask) -> Mask:
+    """Enter the next pieces of functions of time that have a break now; return lanes in which a sine has one."""
+    c = s.cells
+    others = none_of(s)
+    for t in s.tables:
+        if t.kind == ix.OF_TIME:
+            ends = here & (c[t.cells + ix.UPPER] <= c[ix.TIME])
+            if t.sine:
+                others = others | ends
+            if not t.sine:
+                enter_line(s, ends, t)
+    return others
 
 
 def still_changes(lane: Lanes, i: Index) -> Mask:
@@ -1225,21 +1291,6 @@ def begin_here(lane: Lanes, i: Index) -> None:
     begin_pieces(lane, i)
 
 
-def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
-    """Return whether a piece ends before the end time and not at the last break, where the function may jump."""
-    c = lane.cells
-    last = t.pieces - 1
-    following = np.fmin(piece + 1, last)
-    ends = end_of_piece(lane, i, t, following) < INFINITY
-    return ends & (break_of(lane, i, t, following) < c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS))
-
-
-def value_at_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Return a piecewise linear function of time at the left end of a piece."""
-    c = lane.cells
-    return c[t.cells + ix.SCALED_BY, i] * constant_of(lane, i, t, piece)
-
-
 def stand_before(lane: Lanes, i: Index, t: Table, piece: Index, now: Floats) -> None:
     """Place the lane at the left end of a piece, which it has not entered yet."""
     c = lane.cells
@@ -1275,27 +1326,34 @@ def look_for_quiet(s: Lanes, here: Mask) -> None:
                 keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
 
 
-def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
+def rests_on(lane: Lanes, i: Index, t: Table, piece: Index, low: Floats, high: Floats, before: Floats) -> Mask:
     """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range."""
-    c = lane.cells
     last = t.pieces - 1
-    value = value_at_break(lane, i, t, np.fmin(piece + 1, last))
-    return (c[ix.QUIET_FROM, i] <= value) & (value <= c[ix.QUIET_TO, i]) & passes_quietly(lane, i, t, piece)
+    following = np.fmin(piece + 1, last)
+    height = constant_of(lane, i, t, following)
+    inside = (break_of(lane, i, t, following) < before) & (end_of_piece(lane, i, t, following) < INFINITY)
+    return (low <= height) & (height <= high) & inside
 
 
 def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     """Pass the pieces through which the mass certainly rests."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
-    i_1, piece_1 = (i, piece.copy())
+    one = c[ix.QUIET_FROM, i] / c[t.cells + ix.SCALED_BY, i]
+    other = c[ix.QUIET_TO, i] / c[t.cells + ix.SCALED_BY, i]
+    low = np.fmin(one, other)
+    high = np.fmax(one, other)
+    before = c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS)
+    i_1, piece_1, low_1, high_1, before_1 = (i, piece.copy(), low, high, before)
     place_1 = np.arange(i.size)
     while True:
-        i, piece, place_1 = among(rests_on(lane, i, t, piece), i, piece, place_1)
+        i, piece, low, high, before, place_1 = among(rests_on(lane, i, t, piece, low, high, before), i, piece, low,
+            high, before, place_1)
         if not i.size:
             break
         piece = piece + 1
         piece_1[place_1] = piece
-    i, piece = (i_1, piece_1)
+    i, piece, low, high, before = (i_1, piece_1, low_1, high_1, before_1)
     holds_2 = piece > integer(c[t.cells + ix.PIECE, i])
     i_2, piece_2 = (i, piece)
     i, piece = among(holds_2, i_2, piece_2)
@@ -1836,6 +1894,18 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
         keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
 
 
+def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
+    """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
+    c = s.cells
+    before_end = c[ix.TIME] < c[ix.END_TIME]
+    others = enter_lines(s, at_limit & before_end)
+    simple = (c[ix.EVENT] == float(ix.EVENT_NONE)) & np.logical_not(endless) & np.logical_not(others)
+    settled = simple & (before_end | np.logical_not(at_limit))
+    i = np.flatnonzero(here & np.logical_not(settled))
+    if i.size:
+        settle(s, i, rate[i], at_limit[i], endless[i])
+
+
 def make_step(s: Lanes, here: Mask) -> None:
     """Make one step of moving lanes."""
     c = s.cells
@@ -1867,9 +1937,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
         c[ix.STEPS])
     c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
-    i = np.flatnonzero(here)
-    if i.size:
-        settle(s, i, rate[i], at_limit[i], endless[i])
+    conclude(s, here, rate, at_limit, endless)
 
 
 def turned(x: Floats) -> tuple[Floats, Floats]:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ca97970b1aa01ae26da4e092aa21a35d5b38d24c4f7d380975fac4b26c51fe79
+# sha256 of the text below: b4b608bac62652f4526843da8cee7aa06f4c731b5b90988716657c0a989baae3
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "79fa8c9b87cfc082453b8a63fe1c87c20e640ed03d354ec349cdd6800cc9c5e8"  # of the compiled integrator's source
+DIGEST = "51645400e13c9648f3c32db9d2c65a28c045b334de6ebb46c90d94ebc29d9849"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -67,7 +67,7 @@ PRIMITIVES = {
         ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "expm1", "sqrt", "hypot", "number"), ""
     ),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
-    **dict.fromkeys(("log2_of", "power_of_two"), "V"),
+    **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at"), "V"),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
     "integer": "I",
     **dict.fromkeys(("coefficients_of", "operate", "operate_later", "prologue", "note", "read_samples"), "NONE"),

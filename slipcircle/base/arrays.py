@@ -144,9 +144,9 @@ def freeze(owner: Any, fields: Iterable[str]) -> None:
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
     """Return ``one`` where a mask is true and else ``other``, without an array if the mask is a single truth value."""
-    if type(mask) is bool or not isinstance(mask, np.ndarray):
-        return one if mask else other
-    return np.where(mask, one, other)
+    if isinstance(mask, np.ndarray):
+        return np.where(mask, one, other)
+    return one if mask else other
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, float_or_array, real_number
-from slipcircle.base.kinds import Flags, Floats, Values
+from slipcircle.base.kinds import Flags, Floats, Shape, Values
 from slipcircle.core.scene.scene import Scene, checked_scene
 from slipcircle.tree import Leaf, leaves, mapped, put, replace_unchecked
 
@@ -155,16 +155,21 @@ def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
 
     Nothing is checked. A lane is a member of an ensemble.
     """
+    shape: Shape = ()
 
     def of_lanes(value: Any) -> Any:
+        nonlocal shape
         if not np.ndim(value):
             return value
         every_lane = np.broadcast_to(value, scene.shape)
         if flat:
             every_lane = every_lane.reshape(-1)
-        return float_or_array(every_lane[index])
+        selected = every_lane[index]
+        shape = selected.shape
+        return float_or_array(selected)
 
     lanes: Scene = mapped(scene, of_lanes)
+    vars(lanes)["shape"] = shape  # known without its numbers
     return lanes
 
 
@@ -196,6 +201,8 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[S
         if impossible is None:
             lanes: Scene = replace_unchecked(changed, {"uncertain": {}})
             lanes.start_anew()
+            if not scene.shape:
+                vars(lanes)["shape"] = invalid.shape  # known without its numbers
             return lanes, invalid
         if impossible.size > 1:
             impossible = impossible.reshape(invalid.shape)

@@ -11,7 +11,7 @@ from slipcircle.base.arrays import EPS, INFINITY, choose, quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import OutputSamples
 from slipcircle.core.integrator.lanes import integrate_problem
-from slipcircle.core.integrator.neighbours import RUNS, compared, perturbed_runs
+from slipcircle.core.integrator.neighbours import RUNS, Rows, compared, perturbed_runs
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
 
@@ -35,7 +35,7 @@ BETWEEN = 2.0
 SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
 
-def estimate(plan: Plan, problem: Problem, final: Final, runs: Floats | None = None) -> Any:
+def estimate(plan: Plan, problem: Problem, final: Final, runs: Rows | None = None) -> Any:
     """Return the estimated relative error of each lane's peak velocity, run-out and duration.
 
     ``final`` are the final cells of the motion by index, and ``runs`` the `compared` cells of all runs of a single
@@ -44,28 +44,27 @@ def estimate(plan: Plan, problem: Problem, final: Final, runs: Floats | None = N
     For a single lane it includes the states during the motion, relative to peak velocity and run-out. It is 1 if
     rounding decides whether the mass moves.
     """
-    rounding = plan.scene.arc.rounding
     if problem.lanes == 1:
-        spread: Any = _of_single(problem, final, rounding) if runs is None else max(_of_runs(final, runs))
+        spread: Any = max(_of_runs(final, runs) if runs else _of_single(problem, final))
         error: Any = min(max(ROUNDED * spread, LEAST), 1.0)
     else:
-        spread = _of_ensemble(_closer(plan, problem), final, rounding)
+        spread = _of_ensemble(_closer(plan, problem), final)
         error = np.clip(CUT * spread, LEAST, 1.0)
     is_still = (final[ix.PHASES] == 0.0) & (spread < INFINITY)
     return choose(final[ix.CLOSE] < UNDECIDED, 1.0, choose(is_still, 0.0, error))
 
 
-def _of_ensemble(problem: Problem, final: Final, rounding: float) -> Floats:
+def _of_ensemble(problem: Problem, final: Final) -> Floats:
     """Return the greatest relative difference of any run from each lane's results, (lanes,).
 
-    It is infinite if a run ends otherwise. ``rounding`` is the relative error by which inputs are perturbed.
+    It is infinite if a run ends otherwise.
     """
     of_motion = np.array(_summary(final))
     sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
     spread = np.zeros(problem.lanes)
     for run in range(1, RUNS):
         with quiet():  # cells that are not initial may contain anything
-            begin = perturbed_runs(problem, slice(run, run + 1), rounding)
+            begin = perturbed_runs(problem, slice(run, run + 1))
         cells = integrate_problem(problem, begin)
         greatest = np.fmax.reduce(np.abs(np.array(_summary(cells)) - of_motion) / sizes)
         # Whether runs end with another status than the motion, or move where the motion does not.
@@ -83,30 +82,30 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
     return replace(problem, data=closer.data, farther=closer.farther)
 
 
-def _of_single(problem: Problem, final: Final, rounding: float) -> float:
-    """Return the greatest relative difference of any run of one lane, at its end or in states before it.
+def _of_single(problem: Problem, final: Final) -> tuple[float, ...]:
+    """Return the greatest relative differences of any run of one lane from its results, and from states before its end.
 
-    It is infinite if a run ends otherwise. All runs are solved in one call.
+    They are infinite if a run ends otherwise. All runs are solved in one call.
     """
     states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
     duration, *sizes = _summary(final)
     samples = OutputSamples(duration * SHARES, states)
-    runs = compared(integrate_problem(problem, perturbed_runs(problem, slice(None), rounding), samples))
+    runs = compared(integrate_problem(problem, perturbed_runs(problem), samples))
     rotation_and_velocity = states[:2]
     change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
     greatest = np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
     *of_results, _ = _of_runs(final, runs)
-    return max(*of_results, *(of / max(abs(size), LEAST_SIZE) for of, size in zip(greatest, sizes, strict=True)))
+    return *of_results, *(of / max(abs(size), LEAST_SIZE) for of, size in zip(greatest, sizes, strict=True))
 
 
-def _of_runs(final: Final, runs: Floats) -> tuple[float, float, float, float]:
+def _of_runs(final: Final, runs: Rows) -> tuple[float, float, float, float]:
     """Return the greatest relative differences of any run from duration, run-out and peak velocity, and from states.
 
     ``runs`` are the `compared` cells. States during the motion are not compared, but bounded: they differ by the spread
     of times, at the peak velocity, or by the spread of rotations. All differences are infinite if a run ends otherwise.
     Results are compared as Python floats, since a few floats cost less than an array.
     """
-    status, phases, end_times, rests, run_outs, peaks, ends = runs.tolist()
+    status, phases, end_times, rests, run_outs, peaks, ends = runs
     endings = {*status}
     end_alike = len(endings) == 1 or endings <= AT_END
     if not end_alike or min(phases) == 0.0 < max(phases):
@@ -117,7 +116,9 @@ def _of_runs(final: Final, runs: Floats) -> tuple[float, float, float, float]:
     farthest = abs(run_out) or LEAST_SIZE
     of_times = _greatest(rests, duration)
     of_states = max(BETWEEN * of_times * peak, _greatest(ends, ends[0])) / farthest
-    of_peak = _greatest([*map(abs, peaks)], peak) / (peak or LEAST_SIZE)
+    if min(peaks) < 0.0:
+        peaks = [*map(abs, peaks)]
+    of_peak = _greatest(peaks, peak) / (peak or LEAST_SIZE)
     return of_times / (duration or LEAST_SIZE), _greatest(run_outs, run_out) / farthest, of_peak, of_states
 
 

@@ -636,6 +636,33 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
     return b->job->data[t].jumps[piece];
 }
 
+/* The same of a piece in each lane, and the coefficients of a straight line there. */
+INLINE V breaks_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V jumps_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V slopes_at(const Batch *b, int t, V piece)
+{
+    const Data *const d = b->job->data + t;
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    return x;
+}
+
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
 {

@@ -93,5 +93,6 @@ all_lanes = none_of = lanes_in = generated
 log2_of = power_of_two = generated
 sin = cos = log = hypot = isnan = generated
 break_of = jump_of = constant_of = coefficients_of = generated
+breaks_at = heights_at = slopes_at = jumps_at = generated
 prologue = operate = operate_later = generated
 note = read_samples = generated

@@ -41,19 +41,6 @@ LATEST = 2.0**1000  # place beyond which a record does not end
 ROUNDINGS = 2.0**27  # least margin, in roundings of its terms
 
 
-def passes_quietly(lane: Lane, t: T, piece: int) -> bool:
-    """Return whether a piece ends before the end time and not at the last break, where the function may jump."""
-    last: N = t.pieces - 1
-    following = minimum(piece + 1, last)
-    ends = end_of_piece(lane, t, following) < INFINITY
-    return ends and break_of(lane, t, following) < lane.end_time * t.scale * (1.0 - 4.0 * EPS)
-
-
-def value_at_break(lane: Lane, t: T, piece: int) -> float:
-    """Return a piecewise linear function of time at the left end of a piece."""
-    return t.scaled_by * constant_of(lane, t, piece)
-
-
 def stand_before(lane: Lane, t: T, piece: int, now: float) -> None:
     """Place the lane at the left end of a piece, which it has not entered yet."""
     lane.time = now
@@ -87,17 +74,27 @@ def look_for_quiet(s: Lanes, here: M) -> None:
                 keep_quiet(s, here, t, s.series.normal, 1.0, terms_of_normal)
 
 
-def rests_on(lane: Lane, t: T, piece: int) -> bool:
-    """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range."""
+def rests_on(lane: Lane, t: T, piece: int, low: float, high: float, before: float) -> bool:
+    """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range.
+
+    The piece must end before a place, and not at the last break, where the function may jump.
+    """
     last: N = t.pieces - 1
-    value = value_at_break(lane, t, minimum(piece + 1, last))
-    return lane.quiet_from <= value and value <= lane.quiet_to and passes_quietly(lane, t, piece)
+    following = minimum(piece + 1, last)
+    height = constant_of(lane, t, following)
+    inside = break_of(lane, t, following) < before and end_of_piece(lane, t, following) < INFINITY
+    return low <= height and height <= high and inside
 
 
 def rest_through(lane: Lane, t: T) -> None:
     """Pass the pieces through which the mass certainly rests."""
     piece = integer(t.piece)
-    while rests_on(lane, t, piece):
+    one = lane.quiet_from / t.scaled_by
+    other = lane.quiet_to / t.scaled_by
+    low = minimum(one, other)
+    high = maximum(one, other)
+    before = lane.end_time * t.scale * (1.0 - 4.0 * EPS)
+    while rests_on(lane, t, piece, low, high, before):
         piece = piece + 1
     if piece > integer(t.piece):
         now = break_of(lane, t, piece) / t.scale

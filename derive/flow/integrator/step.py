@@ -39,7 +39,7 @@ from derive.flow.integrator.roots import (
     value_and_slope,
 )
 from derive.flow.integrator.series import elapsed, expand, per_time, radius_of_convergence, variable_at
-from derive.flow.integrator.tables import next_break, pass_breaks
+from derive.flow.integrator.tables import enter_lines, next_break, pass_breaks
 
 FAR = 1e300  # unreachable bound
 
@@ -273,6 +273,16 @@ def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
         keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
 
 
+def conclude(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
+    """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
+    before_end = s.time < s.end_time
+    others = enter_lines(s, at_limit and before_end)
+    simple = s.event == number(Event.NONE) and not endless and not others
+    settled = simple and (before_end or not at_limit)
+    if here and not settled:
+        settle(s, rate, at_limit, endless)
+
+
 def make_step(s: Lanes, here: M) -> None:
     """Make one step of moving lanes."""
     limit = minimum(next_break(s), s.end_time)
@@ -300,5 +310,4 @@ def make_step(s: Lanes, here: M) -> None:
     s.time = until
     s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
     s.passed = number(Passed.NOTHING)
-    if here:
-        settle(s, rate, at_limit, endless)
+    conclude(s, here, rate, at_limit, endless)

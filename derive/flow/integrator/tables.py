@@ -14,22 +14,28 @@ from derive.flow.integrator.one_lane import (
     Kind,
     Lane,
     Lanes,
+    M,
     N,
     Pending,
     T,
     V,
     break_of,
+    breaks_at,
     coefficients_of,
     cos,
     down,
+    heights_at,
     integer,
     jump_of,
+    jumps_at,
     log,
     maximum,
     minimum,
+    none_of,
     number,
     numbers,
     sin,
+    slopes_at,
     up,
     where,
 )
@@ -233,6 +239,48 @@ def pass_breaks(lane: Lane) -> None:
     for t in lane.tables:
         if t.kind == Kind.TIME and t.upper <= lane.time:
             pass_break(lane, t)
+
+
+def enter_line(s: Lanes, here: M, t: T) -> None:
+    """Enter the next piece of a piecewise linear function of time, side by side, as `pass_break` does."""
+    last: V = number(t.pieces - 1)
+    piece = minimum(t.piece + 1.0, last)
+    edge = breaks_at(s, t, piece)
+    next_piece = minimum(piece + 1.0, last)
+    following = breaks_at(s, t, next_piece)
+    end = where(piece < last, following, INFINITY)
+    jump = jumps_at(s, t, piece) * t.scaled_by
+    slope = slopes_at(s, t, piece) * t.scaled_by
+    there = heights_at(s, t, piece) * t.scaled_by
+    past = where(end < INFINITY, end - edge, 0.0)
+    rise = slope * past
+    way = t.way + abs(jump)
+    rounding = abs(there) + abs(t.value)
+    is_long = way > rounding
+    carried = t.lower + jump
+    difference = there - t.value
+    inc = where(is_long, difference, carried)
+    s.pending = where(jump != 0.0, Pending.DISCONTINUITY, s.pending)
+    t.piece = piece
+    t.inc = inc
+    t.upper = end / t.scale
+    t.rise = slope * t.scale
+    t.lower = inc + rise
+    way = where(is_long, rounding, way)
+    t.way = way + abs(rise)
+
+
+def enter_lines(s: Lanes, here: M) -> M:
+    """Enter the next pieces of functions of time that have a break now; return lanes in which a sine has one."""
+    others = none_of(s)
+    for t in s.tables:
+        if t.kind == Kind.TIME:
+            ends = here and t.upper <= s.time
+            if t.sine:
+                others = others or ends
+            if not t.sine:
+                enter_line(s, ends, t)
+    return others
 
 
 def still_changes(lane: Lane) -> bool:

@@ -8,8 +8,10 @@ from generated import layout as ix
 from generated.program import Program
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import engine
-from slipcircle.core.integrator.lanes import integrate_problem
-from slipcircle.core.problem.problem import NEAR, Problem
+from slipcircle.core.integrator.lanes import ENTRIES, integrate_problem
+from slipcircle.core.problem.problem import EVERY, NEAR, Problem
+
+Rows = list[list[float]]
 
 # Design of Plackett and Burman (1946): seven factors in eight runs, where run 0 is the motion itself. Random signs miss
 # the combination that matters more often.
@@ -61,12 +63,13 @@ def _is_of_table(cell: str) -> bool:
     return bool(dot) and name.isupper()
 
 
-def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
+def perturbed_runs(problem: Problem, runs: slice = EVERY) -> Floats:
     """Return initial cells of further runs with other steps, longer series and perturbed inputs, (cells, lanes).
 
-    Run 0 is the motion itself, and ``runs`` is a slice of the numbers 0 to 7. A single lane may have several runs at
-    once, one per column. ``rounding`` is the relative error of an input.
+    Run 0 is the motion itself, and ``runs`` is a slice of the numbers 0 to 7, by default all of them. A single lane may
+    have several runs at once, one per column. Inputs are moved by the relative error of the mass's coefficients.
     """
+    rounding = problem.plan.scene.arc.rounding
     start = problem.cells()
     cells = start * _moves(problem.program, rounding)[:, runs]
     if "LIMIT_REST" in problem.start:
@@ -76,22 +79,24 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
     return cells
 
 
-def compared(runs: Floats) -> Floats:
-    """Return the final cells by which runs of a single motion are compared, (7, 8), from all of them."""
-    rows: Floats = runs.take(_COMPARED, axis=0)
+def compared(runs: Floats) -> Rows:
+    """Return the final cells by which runs of a single motion are compared, 7 lists of 8 numbers, from all of them."""
+    rows: Rows = runs.take(_COMPARED, axis=0).tolist()
     return rows
 
 
-def integrate_single(problem: Problem) -> Floats:
-    """Return the final cells of a single scene, (cells, 1), or of all its runs, (cells, 8), of which the first is its.
+def integrate_single(problem: Problem) -> tuple[list[float], Rows | None]:
+    """Return the final cells of a single scene, and those by which its runs are compared, if they are integrated.
 
     All runs are integrated in one call unless the scene has functions of time, slip, speed or rotation, a viscous
     layer, or a run that needs more than explicit steps and the rounded limit friction.
     """
     program = problem.program
     if not program.tables and "viscosity" not in problem.recipe.effects:
-        runs = perturbed_runs(problem, slice(None), problem.plan.scene.arc.rounding)
+        runs = perturbed_runs(problem)
         engine().integrate(program, (), runs)
-        if runs[ix.STATUS].max() < ix.TOO_LONG and runs[ix.CLOSE, 0] >= NEAR:
-            return runs
-    return integrate_problem(problem)
+        final = runs[:ENTRIES, 0].tolist()
+        rows = compared(runs)
+        if max(rows[0]) < ix.TOO_LONG and final[ix.CLOSE] >= NEAR:
+            return final, rows
+    return integrate_problem(problem)[:ENTRIES, 0].tolist(), None

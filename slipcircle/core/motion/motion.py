@@ -19,8 +19,7 @@ from generated import layout as ix
 from slipcircle.base.arrays import choose, float_or_array, may_overflow
 from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
-from slipcircle.core.integrator.lanes import ENTRIES
-from slipcircle.core.integrator.neighbours import RUNS, compared, integrate_single
+from slipcircle.core.integrator.neighbours import integrate_single
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import CREEPS, STATUSES, Status, statuses
 from slipcircle.core.problem.plan import Plan, recipe_of
@@ -43,14 +42,16 @@ class Motion(Conversions, Generic[Numbers]):
         Shape of the scene, () for a single motion.
     """
 
-    def __init__(self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None) -> None:
+    def __init__(
+        self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None, runs: Any = None
+    ) -> None:
         self.plan = plan
         self.shape: Shape = plan.scene.shape
         self.invalid = invalid
         self._final = final
         self._radius = float_or_array(plan.scene.arc.radius)
         self._time_scale = plan.scene.arc.time_scale
-        self._runs: Any = None
+        self._runs = runs
         if problem is not None:
             self.problem = problem
 
@@ -58,11 +59,8 @@ class Motion(Conversions, Generic[Numbers]):
     def of_single(cls, plan: Plan, invalid: Any = False) -> Self:
         """Return the motion of a single scene, with numbers as results, which are ten times cheaper than arrays."""
         problem = problem_of(plan, invalid)
-        runs = integrate_single(problem)
-        motion = cls(plan, runs[:ENTRIES, 0].tolist(), invalid, problem)
-        if runs.shape[1] == RUNS:
-            motion._runs = compared(runs)
-        return motion
+        final, runs = integrate_single(problem)
+        return cls(plan, final, invalid, problem, runs)
 
     @cached_property
     def _history(self) -> Any:
@@ -130,7 +128,7 @@ class Motion(Conversions, Generic[Numbers]):
         """Twice the decrease of domega*/dt* per omega*^2 at the start, q; the speed decays like exp(-q phi/2)."""
         return self._shaped(self._history.forces.brake)
 
-    @cached_property
+    @property
     def _solved(self) -> Any:
         """Mask of lanes (cases of an ensemble) with a result, or a bool for a single motion."""
         return self.status <= CREEPS

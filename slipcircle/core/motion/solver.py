@@ -16,7 +16,7 @@ import numpy as np
 
 from slipcircle.base.arrays import float_or_array
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.integrator.lanes import BLOCK, ENTRIES, integrate_problem
+from slipcircle.core.integrator.lanes import BLOCK, ENTRIES, STORED, integrate_problem
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.problem.plan import Plan, plan
@@ -83,10 +83,12 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
         problem = problem_of(chosen, invalid)
         final = integrate_problem(problem)[:ENTRIES]
         return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid, problem)
-    final = np.empty((ENTRIES, lanes))
+    final = np.zeros((ENTRIES, lanes))
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
     for first in range(0, lanes, BLOCK):
         which = slice(first, first + BLOCK)
         part = lazy_import("parameters").lanes_of(scene, which, flat=True)
-        final[:, which] = integrate_problem(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
+        cells = integrate_problem(problem_of(replace(chosen, scene=part), every_invalid[which]))
+        for entry in STORED:
+            final[entry, which] = cells[entry]
     return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid)

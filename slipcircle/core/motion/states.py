@@ -1,6 +1,7 @@
 """Status of a motion at its end."""
 
 from enum import IntEnum
+from functools import lru_cache
 from typing import Any, Self
 
 import numpy as np
@@ -60,12 +61,25 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
     Status.UPRIGHT,
     Status.ENDLESS,
 )
-_NUMBERS_OF_END: list[int] = STATUS_OF_END.tolist()
 
 
 # Numbers of statuses, as attributes of an enumeration take a third of a microsecond in Python 3.11.
 _RESTS, _STAYS, _, _TURNED, CREEPS, _, _, _, _INVALID, _UNSTARTED, _DROWNED = map(int, Status)
 STATUSES = tuple(Status)  # by number
+
+
+def _of_end(ended: Any, has_turned: Any, creeps: Any, is_still: Any) -> Any:
+    """Return the number of a `Status` from the status of the integration and three traits of the motion."""
+    status: Any = STATUS_OF_END[np.asarray(ended, np.intp)]
+    status = np.where((status == _RESTS) & has_turned, _TURNED, status)
+    status = np.where(creeps, CREEPS, status)
+    stays = is_still & (ended != ix.STOPPED)
+    return np.where((status <= CREEPS) & stays, _STAYS, status)
+
+
+@lru_cache(maxsize=256)
+def _of_single_end(*traits: Any) -> int:
+    return int(_of_end(*traits))
 
 
 def statuses(final: Any, invalid: Any, scene: Any) -> Any:
@@ -75,14 +89,9 @@ def statuses(final: Any, invalid: Any, scene: Any) -> Any:
     """
     ended = final[ix.STATUS]
     has_shape = isinstance(ended, np.ndarray)
-    status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else _NUMBERS_OF_END[int(ended)]
-    has_turned = final[ix.TURNS] > 0.0
-    status = choose((status == _RESTS) & has_turned, _TURNED, status)
-    status = choose(final[ix.TIME] == INFINITY, CREEPS, status)
+    of_end = _of_end if has_shape else _of_single_end
+    status = of_end(ended, final[ix.TURNS] > 0.0, final[ix.TIME] == INFINITY, final[ix.PHASES] == 0.0)
     answered = status <= CREEPS
-    still = final[ix.PHASES] == 0.0
-    stays = still & (ended != ix.STOPPED)
-    status = choose(answered & stays, _STAYS, status)
     if scene.arc.in_standing_water:
         rotations = final[ix.REACH_ROTATION], final[ix.END_ROTATION]
         drowned = lazy_import("standing").comes_to_cover(scene.arc, *rotations)

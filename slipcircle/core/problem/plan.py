@@ -106,9 +106,10 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
         If the accuracy is not between 0 and 1, or the argument is not a scene.
     """
     checked_scene(scene, "plan")
-    raise_all("plan", accuracy_mistakes(accuracy))
     if accuracy is None:
         accuracy = DEFAULT_ACCURACY if scene.accuracy is None else scene.accuracy
+    else:
+        raise_all("plan", accuracy_mistakes(accuracy))
     return Plan(scene, recipe_of(scene), float(accuracy))
 
 
@@ -117,11 +118,12 @@ def recipe_of(scene: Scene) -> Recipe:
 
     The program of a scene is linked from them.
     """
-    effects = in_order(tuple(scene.called))
+    called = scene.called
+    effects = in_order(tuple(called))
     moving: list[str] = []
     absent: list[str] = []
     for effect in effects:
-        parameters = scene.called[effect]
+        parameters = called[effect]
         for name, symbol in symbols_of(effect).items():
             value = parameters.get(name)
             if value is None:

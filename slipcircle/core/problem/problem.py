@@ -14,13 +14,13 @@ import numpy as np
 
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
-from generated.flow import FRAGMENTS, INPUTS
+from generated.flow import FRAGMENTS
 from generated.program import OF_COHESION, OF_SOIL, Program, Recipe
 from slipcircle.base.arrays import INFINITY, choose, float_or_array, may_overflow
 from slipcircle.base.kinds import Floats, Function, Names, Parameters, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan
-from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
+from slipcircle.core.scene.effects import rotates, symbols_of, without_soil
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
@@ -199,10 +199,7 @@ class Numbers:
     def __init__(self, mass: Mass, shape: Shape, strength_factor: Any) -> None:
         self.mass = mass
         self.shape = shape
-        self.radius = float_or_array(mass.radius)
-        balance = mass.moment_coefficients
-        self.start: ValueDict = dict(zip(INPUTS, balance, strict=False))  # its first numbers
-        self.start["strength_factor"] = strength_factor
+        self.start: ValueDict = {**mass.initial_cells, "strength_factor": strength_factor}
         self.tables: dict[str, Data] = {}
 
     def add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
@@ -265,16 +262,11 @@ class Numbers:
         ``name`` may contain the number of a soil, and ``parameters`` are in SI units by name.
         """
         law = without_soil(name)
-        units = {
-            "": 1.0 / strength,
-            "m": self.radius,
-            "m/s": self.radius / self.mass.time_scale,
-            "s": self.mass.time_scale,
-        }
+        units = {**self.mass.units, "": 1.0 / strength}
         if law == "callable":
-            self.add_table(
-                name, lazy_import("functions").first_table(parameters["function"], self.radius), self.radius, strength
-            )
+            radius = units["m"]
+            table = lazy_import("functions").first_table(parameters["function"], radius)
+            self.add_table(name, table, radius, strength)
         elif FRAGMENTS[law].tables:
             table, scale, unit = lazy_import("tables").of_law(law, parameters, self.shape)
             self.add_table(name, table, units[unit] / scale, strength)
@@ -283,14 +275,11 @@ class Numbers:
                 self.start[f"{name}.{p.name}"] = float_or_array(parameters[p.name]) / units[p.unit]
 
     def add_start(self, velocity: Any, end_time: Any) -> None:
-        """Add the initial velocity in m/s, the end time in s, and initial values of the integrator's records."""
-        start = self.start
+        """Add the initial velocity in m/s and the end time in s."""
+        units = self.mass.units
         with may_overflow(self.shape):
-            start["omega"] = float_or_array(velocity) / self.radius * self.mass.time_scale
-            start["END_TIME"] = end_time / self.mass.time_scale
-        start["LIMIT"] = abs(self.mass.moment_coefficients.limit_friction)
-        start["CLOSE"] = INFINITY
-        start["LIFT_TIME"] = math.nan
+            self.start["omega"] = float_or_array(velocity) / units["m"] * units["s"]
+            self.start["END_TIME"] = end_time / units["s"]
 
 
 def _one_way(shaking: Parameters) -> float:
@@ -314,7 +303,8 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
     frictionless = False
     if recipe.laws[0] == "constant":
         frictionless = start["constant.coefficient"] == 0.0
-    lifts = lifts or any(np.any(start[name]) for name in pressures if name in start)
+    if pressures and not lifts:
+        lifts = any(np.any(start[name]) for name in pressures if name in start)
     if not lifts and frictionless is False:
         return 0.0
     swings = choose(frictionless, 1.0, 2.0 if lifts else 0.0)
@@ -335,6 +325,7 @@ def _swing_of(recipe: Recipe) -> tuple[bool, bool, Names, Names]:
     effects = recipe.effects
     swings = rotates(effects) and COHESIVE.isdisjoint(recipe.moving)
     laws = tuple(law for law in recipe.laws if OF_COHESION in law)
-    of_soils = [f"{name}{soil_number(effect)}" for effect in effects for name in UPLIFT_OF_SOILS]
+    symbols = [symbol for effect in effects for symbol in symbols_of(effect).values()]
+    of_soils = [symbol for symbol in symbols if symbol.startswith(UPLIFT_OF_SOILS)]
     varies = any(name.startswith(UPLIFT_OF_SOILS) for name in recipe.moving)
     return swings, varies or not UPLIFT.isdisjoint(effects), tuple(of_soils), laws

@@ -10,8 +10,9 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from generated.effects import Parameter
+from generated.flow import INPUTS
 from generated.program import OF_COHESION
-from slipcircle.base.arrays import EPS, float_or_array
+from slipcircle.base.arrays import EPS, INFINITY, float_or_array
 from slipcircle.base.errors import Fault
 from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Shape, Values, cached_property
 from slipcircle.core.lazy import lazy_import
@@ -243,6 +244,19 @@ class Mass:
             "density": float_or_array(self.mean_unit_weight) / float_or_array(self.gravity),
             "cover": self.moment_coefficients.cover,
         }
+
+    @cached_property
+    def units(self) -> Values:
+        """Scales that make lengths, velocities and times dimensionless, by their units."""
+        radius = float_or_array(self.radius)
+        return {"m": radius, "m/s": radius / self.time_scale, "s": self.time_scale}
+
+    @cached_property
+    def initial_cells(self) -> Values:
+        """Cells that do not depend on friction, effects and start, by name."""
+        balance = self.moment_coefficients
+        records = {"LIMIT": abs(balance.limit_friction), "CLOSE": INFINITY, "LIFT_TIME": math.nan}
+        return dict(zip(INPUTS, balance, strict=False)) | records
 
     @cached_property
     def reference_stress(self) -> Any:

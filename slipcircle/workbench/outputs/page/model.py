@@ -163,9 +163,8 @@ def _program(problem: Problem, names: Names) -> ValueDict:
 
 def _runs(inputs: PageInputs) -> ValueDict:
     """Return the number of the perturbed runs that estimate the error, and by row the factors of its number in each."""
-    rounding = inputs.scene.arc.rounding
     cells = inputs.problem.cells()
-    runs = perturbed_runs(inputs.problem, slice(None), rounding)
+    runs = perturbed_runs(inputs.problem)
     program = inputs.problem.program
     factors: dict[int, Any] = {}
     for row, name in enumerate(inputs.names):
