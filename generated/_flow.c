@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "51645400e13c9648f3c32db9d2c65a28c045b334de6ebb46c90d94ebc29d9849"
+#define DIGEST "15fef637c828c088ae93753d03c102aae764bfc1a9b61ca4308d153cbbacff23"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -394,7 +394,7 @@ typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO };
+enum { PENDING = -16, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -1871,25 +1871,25 @@ INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
     }
 }
 
-/* Return whether coefficient n times a power of the step is significant beside the largest term so far. */
+/* Return whether coefficient n times a power of the step is significant beside the largest term so far. It is a
+ * term of the speed, at rest of the net moment. The path needs no test of its own: its term n + 1 is term n of the
+ * speed, times the step over n + 1. */
 INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V *x = at_rest ? (b->r + job->role->net) : (b->r + job->role->x);
     V *omega = at_rest ? (b->r + job->role->net) : (b->r + job->role->omega);
-    V term_x = magnitude(x[n]) * power;
-    V term_omega = magnitude(omega[n]) * power;
-    M counts = ~(is_negligible(b, term_x, c[LARGEST_X]) & is_negligible(b, term_omega, c[LARGEST_OMEGA]));
-    c[LARGEST_X] = maximum(term_x, c[LARGEST_X]);
-    c[LARGEST_OMEGA] = maximum(term_omega, c[LARGEST_OMEGA]);
+    V term = magnitude(omega[n]) * power;
+    M counts = ~is_negligible(b, term, c[LARGEST_OMEGA]);
+    c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
     return counts;
 }
 
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
  * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
- * negligible there. At rest the states are constant, and the net moment decides. Each lane's order is
- * `series_order`, and net moment, normal force and dip are zero beyond it. */
+ * negligible there, three if the speed grows beyond its first term: from rest, the square of the speed begins
+ * after a gap. At rest the states are constant, and the net moment decides. Each lane's order is `series_order`,
+ * and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest)
 {
     const Job *const job = b->job;
@@ -1898,8 +1898,8 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
     int top = greatest(order);
     int alike = all_lanes(order == (double)top);
     begin_expansion(b, which, top);
-    c[LARGEST_X] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->x)[0]);
     c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
+    V first = c[LARGEST_OMEGA];
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
@@ -1910,7 +1910,8 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
             M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
             power = power * room;
             in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
-            M ends = (in_a_row >= 2.0) & (order > (double)n) & which;
+            V enough = pick(c[LARGEST_OMEGA] > first, broadcast(3.0), broadcast(2.0));
+            M ends = (in_a_row >= (at_rest ? broadcast(2.0) : enough)) & (order > (double)n) & which;
             if ((n >= 2) && bits(ends)) {
                 order = pick(ends, minimum(order, broadcast((double)(n + 1))), order);
                 alike = 0;
@@ -3568,10 +3569,10 @@ static void advance(Batch *b, M here)
     if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0)) {
         moving = moving & ~swing(b, moving);
     }
-    if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {
+    if (__builtin_popcount(bits(moving)) > __builtin_popcount(bits(resting))) {
         make_step(b, moving);
     }
-    if (__builtin_popcount(bits(resting)) > __builtin_popcount(bits(moving))) {
+    if (bits(resting) && (__builtin_popcount(bits(resting)) >= __builtin_popcount(bits(moving)))) {
         rest_on(b, resting);
     }
     begin_phases(b);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5b96f5e39d886eeba55146f81b8cc4936dfef6cb8247606653a7e2f722ecbe01
+# sha256 of the text below: b523a2ebd2bd02ee8613097402157c62d64fc403d3232db5ff92ae9cd8a9a43e
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -889,14 +889,10 @@ def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -
 def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     """Return whether coefficient n times a power of the step is significant beside the largest term so far."""
     c = s.cells
-    x = s.registers[s.roles.net] if at_rest else s.registers[s.roles.x]
     omega = s.registers[s.roles.net] if at_rest else s.registers[s.roles.omega]
-    term_x = np.abs(x[n]) * power
-    term_omega = np.abs(omega[n]) * power
-    counts = np.logical_not(is_negligible(s, term_x, c[ix.LARGEST_X]) & is_negligible(s, term_omega,
-        c[ix.LARGEST_OMEGA]))
-    c[ix.LARGEST_X] = np.maximum(term_x, c[ix.LARGEST_X])
-    c[ix.LARGEST_OMEGA] = np.maximum(term_omega, c[ix.LARGEST_OMEGA])
+    term = np.abs(omega[n]) * power
+    counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
+    c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
     return counts
 
 
@@ -907,8 +903,8 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     top = greatest(order)
     alike = all_lanes(order == float(top))
     begin_expansion(s, which, top)
-    c[ix.LARGEST_X] = 0.0 if at_rest else np.abs(s.registers[s.roles.x][0])
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
+    first = c[ix.LARGEST_OMEGA].copy()
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
@@ -919,7 +915,8 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
-            ends = (in_a_row >= 2.0) & (order > float(n)) & which
+            enough = np.where(c[ix.LARGEST_OMEGA] > first, 3.0, 2.0)
+            ends = (in_a_row >= (2.0 if at_rest else enough)) & (order > float(n)) & which
             if n >= 2 and np.any(ends):
                 order = np.where(ends, np.minimum(order, float(n + 1)), order)
                 alike = False
@@ -2480,9 +2477,9 @@ def advance(s: Lanes, here: Mask) -> None:
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
     if s.roles.net_sine >= 0 and (not s.samples):
         moving = moving & np.logical_not(swing(s, moving))
-    if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
+    if np.count_nonzero(moving) > np.count_nonzero(resting):
         make_step(s, moving)
-    if np.count_nonzero(resting) > np.count_nonzero(moving):
+    if np.any(resting) and np.count_nonzero(resting) >= np.count_nonzero(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)

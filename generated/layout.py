@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 67c7c065e29f7fd811e2a721faf9471af457edb2f0c72aa50e0249cdc03d820b
+# sha256 of the text below: 4a0198b5f82aff81c660817a2b9b95fdb8ff3f6c40ee22dbae5c5e4bcbdb8853
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -38,15 +38,14 @@ X = 31  # rotation since the phase began, in the direction of travel
 OMEGA = 32  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
-PENDING = -17  # action required before its next step
-FACED = -16  # directions checked since its standstill
-SUDDEN = -15  # 1 if slip begins at a jump of forces, else 0
-RATE_BEFORE = -14  # d omega*/dt* where the phase before ended
-DRIVE_BEFORE = -13  # the drive of that phase
-SCALE_BEFORE = -12  # the size of the terms of that drive
-SERIES_ORDER = -11  # order of the series of this step
-LARGEST_X = -10  # largest term of the series of x so far, at rest of the net moment
-LARGEST_OMEGA = -9  # the same of omega
+PENDING = -16  # action required before its next step
+FACED = -15  # directions checked since its standstill
+SUDDEN = -14  # 1 if slip begins at a jump of forces, else 0
+RATE_BEFORE = -13  # d omega*/dt* where the phase before ended
+DRIVE_BEFORE = -12  # the drive of that phase
+SCALE_BEFORE = -11  # the size of the terms of that drive
+SERIES_ORDER = -10  # order of the series of this step
+LARGEST_OMEGA = -9  # largest term of the series of omega so far, at rest of the net moment
 STEP = -8  # length of this step, up to its first event
 EVENT = -7  # that event
 STRETCH = -6  # at rest, the time ahead that is known

@@ -185,9 +185,9 @@ def advance(s: Lanes, here: M) -> None:
     resting = here and s.status == number(Status.RESTING)
     if s.has.net_sine and not s.samples:
         moving = moving and not swing(s, moving)
-    if any_lane(moving) and lanes_in(moving) >= lanes_in(resting):
+    if lanes_in(moving) > lanes_in(resting):
         make_step(s, moving)
-    if lanes_in(resting) > lanes_in(moving):
+    if any_lane(resting) and lanes_in(resting) >= lanes_in(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)
