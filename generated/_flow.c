@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "fa91ceb83eb265bf8b00be8cd46585ba4d42f8e5a53de979166ea2a59f219c32"
+#define DIGEST "887f9a48a0acefc08bed5d6f9ae0079ab62d7c835d340d32d4234dde2555b0cc"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -400,7 +400,7 @@ typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -18, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, CLOCKED };
+enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -1954,7 +1954,6 @@ INLINE void begin_expansion(Batch *b, M which, int top, int at_rest, int by_rota
     if (by_rotation && (job->role->square >= 0)) {
         (b->r + job->role->square)[0] = c[OMEGA];
     }
-    c[LARGEST_X] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->x)[0]);
     c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
 }
 
@@ -1990,18 +1989,17 @@ INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest, in
     }
 }
 
-/* Return whether coefficient n times a power of the step is significant beside the largest term so far. */
+/* Return whether coefficient n times a power of the step is significant beside the largest term so far. It is a
+ * term of the speed, at rest of the net moment. The path needs no test of its own: its term n + 1 is term n of the
+ * speed, times the step over n + 1. */
 INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V *x = at_rest ? (b->r + job->role->net) : (b->r + job->role->x);
     V *omega = at_rest ? (b->r + job->role->net) : (b->r + job->role->omega);
-    V term_x = magnitude(x[n]) * power;
-    V term_omega = magnitude(omega[n]) * power;
-    M counts = ~(is_negligible(b, term_x, c[LARGEST_X]) & is_negligible(b, term_omega, c[LARGEST_OMEGA]));
-    c[LARGEST_X] = maximum(term_x, c[LARGEST_X]);
-    c[LARGEST_OMEGA] = maximum(term_omega, c[LARGEST_OMEGA]);
+    V term = magnitude(omega[n]) * power;
+    M counts = ~is_negligible(b, term, c[LARGEST_OMEGA]);
+    c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
     return counts;
 }
 
@@ -2025,9 +2023,10 @@ INLINE V look_for_end(Batch *b, V room)
 }
 
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
- * function of time cuts the step short after ``room``, or with ``by_rotation`` an edge of a table or standstill, a
- * series ends as soon as two consecutive terms are negligible there. At rest the states are constant, and the net
- * moment decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
+ * function of time, or with ``by_rotation`` an edge of a table or standstill, cuts the step short after ``room``,
+ * a series ends as soon as two consecutive terms are negligible there, three if the speed grows beyond its first
+ * term: from rest, the square of the speed begins after a gap. At rest the states are constant, and the net moment
+ * decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
 {
     const Job *const job = b->job;
@@ -2036,6 +2035,7 @@ INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
     int top = greatest(order);
     int alike = all_lanes(order == (double)top);
     begin_expansion(b, which, top, at_rest, by_rotation);
+    V first = c[LARGEST_OMEGA];
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
@@ -2052,7 +2052,8 @@ INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
             M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
             power = power * room;
             in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
-            M ends = (in_a_row >= 2.0) & (order > (double)n) & which;
+            V enough = pick(c[LARGEST_OMEGA] > first, broadcast(3.0), broadcast(2.0));
+            M ends = (in_a_row >= (at_rest ? broadcast(2.0) : enough)) & (order > (double)n) & which;
             if ((n >= 2) && bits(ends)) {
                 order = pick(ends, minimum(order, broadcast((double)(n + 1))), order);
                 alike = 0;
@@ -3933,10 +3934,10 @@ static void advance(Batch *b, M here)
         }
         moving = moving & (c[CLOCKED] > 0.0);
     }
-    if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {
+    if (__builtin_popcount(bits(moving)) > __builtin_popcount(bits(resting))) {
         make_step(b, moving);
     }
-    if (__builtin_popcount(bits(resting)) > __builtin_popcount(bits(moving))) {
+    if (bits(resting) && (__builtin_popcount(bits(resting)) >= __builtin_popcount(bits(moving)))) {
         rest_on(b, resting);
     }
     begin_phases(b);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c188561e63977ba6386fc865c5a4f1ae29273f9f150974a334f9d02a4e27ca95
+# sha256 of the text below: 8acff0f95e3d1acfb94a7ed70698bc440cbeb4ebc823813e903801f1e564edf8
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -890,7 +890,6 @@ def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int, by_rotation: 
                 expand_sine(s, i, t, top)
     if by_rotation and s.roles.square >= 0:
         s.registers[s.roles.square][0] = c[ix.OMEGA]
-    c[ix.LARGEST_X] = 0.0 if at_rest else np.abs(s.registers[s.roles.x][0])
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
 
 
@@ -920,14 +919,10 @@ def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int, b
 def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     """Return whether coefficient n times a power of the step is significant beside the largest term so far."""
     c = s.cells
-    x = s.registers[s.roles.net] if at_rest else s.registers[s.roles.x]
     omega = s.registers[s.roles.net] if at_rest else s.registers[s.roles.omega]
-    term_x = np.abs(x[n]) * power
-    term_omega = np.abs(omega[n]) * power
-    counts = np.logical_not(is_negligible(s, term_x, c[ix.LARGEST_X]) & is_negligible(s, term_omega,
-        c[ix.LARGEST_OMEGA]))
-    c[ix.LARGEST_X] = np.maximum(term_x, c[ix.LARGEST_X])
-    c[ix.LARGEST_OMEGA] = np.maximum(term_omega, c[ix.LARGEST_OMEGA])
+    term = np.abs(omega[n]) * power
+    counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
+    c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
     return counts
 
 
@@ -954,6 +949,7 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) 
     top = greatest(order)
     alike = all_lanes(order == float(top))
     begin_expansion(s, which, top, at_rest, by_rotation)
+    first = c[ix.LARGEST_OMEGA].copy()
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
@@ -969,7 +965,8 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) 
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
-            ends = (in_a_row >= 2.0) & (order > float(n)) & which
+            enough = np.where(c[ix.LARGEST_OMEGA] > first, 3.0, 2.0)
+            ends = (in_a_row >= (2.0 if at_rest else enough)) & (order > float(n)) & which
             if n >= 2 and np.any(ends):
                 order = np.where(ends, np.minimum(order, float(n + 1)), order)
                 alike = False
@@ -2719,9 +2716,9 @@ def advance(s: Lanes, here: Mask) -> None:
         if np.any(turning):
             turn_on(s, turning)
         moving = moving & (c[ix.CLOCKED] > 0.0)
-    if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
+    if np.count_nonzero(moving) > np.count_nonzero(resting):
         make_step(s, moving)
-    if np.count_nonzero(resting) > np.count_nonzero(moving):
+    if np.any(resting) and np.count_nonzero(resting) >= np.count_nonzero(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fe5bc3a4c745312d05ff0b8bfc28685b5ff90255d54902877a67b0166111c757
+# sha256 of the text below: c605e9f6ffb374541984ee56cf8da125b01f72b28bbedece8bf774a5ff008fdf
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -38,15 +38,14 @@ X = 31  # rotation since the phase began, in the direction of travel
 OMEGA = 32  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
-PENDING = -18  # action required before its next step
-FACED = -17  # directions checked since its standstill
-SUDDEN = -16  # 1 if slip begins at a jump of forces, else 0
-RATE_BEFORE = -15  # d omega*/dt* where the phase before ended
-DRIVE_BEFORE = -14  # the drive of that phase
-SCALE_BEFORE = -13  # the size of the terms of that drive
-SERIES_ORDER = -12  # order of the series of this step
-LARGEST_X = -11  # largest term of the series of x so far, at rest of the net moment
-LARGEST_OMEGA = -10  # the same of omega
+PENDING = -17  # action required before its next step
+FACED = -16  # directions checked since its standstill
+SUDDEN = -15  # 1 if slip begins at a jump of forces, else 0
+RATE_BEFORE = -14  # d omega*/dt* where the phase before ended
+DRIVE_BEFORE = -13  # the drive of that phase
+SCALE_BEFORE = -12  # the size of the terms of that drive
+SERIES_ORDER = -11  # order of the series of this step
+LARGEST_OMEGA = -10  # largest term of the series of omega so far, at rest of the net moment
 STEP = -9  # length of this step, up to its first event
 EVENT = -8  # that event
 STRETCH = -7  # at rest, the time ahead that is known

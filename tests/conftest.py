@@ -3,6 +3,7 @@
 import gc
 import json
 import shlex
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -56,6 +57,18 @@ def pytest_collection_finish() -> None:
     gc.freeze()
     gc.set_threshold(100_000, 20, 20)
     gc.enable()
+
+
+@pytest.fixture(autouse=True, scope="session")
+def derivations() -> None:
+    """Use the recorded derivations of moments, which `derive` has proved; those of changed sources are made anew."""
+    if integrate := sys.modules.get("derive.algebra.integrate"):
+        from derive.declare.quantities import MOMENTS
+        from derive.stages import Stages
+
+        stages, work = Stages(), "derive.algebra.integrate:recorded"
+        for moment in MOMENTS:
+            integrate.restore(moment, stages.run(moment.name, "integrate", work, moment, shown=""))
 
 
 @pytest.fixture(autouse=True)
@@ -123,13 +136,14 @@ def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
 
 @pytest.fixture
 def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Replace pictures by empty ones and give live pages one slider; both take most of the time of other outputs."""
+    """Replace pictures by empty ones and give live pages one slider; both take most of the time of other outputs.
+
+    The slider is short, so that it has interpolants.
+    """
     from slipcircle.workbench.outputs.page import model  # which loads much
 
-    interpolates = model.interpolates
-    monkeypatch.setattr(
-        model, "interpolates", lambda scene, sliders, *most: not sliders[1:] and interpolates(scene, sliders, *most)
-    )
+    monkeypatch.setattr(model, "SHARES", model.SHARES[-1:])
+    monkeypatch.setattr(model, "interpolates", lambda scene, sliders, *most: not sliders[1:])
     monkeypatch.setattr(
         "slipcircle.workbench.outputs.pictures.files.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
     )

@@ -58,6 +58,9 @@ def test_degrees_that_round_wrongly_are_not_kept(factor: Kernel, monkeypatch: py
         assert len(search.kept(factor, "float32", (above, below))) == kept
 
 
-def test_the_recorded_shape_is_what_the_search_finds(factor: Kernel) -> None:
-    """Nothing in the search is random or timed."""
+def test_the_recorded_shape_is_what_the_search_finds(factor: Kernel, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing in the search is random or timed. That its float32 form rounds correctly is a certificate."""
+    rounded = list[Record]()
+    monkeypatch.setattr(midpoints, "hard", rounded.append)
     assert search.search(factor) == recorded_shapes()[factor.definition]
+    assert [(record["tier"], record["form"]) for record in rounded] == [("float32", "plain"), ("float32", "fused")]

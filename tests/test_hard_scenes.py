@@ -8,6 +8,7 @@ import itertools
 import json
 import math
 from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -49,6 +50,7 @@ def data_of(case: Mapping[str, Any]) -> golden.Data:
     return scene
 
 
+@cache
 def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
     """Whether it comes to rest; run-out in m, duration in s and greatest speed in m/s."""
     case = CASES[name]

@@ -36,9 +36,13 @@ def tree(path: Path) -> ast.Module:
 
 
 def docstrings(path: Path) -> Iterator[str]:
-    for node in ast.walk(tree(path)):
+    statements: list[ast.AST] = [tree(path)]
+    for node in statements:  # which grow: only statements contain documented ones
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and (text := ast.get_docstring(node)):
             yield text
+        for part in ("body", "handlers", "orelse", "finalbody", "cases"):
+            inner = getattr(node, part, [])
+            statements += inner if isinstance(inner, list) else []  # the body of a lambda is an expression
 
 
 @cache

@@ -103,7 +103,8 @@ def test_only_files_that_match_their_record_are_kept(fault: str, monkeypatch: py
 
 def test_a_recorded_derivation_is_the_derivation() -> None:
     for moment in MOMENTS:
-        right = integrate.derive(moment)
+        right = integrate.derivation(moment)
+        integrate._DERIVED[moment] = right
         record = integrate.recorded(moment)
         integrate._DERIVED.clear()
         integrate.restore(moment, record)

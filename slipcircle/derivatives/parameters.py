@@ -200,9 +200,9 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[S
         impossible = next((lanes for lanes, _ in faults if np.any(lanes)), None)
         if impossible is None:
             lanes: Scene = replace_unchecked(changed, {"uncertain": {}})
-            lanes.start_anew()
             if not scene.shape:
                 vars(lanes)["shape"] = invalid.shape  # known without its numbers
+            lanes.start_anew()
             return lanes, invalid
         if impossible.size > 1:
             impossible = impossible.reshape(invalid.shape)

@@ -191,9 +191,9 @@ def advance(s: Lanes, here: M) -> None:
         if any_lane(turning):
             turn_on(s, turning)
         moving = moving and s.clocked > 0.0
-    if any_lane(moving) and lanes_in(moving) >= lanes_in(resting):
+    if lanes_in(moving) > lanes_in(resting):
         make_step(s, moving)
-    if lanes_in(resting) > lanes_in(moving):
+    if any_lane(resting) and lanes_in(resting) >= lanes_in(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)

@@ -132,7 +132,6 @@ def begin_expansion(s: Lanes, which: M, top: N, at_rest: N, by_rotation: N) -> N
             expand_sine(s, t, top)
     if by_rotation and s.has.square:
         s.series.square[0] = s.omega
-    s.largest_x = 0.0 if at_rest else abs(s.series.x[0])
     s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
 
 
@@ -163,14 +162,15 @@ def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N, by_rotation:
 
 
 def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
-    """Return whether coefficient n times a power of the step is significant beside the largest term so far."""
-    x = s.series.net if at_rest else s.series.x
+    """Return whether coefficient n times a power of the step is significant beside the largest term so far.
+
+    It is a term of the speed, at rest of the net moment. The path needs no test of its own: its term n + 1 is term n of
+    the speed, times the step over n + 1.
+    """
     omega = s.series.net if at_rest else s.series.omega
-    term_x = abs(x[n]) * power
-    term_omega = abs(omega[n]) * power
-    counts = not (is_negligible(s, term_x, s.largest_x) and is_negligible(s, term_omega, s.largest_omega))
-    s.largest_x = maximum(term_x, s.largest_x)
-    s.largest_omega = maximum(term_omega, s.largest_omega)
+    term = abs(omega[n]) * power
+    counts = not is_negligible(s, term, s.largest_omega)
+    s.largest_omega = maximum(term, s.largest_omega)
     return counts
 
 
@@ -195,14 +195,16 @@ def look_for_end(s: Lanes, room: V) -> V:
 def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order.
 
-    If a function of time cuts the step short after ``room``, or with ``by_rotation`` an edge of a table or standstill,
-    a series ends as soon as two consecutive terms are negligible there. At rest the states are constant, and the net
-    moment decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it.
+    If a function of time, or with ``by_rotation`` an edge of a table or standstill, cuts the step short after ``room``,
+    a series ends as soon as two consecutive terms are negligible there, three if the speed grows beyond its first term:
+    from rest, the square of the speed begins after a gap. At rest the states are constant, and the net moment decides.
+    Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it.
     """
     order = where(which, s.order, 1.0)
     top: N = greatest(order)
     alike: N = all_lanes(order == number(top))
     begin_expansion(s, which, top, at_rest, by_rotation)
+    first = s.largest_omega
     power: V = 1.0 if at_rest else room
     in_a_row: V = 0.0
     n: N = 0
@@ -218,7 +220,8 @@ def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = where(counts, 0.0, in_a_row + 1.0)
-            ends = in_a_row >= 2.0 and order > number(n) and which
+            enough = where(s.largest_omega > first, 3.0, 2.0)
+            ends = in_a_row >= (2.0 if at_rest else enough) and order > number(n) and which
             if n >= 2 and any_lane(ends):
                 order = where(ends, minimum(order, number(n + 1)), order)
                 alike = False

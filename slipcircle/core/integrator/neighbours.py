@@ -17,15 +17,12 @@ Rows = list[list[float]]
 # the combination that matters more often.
 RUNS = 8
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
-_ROWS = [np.roll(_FIRST, k) for k in range(7)]
-SIGNS = np.array(_ROWS, dtype=float)
+SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], float)
 # Increase of the order, and ratio of step lengths, of each run relative to the motion. Two orders are added because
 # every other coefficient is 0 at rest. Longer steps of higher order cost less than shorter steps and truncate less.
-FURTHER = np.full(RUNS, 2.0)
-FURTHER[0] = 0.0
 # Where breaks of time cut steps short, series end at terms below factor^order. Runs of almost the same order end at the
-# same term, so that one run has many more.
-FURTHER[-1] = 6.0
+# same term, so that the last run has many more.
+FURTHER = np.array([0.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 6.0])
 LONGER = np.array([1.0, 1.005, 1.02, 1.035, 1.05, 1.07, 1.095, 1.115])
 _COMPARED = np.array(
     [ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.REACH_ROTATION, ix.PEAK_OMEGA, ix.END_ROTATION]
@@ -41,11 +38,9 @@ def _moves(program: Program, rounding: float, is_refined: bool = False) -> Float
     If the limit friction is refined, its two parts and the friction are exact inputs and remain unchanged.
     """
     inputs = [name for name in program.cells[len(ix.CELLS) : program.given] if not _is_of_table(name)]
-    if is_refined:
-        moved = [ix.OMEGA, *(program.places[name] for name in inputs if "." not in name)]
-    else:
-        moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs)]
-        moved += [table.cells + ix.SCALED_BY for table in program.tables]  # factors of the values of tables
+    moved = [ix.OMEGA, *(program.places[name] for name in inputs if not (is_refined and "." in name))]
+    if not is_refined:
+        moved = [ix.LIMIT, *moved, *(table.cells + ix.SCALED_BY for table in program.tables)]  # and factors of values
     signs = np.zeros((len(program.cells), RUNS))
     for number, cell in enumerate(moved):
         signs[cell, 1:] = SIGNS[:, number % len(_FIRST)]

@@ -24,10 +24,17 @@ def repeated(measures: Sequence[tuple[int, float, float]], values: Callable[[int
     for k, (samples, step, peak) in enumerate(measures):
         alike = different.setdefault((samples, f"{step:.6g}"), [])
         near = (other for other in alike if abs(measures[other][2] - peak) <= _TOLERANCE * peak)
-        same = (other for other in near if np.max(np.abs(values(k) - values(other))) <= _TOLERANCE * peak)
+        same = (other for other in near if _are_equal(values(k), values(other), _TOLERANCE * peak))
         first = next(same, None)
         if first is None:
             alike.append(k)
         else:
             earlier[k] = first
     return earlier
+
+
+def _are_equal(one: Floats, other: Floats, within: float) -> bool:
+    """Return whether samples agree, first where the first record is greatest, as records may be scaled to one peak."""
+    top = one.argmax()
+    is_near = abs(one[top] - other[top]) <= within
+    return bool(is_near and np.max(np.abs(one - other)) <= within)
