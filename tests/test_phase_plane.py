@@ -1,5 +1,6 @@
 """Closed forms of phases of motion: proofs, plain integration with many digits, and the integrator in time."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache, partial
@@ -214,6 +215,34 @@ def test_e_under_exponential_softening_solves_the_equation(softens: Any) -> None
             softening.soften(s, e, f, at)
             expected = [exact(mpmath.mpf(at)), *(mpmath.diff(exact, at, order) for order in (1, 2))]
             assert f[5:8] == pytest.approx([float(x) for x in expected], rel=1e-12)
+
+
+@pytest.mark.parametrize("slope", [1 + 1e-12, 0.5 + 1e-12, 1.9, 2.1])
+def test_the_plain_series_is_not_used_near_resonances(slope: float) -> None:
+    """The integrator divides by q - slope and q - 2 slope, in units of q, and has no digits where these are small."""
+    numbers, softens = (0.1, -0.9, 0.1, 0.6), (0.6 * slope, 0.01, -0.05, 0.2, -0.1)
+    s, e, f = softening_lanes(numbers, softens), [0.0] * STRIDE, [0.0] * STRIDE
+    s.order = softening.FINEST
+    softening.softening_factors(s, e)
+    softening.soften(s, e, f, 0.2)
+    exact = float(by_quadrature(numbers, mpmath.mpf(0.2), softens))
+    assert (abs(f[5] / exact - 1) < 1e-12) == (slope > 1.5)
+    assert softening.series_suffices(s, e) == (slope > 2)
+
+
+@pytest.mark.parametrize("degree", [softening.FROM_PEAK - 1, softening.FROM_PEAK - 2])
+def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The integrand is 1 + c P(v), with a polynomial of Legendre that the rule just resolves."""
+    nodes = np.array(softening.NODES[softening.TO_PEAK :])
+    unit = 1e-3
+    share = 1 / (unit * nodes**2 + 1)
+    for part, uncertain in ((1e-7, False), (1e-4, True)):
+        integrand = 1 + part * np.polynomial.Legendre.basis(degree)(2 * nodes - 1)
+        energies = iter((share**2 * nodes / integrand) ** 2)
+        monkeypatch.setattr(softening, "softening_functions", lambda *_: None)
+        monkeypatch.setattr(softening, "softening_energy", lambda *_, given=energies: next(given))
+        time = softening.time_of_part(SimpleNamespace(), [], 1.0, unit, 0.0, 1)
+        assert time == (math.inf if uncertain else pytest.approx(2 * unit, rel=1e-6))
 
 
 @pytest.mark.parametrize("share", [0.5, 1e-9])
