@@ -36,19 +36,19 @@ EFFECTS: dict[str, dict[str, Any]] = {
 
 
 def in_time(problem: lanes.Problem) -> lanes.Problem:
-    """Return the same lanes without their closed form, so that they are integrated in time."""
+    """Return the same lanes without closed form and series in the rotation, so that they are integrated in time."""
     roles = {role: place for role, place in problem.program.roles.items() if "cell_net_" not in role}
-    return replace(problem, program=replace(problem.program, roles=roles))
+    return replace(problem, program=replace(problem.program, roles=roles, by_rotation=0))
 
 
-def random_scene(effects: dict[str, Any], end: float | None, softens: bool = False) -> Scene[Any]:
+def random_scene(effects: dict[str, Any], end: float | None, softens: str = "") -> Scene[Any]:
     middle, half = 1.5 * np.pi + _RNG.uniform(-1.2, 1.2, COUNT), _RNG.uniform(0.05, 1.5, COUNT)
     arc: Any = Arc(_RNG.uniform(100.0, 2000.0, COUNT), middle - half, middle + half, 20e3)
     pushed = np.where(_RNG.random(COUNT) < 0.3, _RNG.normal(size=COUNT) * 5.0, 0.0)
     friction: Any = _RNG.uniform(0.0, 0.6, COUNT)
     if softens:
         residual, length = friction * _RNG.uniform(0.0, 1.1, COUNT), 10.0 ** _RNG.uniform(-1.0, 3.0, COUNT)
-        friction = {"law": "exponential", "peak": friction, "residual": residual, "length": length}
+        friction = {"law": softens, "peak": friction, "residual": residual, "length": length}
     return Scene(arc, friction, TURNING | effects, pushed, end)
 
 
@@ -69,10 +69,23 @@ def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", EFFECTS)
+def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str) -> None:
+    """Friction softens linearly; half of the masses are pushed, in both directions."""
+    for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
+        scene = random_scene(EFFECTS[name], end, softens="linear")
+        problem = lanes.posed(scene, 1e-15)
+        assert problem.program.by_rotation
+        expected = lanes.integrate(in_time(problem), which)
+        found = lanes.integrate(problem, which, backend)
+        assert agree(found, expected, 1e-12)
+        assert end or found[ix.STEPS].sum() < expected[ix.STEPS].sum()
+
+
+@pytest.mark.parametrize("name", EFFECTS)
 def test_softening_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
     """Compare all motions, and within 1e-11 the motions without steps in time."""
     for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
-        scene = random_scene(EFFECTS[name], end, softens=True)
+        scene = random_scene(EFFECTS[name], end, softens="exponential")
         expected = lanes.integrate(in_time(lanes.posed(scene, 1e-15)), which)
         steps = lanes.integrate(in_time(lanes.posed(scene, 1e-9)), which)[ix.STEPS]
         found = lanes.integrate(lanes.posed(scene, 1e-9), which, backend)
@@ -84,7 +97,7 @@ def test_softening_phases_in_closed_form_are_those_integrated_in_time(name: str)
 
 def test_higher_orders_are_integrated_in_time() -> None:
     """The series of closed forms is as accurate as 1e-9 requires, and error estimates compare it with higher orders."""
-    scene = random_scene({}, None, softens=True)
+    scene = random_scene({}, None, softens="exponential")
     for accuracy, equal in ((1e-9, False), (1e-10, True)):
         problem = lanes.posed(scene, accuracy)
         steps = [lanes.integrate(one)[ix.STEPS] for one in (problem, in_time(problem))]
