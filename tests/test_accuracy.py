@@ -9,6 +9,7 @@ import math
 from dataclasses import replace
 from functools import partial
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ import pytest
 import slipcircle
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
+from slipcircle.core.integrator import compiled
 from slipcircle.workbench.files.shipped import shipped
 from tests.campaigns import estimates
 from tests.support import references, section_references, taylor, vaiont
@@ -205,3 +207,12 @@ def test_an_end_time_next_to_the_duration_is_no_error(name: str) -> None:
     times: Any = np.array([motion.duration, 2 * motion.duration])
     lanes = solve(replace(shipped_scene, end_time=times))
     assert np.all(np.less(lanes.error_estimate, lanes.plan.accuracy))
+
+
+@needs_binary
+@pytest.mark.parametrize("name", ["vaiont", "vaiont-softening", "vaiont-rate"])
+def test_one_call_solves_a_scene_and_its_neighbours(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    calls = Mock(wraps=compiled.integrate)
+    monkeypatch.setattr(compiled, "integrate", calls)
+    assert solve(load(name)).error_estimate < 1e-12
+    assert calls.call_count == 1
