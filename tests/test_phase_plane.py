@@ -16,7 +16,7 @@ from derive.algebra import phase_plane
 from derive.algebra.phase_plane import drive, q, sine, vers, x
 from derive.check.proof import ProofError
 from derive.flow import closed
-from derive.flow.integrator import energy, softening, swing
+from derive.flow.integrator import energy, one_lane, softening, swing
 from derive.flow.layout import STRIDE
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
@@ -230,10 +230,10 @@ def test_the_plain_series_is_not_used_near_resonances(slope: float) -> None:
     assert softening.series_suffices(s, e) == (slope > 2)
 
 
-@pytest.mark.parametrize("degree", [softening.FROM_PEAK - 1, softening.FROM_PEAK - 2])
+@pytest.mark.parametrize("degree", [one_lane.FROM_PEAK - 1, one_lane.FROM_PEAK - 2])
 def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """The integrand is 1 + c P(v), with a polynomial of Legendre that the rule just resolves."""
-    nodes = np.array(softening.NODES[softening.TO_PEAK :])
+    nodes = np.array(one_lane.NODES[one_lane.TO_PEAK :])
     unit = 1e-3
     share = 1 / (unit * nodes**2 + 1)
     for part, uncertain in ((1e-7, False), (1e-4, True)):
