@@ -71,7 +71,7 @@ def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
 
 @pytest.mark.parametrize("name", EFFECTS)
 def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str) -> None:
-    """Friction softens linearly; half of the masses are pushed, in both directions."""
+    """Friction softens linearly; a third of the masses are pushed, in both directions."""
     for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
         scene = random_scene(EFFECTS[name], end, softens="linear")
         problem = lanes.posed(scene, 1e-15)
