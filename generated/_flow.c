@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "887f9a48a0acefc08bed5d6f9ae0079ab62d7c835d340d32d4234dde2555b0cc"
+#define DIGEST "c60b77ac1ffb22f72a65383917635be752ce815ac48616d39a93e71bca919f61"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2180,7 +2180,8 @@ static void start(Batch *b, unsigned lane)
     c[FACED][lane] = 0.0;
     c[PENDING][lane] = (c[OMEGA][lane] > 0.0) ? START_MOVING : RESOLVE;
     c[CLOCKED][lane] = 0.0;
-    if (job->timed || job->by_rotation) {
+    c[NEGLIGIBLE][lane] = ROUNDING;
+    if (job->timed) {
         find_negligible(b, lane);
     }
     find_pieces(b, lane);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8acff0f95e3d1acfb94a7ed70698bc440cbeb4ebc823813e903801f1e564edf8
+# sha256 of the text below: ff2e31bf8acdf12d8cd5c46203037d9f6a3f3d626fadbff67e2217f464d8f9c3
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1080,7 +1080,8 @@ def start(lane: Lanes, i: Index) -> None:
     c[ix.FACED, i] = 0.0
     c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
     c[ix.CLOCKED, i] = 0.0
-    if lane.timed or lane.by_rotation:
+    c[ix.NEGLIGIBLE, i] = ROUNDING
+    if lane.timed:
         find_negligible(lane, i)
     find_pieces(lane, i)
 

@@ -20,6 +20,7 @@ from derive.flow.integrator import energy, one_lane, softening, swing
 from derive.flow.layout import STRIDE
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
+from tests.campaigns import estimates
 from tests.support import lanes, oracle, taylor
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
@@ -80,6 +81,12 @@ def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str
         found = lanes.integrate(problem, which, backend)
         assert agree(found, expected, 1e-12)
         assert end or found[ix.STEPS].sum() < expected[ix.STEPS].sum()
+
+
+def test_estimates_see_the_error_of_series_in_the_rotation() -> None:
+    """Water in polynomials of the rotation: a series may have small terms before a larger one, which all runs need."""
+    cases = estimates.compared(2, seed=83)
+    assert cases and all(case.error <= case.estimate for case in cases)
 
 
 @pytest.mark.parametrize("name", EFFECTS)

@@ -25,7 +25,7 @@ from derive.flow.integrator.one_lane import (
     read_samples,
     where,
 )
-from derive.flow.integrator.series import evaluate, find_negligible, normal_force
+from derive.flow.integrator.series import ROUNDING, evaluate, find_negligible, normal_force
 from derive.flow.integrator.tables import begin_pieces, find_pieces, still_changes
 
 TIE = 256.0 * EPS  # relative difference up to which two peaks are equal
@@ -99,7 +99,8 @@ def start(lane: Lane) -> None:
     lane.faced = 0.0
     lane.pending = where(lane.omega > 0.0, Pending.START_MOVING, Pending.RESOLVE)
     lane.clocked = 0.0
-    if lane.timed or lane.by_rotation:
+    lane.negligible = ROUNDING  # of series in the rotation, since all runs of an estimate would lack equal terms
+    if lane.timed:
         find_negligible(lane)
     find_pieces(lane)
 
