@@ -86,7 +86,8 @@ def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str
 def test_estimates_see_the_error_of_series_in_the_rotation() -> None:
     """Water in polynomials of the rotation: a series may have small terms before a larger one, which all runs need."""
     cases = estimates.compared(2, seed=83)
-    assert cases and all(case.error <= case.estimate for case in cases)
+    assert cases
+    assert all(case.error <= case.estimate for case in cases)
 
 
 @pytest.mark.parametrize("name", EFFECTS)
