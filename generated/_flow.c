@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "15fef637c828c088ae93753d03c102aae764bfc1a9b61ca4308d153cbbacff23"
+#define DIGEST "887f9a48a0acefc08bed5d6f9ae0079ab62d7c835d340d32d4234dde2555b0cc"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = 42, CELLS = 33, PARTS = 9, REGISTER_ROLES = 5, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
+enum { HIGHEST = 40, STRIDE = 42, CELLS = 33, PARTS = 9, REGISTER_ROLES = 6, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -34,13 +34,14 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
 } Roles;
 
 typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
-     * states, tables, those of time; 1 where its rate depends on the speed alone, 2 where on time alone. */
-    int cells, made, registers, states, tables, timed, autonomous;
+     * states, tables, those of time; 1 where its rate depends on the speed alone, 2 where on time alone; 1 where series in
+     * powers of the rotation exist, 2 where the first operation is the square of omega. */
+    int cells, made, registers, states, tables, timed, autonomous, by_rotation;
     const int32_t *scalar, *scalar_end, *series, *series_end, *later_end; /* after `series` what no rate needs */
     const State *state;
     const Table *table;
@@ -65,18 +66,22 @@ enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S
 /* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
  * are operations that rates need. */
 static const struct { int rates, length; const int32_t *operations; } patterns[] = {
-    {21, 39, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, SQR, 5 * STRIDE, 1 * STRIDE, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {43, 75, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE, SQR, 11 * STRIDE, 1 * STRIDE, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {38, 62, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, SQR, 8 * STRIDE, 1 * STRIDE, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {55, 85, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, SQR, 11 * STRIDE, 1 * STRIDE, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {59, 73, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 6 * STRIDE, 5 * STRIDE, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, SQR, 10 * STRIDE, 1 * STRIDE, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {81, 95, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 6 * STRIDE, 5 * STRIDE, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE, SQR, 16 * STRIDE, 1 * STRIDE, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {82, 96, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 9 * STRIDE, 8 * STRIDE, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE, SQR, 13 * STRIDE, 1 * STRIDE, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {105, 119, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 12 * STRIDE, 11 * STRIDE, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE, SQR, 16 * STRIDE, 1 * STRIDE, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {21, 39, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {43, 75, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {38, 62, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {55, 85, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, RAMP, 9 * STRIDE, CELL, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE, LIN, 12 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {59, 73, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 7 * STRIDE, 6 * STRIDE, EXP, 8 * STRIDE, 9 * STRIDE, 7 * STRIDE, 6 * STRIDE, LIN, 10 * STRIDE, CELL, 1, CELL, 9 * STRIDE, LIN, 11 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, MUL, 12 * STRIDE, 10 * STRIDE, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {81, 95, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 7 * STRIDE, 6 * STRIDE, EXP, 8 * STRIDE, 9 * STRIDE, 7 * STRIDE, 6 * STRIDE, LIN, 10 * STRIDE, CELL, 1, CELL, 9 * STRIDE, POWERS, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 16 * STRIDE, 0 * STRIDE, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 10 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 10 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {82, 96, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 10 * STRIDE, 9 * STRIDE, EXP, 11 * STRIDE, 12 * STRIDE, 10 * STRIDE, 9 * STRIDE, LIN, 13 * STRIDE, CELL, 1, CELL, 12 * STRIDE, LIN, 14 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, MUL, 15 * STRIDE, 13 * STRIDE, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 18 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {105, 119, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, RAMP, 9 * STRIDE, CELL, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 13 * STRIDE, 12 * STRIDE, EXP, 14 * STRIDE, 15 * STRIDE, 13 * STRIDE, 12 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 15 * STRIDE, LIN, 17 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, MUL, 18 * STRIDE, 16 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
     {45, 63, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE, TIM, 4 * STRIDE, 0 * STRIDE, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE}},
-    {77, 91, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE, SQR, 15 * STRIDE, 1 * STRIDE, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {78, 92, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE, SQR, 12 * STRIDE, 1 * STRIDE, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {101, 115, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE, SQR, 15 * STRIDE, 1 * STRIDE, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {77, 91, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 9 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 9 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {78, 92, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, MUL, 14 * STRIDE, 12 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {101, 115, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, RAMP, 9 * STRIDE, CELL, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, MUL, 17 * STRIDE, 15 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {45, 59, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 7 * STRIDE, LIN, 9 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {67, 81, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE, POWERS, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 0 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 6 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {68, 82, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, MUL, 11 * STRIDE, 9 * STRIDE, 10 * STRIDE, LIN, 12 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
+    {91, 105, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, TIM, 3 * STRIDE, 0 * STRIDE, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE, RAMP, 6 * STRIDE, CELL, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, RAMP, 9 * STRIDE, CELL, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, MUL, 14 * STRIDE, 12 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE}},
 };
 
 static int straight_of(const Job *job)
@@ -93,8 +98,8 @@ static int straight_of(const Job *job)
 #endif
 
 /* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
- * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
-enum { HEAD = 9, WIDEST = 64 };
+ * of those on series and of those on series that no rate needs, autonomous, by_rotation; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
+enum { HEAD = 10, WIDEST = 64 };
 
 static int read_program(Job *job, const int32_t *p, const int32_t *end)
 {
@@ -110,7 +115,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
     job->scalar_end = job->series = job->scalar + p[5];
     job->series_end = job->series + p[6], job->later_end = job->series_end + p[7];
     job->state = (const State *)job->later_end;
-    job->autonomous = p[8];
+    job->autonomous = p[8], job->by_rotation = p[9];
     job->table = (const Table *)(job->state + job->states);
     for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2;
 #ifdef __wasm__
@@ -212,6 +217,7 @@ static int program_fits(const Job *job)
         if (t->kind < 0 || t->kind > 3 || t->cell < 0 || t->degree < 0 || t->degree >= STRIDE || end > job->cells ||
             (t->reg != -1 && !is_register(job, t->reg))) return 0;
     }
+    if (job->by_rotation == 2 && (job->series_end - job->series < 3 || job->series[0] != SQR || job->role->square < 0)) return 0;
     const int32_t *const role = (const int32_t *)job->role;
     for (int i = 0; i < (int)sizeof(Roles) / 4; i++)
         if (role[i] != -1 && !(i < REGISTER_ROLES ? is_register(job, role[i]) : is_cell(job, role[i]))) return 0;
@@ -394,7 +400,7 @@ typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -16, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO };
+enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -779,161 +785,161 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 #define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
-    static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n) \
-    { if (n == 0) rates_##k(own, r, c, 0, by_n); else rates_##k(own, r, c, n, by_n); } \
+    static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n, int squares) \
+    { if (n == 0) rates_##k(own, r, c, 0, by_n, squares); else rates_##k(own, r, c, n, by_n, squares); } \
     static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
-INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, SQR, 5 * STRIDE, 1 * STRIDE);
-    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(21, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
-    STRAIGHT(31, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(21, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    STRAIGHT(31, LIN, 8 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(0)
-INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE);
-    STRAIGHT(16, SQR, 11 * STRIDE, 1 * STRIDE);
-    STRAIGHT(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE);
+    STRAIGHT(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
-    STRAIGHT(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(67, LIN, 14 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(1)
-INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(19, SQR, 8 * STRIDE, 1 * STRIDE);
-    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(38, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
-    STRAIGHT(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(38, LIN, 10 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    STRAIGHT(54, LIN, 11 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(2)
-INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(19, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(22, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(26, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(30, SQR, 11 * STRIDE, 1 * STRIDE);
-    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, RAMP, 9 * STRIDE, CELL);
+    STRAIGHT(25, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE);
+    STRAIGHT(29, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE);
+    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(55, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
-    STRAIGHT(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(55, LIN, 13 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(77, LIN, 14 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(3)
-INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(14, TIM, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(17, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
-    STRAIGHT(28, SQR, 10 * STRIDE, 1 * STRIDE);
-    STRAIGHT(31, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE);
-    STRAIGHT(41, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE);
-    STRAIGHT(45, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(17, TIM, 7 * STRIDE, 6 * STRIDE);
+    STRAIGHT(20, EXP, 8 * STRIDE, 9 * STRIDE, 7 * STRIDE, 6 * STRIDE);
+    STRAIGHT(25, LIN, 10 * STRIDE, CELL, 1, CELL, 9 * STRIDE);
+    STRAIGHT(31, LIN, 11 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    STRAIGHT(41, MUL, 12 * STRIDE, 10 * STRIDE, 11 * STRIDE);
+    STRAIGHT(45, LIN, 13 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
 }
 INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(59, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
-    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(4)
-INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(14, TIM, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(17, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
-    STRAIGHT(28, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE);
-    STRAIGHT(36, SQR, 16 * STRIDE, 1 * STRIDE);
-    STRAIGHT(39, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE);
-    STRAIGHT(63, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE);
-    STRAIGHT(67, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(17, TIM, 7 * STRIDE, 6 * STRIDE);
+    STRAIGHT(20, EXP, 8 * STRIDE, 9 * STRIDE, 7 * STRIDE, 6 * STRIDE);
+    STRAIGHT(25, LIN, 10 * STRIDE, CELL, 1, CELL, 9 * STRIDE);
+    STRAIGHT(31, POWERS, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 16 * STRIDE, 0 * STRIDE);
+    STRAIGHT(39, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE);
+    STRAIGHT(63, MUL, 18 * STRIDE, 10 * STRIDE, 17 * STRIDE);
+    STRAIGHT(67, LIN, 19 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 10 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
 INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(81, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
-    STRAIGHT(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(87, LIN, 21 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(5)
-INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(19, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(25, TIM, 9 * STRIDE, 8 * STRIDE);
-    STRAIGHT(28, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE);
-    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
-    STRAIGHT(39, SQR, 13 * STRIDE, 1 * STRIDE);
-    STRAIGHT(42, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE);
-    STRAIGHT(58, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE);
-    STRAIGHT(62, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(28, TIM, 10 * STRIDE, 9 * STRIDE);
+    STRAIGHT(31, EXP, 11 * STRIDE, 12 * STRIDE, 10 * STRIDE, 9 * STRIDE);
+    STRAIGHT(36, LIN, 13 * STRIDE, CELL, 1, CELL, 12 * STRIDE);
+    STRAIGHT(42, LIN, 14 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    STRAIGHT(58, MUL, 15 * STRIDE, 13 * STRIDE, 14 * STRIDE);
+    STRAIGHT(62, LIN, 16 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
 }
 INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(82, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
-    STRAIGHT(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(88, LIN, 18 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(6)
-INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(19, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(22, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(26, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(30, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(36, TIM, 12 * STRIDE, 11 * STRIDE);
-    STRAIGHT(39, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE);
-    STRAIGHT(44, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
-    STRAIGHT(50, SQR, 16 * STRIDE, 1 * STRIDE);
-    STRAIGHT(53, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE);
-    STRAIGHT(75, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE);
-    STRAIGHT(79, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, RAMP, 9 * STRIDE, CELL);
+    STRAIGHT(25, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE);
+    STRAIGHT(29, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE);
+    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(39, TIM, 13 * STRIDE, 12 * STRIDE);
+    STRAIGHT(42, EXP, 14 * STRIDE, 15 * STRIDE, 13 * STRIDE, 12 * STRIDE);
+    STRAIGHT(47, LIN, 16 * STRIDE, CELL, 1, CELL, 15 * STRIDE);
+    STRAIGHT(53, LIN, 17 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(75, MUL, 18 * STRIDE, 16 * STRIDE, 17 * STRIDE);
+    STRAIGHT(79, LIN, 19 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
 INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(105, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
-    STRAIGHT(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(111, LIN, 21 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(7)
-INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
     STRAIGHT(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
     STRAIGHT(11, TIM, 4 * STRIDE, 0 * STRIDE);
     STRAIGHT(14, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE);
@@ -947,72 +953,146 @@ INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
     STRAIGHT(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
 }
 EACH_ORDER(8)
-INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(14, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
-    STRAIGHT(18, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    STRAIGHT(24, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE);
-    STRAIGHT(32, SQR, 15 * STRIDE, 1 * STRIDE);
-    STRAIGHT(35, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
-    STRAIGHT(59, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE);
-    STRAIGHT(63, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    STRAIGHT(17, REC, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE);
+    STRAIGHT(21, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
+    STRAIGHT(27, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE);
+    STRAIGHT(35, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
+    STRAIGHT(59, MUL, 17 * STRIDE, 9 * STRIDE, 16 * STRIDE);
+    STRAIGHT(63, LIN, 18 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 9 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
 INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(77, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
-    STRAIGHT(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(83, LIN, 20 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(9)
-INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(19, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(25, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE);
-    STRAIGHT(29, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    STRAIGHT(35, SQR, 12 * STRIDE, 1 * STRIDE);
-    STRAIGHT(38, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE);
-    STRAIGHT(54, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
-    STRAIGHT(58, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    STRAIGHT(28, REC, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE);
+    STRAIGHT(32, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
+    STRAIGHT(38, LIN, 13 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    STRAIGHT(54, MUL, 14 * STRIDE, 12 * STRIDE, 13 * STRIDE);
+    STRAIGHT(58, LIN, 15 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
 INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(78, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(84, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(10)
-INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(19, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(22, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(26, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(30, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(36, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE);
-    STRAIGHT(40, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(46, SQR, 15 * STRIDE, 1 * STRIDE);
-    STRAIGHT(49, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE);
-    STRAIGHT(71, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE);
-    STRAIGHT(75, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, RAMP, 9 * STRIDE, CELL);
+    STRAIGHT(25, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE);
+    STRAIGHT(29, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE);
+    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    STRAIGHT(39, REC, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE);
+    STRAIGHT(43, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
+    STRAIGHT(49, LIN, 16 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(71, MUL, 17 * STRIDE, 15 * STRIDE, 16 * STRIDE);
+    STRAIGHT(75, LIN, 18 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
 INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     STRAIGHT(101, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
-    STRAIGHT(107, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    STRAIGHT(107, LIN, 20 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 EACH_ORDER(11)
+INLINE void rates_12(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+{
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(17, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    STRAIGHT(27, MUL, 8 * STRIDE, 6 * STRIDE, 7 * STRIDE);
+    STRAIGHT(31, LIN, 9 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+}
+INLINE void others_12(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(45, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
+    STRAIGHT(51, LIN, 11 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+}
+EACH_ORDER(12)
+INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+{
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(17, POWERS, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 0 * STRIDE);
+    STRAIGHT(25, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
+    STRAIGHT(49, MUL, 14 * STRIDE, 6 * STRIDE, 13 * STRIDE);
+    STRAIGHT(53, LIN, 15 * STRIDE, CELL, 5, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+}
+INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(67, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    STRAIGHT(73, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+}
+EACH_ORDER(13)
+INLINE void rates_14(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+{
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(28, LIN, 10 * STRIDE, CELL, 6, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    STRAIGHT(44, MUL, 11 * STRIDE, 9 * STRIDE, 10 * STRIDE);
+    STRAIGHT(48, LIN, 12 * STRIDE, CELL, 8, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+}
+INLINE void others_14(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(68, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
+    STRAIGHT(74, LIN, 14 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+}
+EACH_ORDER(14)
+INLINE void rates_15(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+{
+    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    STRAIGHT(3, TIM, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(6, TURN, 4 * STRIDE, 5 * STRIDE, 3 * STRIDE, 0 * STRIDE);
+    STRAIGHT(11, RAMP, 6 * STRIDE, CELL);
+    STRAIGHT(14, MUL, 7 * STRIDE, 6 * STRIDE, 4 * STRIDE);
+    STRAIGHT(18, MUL, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, RAMP, 9 * STRIDE, CELL);
+    STRAIGHT(25, MUL, 10 * STRIDE, 9 * STRIDE, 4 * STRIDE);
+    STRAIGHT(29, MUL, 11 * STRIDE, 9 * STRIDE, 5 * STRIDE);
+    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(39, LIN, 13 * STRIDE, CELL, 9, CELL, 2 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(61, MUL, 14 * STRIDE, 12 * STRIDE, 13 * STRIDE);
+    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 11, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+}
+INLINE void others_15(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(91, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    STRAIGHT(97, LIN, 17 * STRIDE, CELL, 2, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+}
+EACH_ORDER(15)
 static const struct {
-    void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n);
+    void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n, int squares);
     void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
 } straight[] = {
     {order_0, later_0},
@@ -1027,24 +1107,29 @@ static const struct {
     {order_9, later_9},
     {order_10, later_10},
     {order_11, later_11},
+    {order_12, later_12},
+    {order_13, later_13},
+    {order_14, later_14},
+    {order_15, later_15},
 };
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 1};
 #else
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 0};
 #endif
 
-/* Coefficient n of every register that the rates need. */
-INLINE void operate(const Batch *b, int n)
+/* Coefficient n of every register that the rates need. In powers of the rotation, the square of omega is a state. */
+INLINE void operate(const Batch *b, int n, int by_rotation)
 {
     const Job *const job = b->job;
     const double per = b->inverse[n];
+    const int given = by_rotation && job->by_rotation == 2;
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
-        straight[job->straight].order(job->series, b->r, b->c, n, per);
+        straight[job->straight].order(job->series, b->r, b->c, n, per, !given);
         return;
     }
 #endif
-    for (const int32_t *at = job->series; at < job->series_end;) at = operation(at, at, b->r, b->c, n, per);
+    for (const int32_t *at = job->series + 3 * given; at < job->series_end;) at = operation(at, at, b->r, b->c, n, per);
 }
 
 /* Coefficients below n of all others. */
@@ -1194,6 +1279,7 @@ static const double LAST_SHARES[] = {-0.030148844086217937, 0.10450373227140304,
 static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
+#define BEYOND 0x1.2000000000000p+0
 #define ROUNDING 0x1.0000000000000p-56
 #define CORRECTIONS 10
 #define LARGEST 0x1.f400000000000p+49
@@ -1204,6 +1290,14 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 #define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
+#define LONGEST 0x1.0000000000000p+0
+#define REACH 0x1.0000000000000p+2
+#define STRAIGHT 0x1.0000000000000p+4
+#define NEWTON 3
+#define NEAREST 0x1.ccccccccccccdp-1
+#define EVEN 0x1.0000000000000p-20
+#define MOST_HALVINGS 30
+#define SHORTEST 0x1.ad7f29abcaf48p-24
 #define LAST 7
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
@@ -1274,7 +1368,9 @@ INLINE V inside_or_middle(V at, V low, V high)
 static V bracketed_root(V *p, int n, V low, V at_low, V high, V at_high, M which)
 {
     M falls = at_low > 0.0;
-    V at = inside_or_middle(low + ((high - low) * (at_low / (at_low - at_high))), low, high);
+    V share = at_low / (at_low - at_high);
+    V chord = low + ((high - low) * share);
+    V at = inside_or_middle(chord, low, high);
     int count = 0;
     while (bits(which) && (count < MOST_ITERATIONS)) {
         const Pair residual_slope = value_and_slope(p, n, at);
@@ -1780,7 +1876,7 @@ INLINE void evaluate(Batch *b)
 {
     const Job *const job = b->job;
     begin_series(b);
-    operate(b, 0);
+    operate(b, 0, 0);
     operate_later(b, 1);
     V omega = (b->r + job->role->omega)[0];
     for (const State *q = job->state; q < job->state + job->states; q++) {
@@ -1840,7 +1936,7 @@ INLINE void cut(Batch *b, V order, int top)
 }
 
 /* Set order 0 of the registers that do not result from operations, and the series of functions of time. */
-INLINE void begin_expansion(Batch *b, M which, int top)
+INLINE void begin_expansion(Batch *b, M which, int top, int at_rest, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1855,13 +1951,35 @@ INLINE void begin_expansion(Batch *b, M which, int top)
             }
         }
     }
+    if (by_rotation && (job->role->square >= 0)) {
+        (b->r + job->role->square)[0] = c[OMEGA];
+    }
+    c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
+}
+
+/* Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation. */
+INLINE void integrate_in_rotation(Batch *b, int n, V order, int alike)
+{
+    const Job *const job = b->job;
+    V rate = 2.0 * (b->r + job->role->net)[n];
+    V coefficient = rate * b->inverse[n + 1];
+    coefficient = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
+    (b->r + job->role->omega)[n + 1] = coefficient;
+    (b->r + job->role->x)[n + 1] = broadcast((n == 0) ? 1.0 : 0.0);
+    if (job->role->square >= 0) {
+        (b->r + job->role->square)[n + 1] = coefficient;
+    }
 }
 
 /* Compute coefficient n + 1 of the states from coefficient n of their rates. It is zero beyond a lane's order and
  * at rest. */
-INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
+INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest, int by_rotation)
 {
     const Job *const job = b->job;
+    if (by_rotation) {
+        integrate_in_rotation(b, n, order, alike);
+        return;
+    }
     for (const State *q = job->state; q < job->state + job->states; q++) {
         V coefficient = broadcast(0.0);
         if (!at_rest) {
@@ -1885,28 +2003,52 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
+/* Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms. The
+ * end is estimated by a parabola. If it is too near, another step follows. */
+INLINE V look_for_end(Batch *b, V room)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V product = e[0] * e[2];
+    V square = (e[1] * e[1]) - (4.0 * product);
+    V root = sqrt_of(maximum(square, broadcast(0.0)));
+    V end = (e[1] + root) / ((-2.0) * e[2]);
+    V nearer = minimum(BEYOND * end, room);
+    V path = pick(e[2] < 0.0, nearer, room);
+    V largest = maximum(magnitude(e[2]), path * magnitude(e[3]));
+    largest = maximum(magnitude(e[1]), path * largest);
+    c[LARGEST_OMEGA] = maximum(magnitude(e[0]), path * largest);
+    return path;
+}
+
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
- * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
- * negligible there, three if the speed grows beyond its first term: from rest, the square of the speed begins
- * after a gap. At rest the states are constant, and the net moment decides. Each lane's order is `series_order`,
- * and net moment, normal force and dip are zero beyond it. */
-INLINE int expand(Batch *b, V room, M which, int at_rest)
+ * function of time, or with ``by_rotation`` an edge of a table or standstill, cuts the step short after ``room``,
+ * a series ends as soon as two consecutive terms are negligible there, three if the speed grows beyond its first
+ * term: from rest, the square of the speed begins after a gap. At rest the states are constant, and the net moment
+ * decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
+INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V order = pick(which, c[ORDER], broadcast(1.0));
     int top = greatest(order);
     int alike = all_lanes(order == (double)top);
-    begin_expansion(b, which, top);
-    c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
+    begin_expansion(b, which, top, at_rest, by_rotation);
     V first = c[LARGEST_OMEGA];
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
     while (n < top) {
-        operate(b, n);
-        integrate_rates(b, n, order, alike, at_rest);
-        if (job->timed) {
+        operate(b, n, by_rotation);
+        integrate_rates(b, n, order, alike, at_rest, by_rotation);
+        if (by_rotation && (n == 3)) {
+            room = look_for_end(b, room);
+            power = room * room;
+            power = power * power;
+            in_a_row = broadcast(0.0);
+        }
+        if (job->timed || by_rotation) {
             M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
             power = power * room;
             in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
@@ -1927,6 +2069,7 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
         cut(b, order, top);
     }
     c[SERIES_ORDER] = order;
+    c[STEP] = room;
     return top;
 }
 
@@ -2036,7 +2179,8 @@ static void start(Batch *b, unsigned lane)
     c[LIFTED][lane] = 0.0;
     c[FACED][lane] = 0.0;
     c[PENDING][lane] = (c[OMEGA][lane] > 0.0) ? START_MOVING : RESOLVE;
-    if (job->timed) {
+    c[CLOCKED][lane] = 0.0;
+    if (job->timed || job->by_rotation) {
         find_negligible(b, lane);
     }
     find_pieces(b, lane);
@@ -2848,13 +2992,12 @@ static void find_events(Batch *b, M here, int top)
     }
 }
 
-/* Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early. The radius
- * of the rotation equals the radius of the angular velocity. */
-INLINE void choose_step(Batch *b, M here, V room, int top)
+/* Shorten the step to a fraction of the least radius of convergence, except where series end early. The radius of
+ * the rotation equals the radius of the angular velocity. */
+INLINE void choose_step(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[STEP] = pick(here, room, c[STEP]);
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
         V radius = broadcast(INFINITY);
@@ -2863,7 +3006,7 @@ INLINE void choose_step(Batch *b, M here, V room, int top)
                 radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
             }
         }
-        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, room), c[STEP]), c[STEP]);
+        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, c[STEP]), c[STEP]), c[STEP]);
     }
 }
 
@@ -2933,8 +3076,8 @@ static void make_step(Batch *b, M here)
     V *const c = b->c;
     V limit = minimum(next_break(b), c[END_TIME]);
     V room = limit - c[TIME];
-    int top = expand(b, room, here, 0);
-    choose_step(b, here, room, top);
+    int top = expand(b, room, here, 0, 0);
+    choose_step(b, here, top);
     M reaches_limit = reach_limit(b, here, room, top);
     find_events(b, here, top);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
@@ -2961,6 +3104,204 @@ static void make_step(Batch *b, M here)
     c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
     conclude(b, here, rate, at_limit, endless);
+}
+
+/* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
+ * ``way`` is the path from ``base`` with its sign: against the motion if the rest is at the end. ``per`` is 1 over
+ * the distance of another rest in this direction, or 0. In the variable v with v^2 = (beyond + y)/(1 - per y) both
+ * rests are regular. */
+INLINE V time_over(V *p, int n, V base, V way, V beyond, V per)
+{
+    V size = magnitude(way);
+    V side = pick(way < 0.0, broadcast(-1.0), broadcast(1.0));
+    V first = sqrt_of(beyond);
+    V left = 1.0 - (per * size);
+    V stretch = 1.0 + (per * beyond);
+    V final = sqrt_of((beyond + size) / left);
+    V span = (size * stretch) / (left * (first + final));
+    V total = broadcast(0.0);
+    V last = broadcast(0.0);
+    V last_but_one = broadcast(0.0);
+    for (int k = TO_PEAK; k <= (TO_PEAK + FROM_PEAK) - 1; k++) {
+        V past = span * NODES[k];
+        V v = first + past;
+        V square = v * v;
+        V share = 1.0 / (1.0 + (per * square));
+        V y = (past * (first + v)) * share;
+        V at = base + (side * y);
+        V speed = sqrt_of(value(p, n, at));
+        V slowness = (v * (share * share)) / speed;
+        total = total + (SHARES[k] * slowness);
+        last = last + (LAST_SHARES[k] * slowness);
+        last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
+    }
+    V unevenness = magnitude(last) + magnitude(last_but_one);
+    V time = (span * stretch) * total;
+    time = pick(unevenness <= (EVEN * total), time, broadcast(INFINITY));
+    return pick(size > 0.0, time, broadcast(0.0));
+}
+
+/* Return the distance from ``base`` at which E has a zero, by Newton's method as far as it converges. It is
+ * searched forwards if ``side`` is 1, backwards if it is -1. Without a zero there the distance is ``far``. */
+INLINE V distance_of_rest(V *p, int n, V base, V side, V far)
+{
+    const Pair at_slope = value_and_slope(p, n, base);
+    V at = at_slope.one, slope = at_slope.other;
+    V distance = ((-side) * at) / slope;
+    for (int _ = 1; _ <= NEWTON; _++) {
+        V there = base + (side * distance);
+        const Pair at_slope = value_and_slope(p, n, there);
+        V at = at_slope.one, slope = at_slope.other;
+        V change = ((-side) * at) / slope;
+        M converges = magnitude(change) < (0.5 * distance);
+        distance = pick(converges, distance + change, distance);
+    }
+    V nearest = minimum(distance, far);
+    return pick(distance >= 0.0, nearest, far);
+}
+
+/* Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain. ``peak``
+ * is the rotation at the greatest speed, infinite without one. */
+INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V step = c[STEP];
+    M peaks = peak < INFINITY;
+    V slope = value(b->r + job->role->net, top - 1, step);
+    V far = STRAIGHT * step;
+    M stands = c[EVENT] == (double)EVENT_STANDSTILL;
+    V to_end = distance_of_rest(e, top, step, broadcast(1.0), far);
+    to_end = pick(stands, broadcast(0.0), to_end);
+    M rises = e[1] > 0.0;
+    M falls = ~rises & (slope < 0.0);
+    V behind = distance_of_rest(e, top, broadcast(0.0), broadcast(-1.0), far);
+    behind = pick(rises, behind, far);
+    V by_bend = maximum((-e[2]) / e[1], broadcast(0.0));
+    V ahead = pick(peaks, 1.0 / (step + to_end), by_bend);
+    V path = minimum(peak, step);
+    M near = rises & ((ahead * path) < NEAREST);
+    ahead = pick(near, ahead, broadcast(0.0));
+    V beyond = pick(falls, to_end, behind);
+    V base = pick(falls, step, broadcast(0.0));
+    path = pick(falls, -step, path);
+    V before = time_over(e, top, base, path, beyond, ahead);
+    V after = broadcast(0.0);
+    if (bits(peaks)) {
+        V back = pick(peaks, peak - step, broadcast(0.0));
+        V from_end = pick(rises, 1.0 / (step + behind), broadcast(0.0));
+        after = time_over(e, top, step, back, to_end, from_end);
+    }
+    return (Pair){before, after};
+}
+
+/* Return the rotation up to which a step may go: to the next edge of a table. */
+INLINE V way_ahead(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V room = LONGEST + c[X];
+    for (int t = 0; t < job->tables; t++) {
+        if ((job->table[t].kind == OF_SLIP) || (job->table[t].kind == OF_ROTATION)) {
+            room = minimum(c[job->table[t].cell + UPPER] - c[X], room);
+        }
+    }
+    return room;
+}
+
+/* Shorten a step where the square of the speed bends upwards, so that a second rest behind is not too near. */
+INLINE void shorten(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    M bends = here & (e[2] > 0.0) & (e[1] >= 0.0);
+    V by_slope = e[1] / e[2];
+    V by_speed = sqrt_of(e[0] / e[2]);
+    V most = REACH * (by_slope + by_speed);
+    V shorter = minimum(most, c[STEP]);
+    c[STEP] = pick(here, pick(bends, shorter, c[STEP]), c[STEP]);
+}
+
+/* Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity. */
+static V greatest_speed(Batch *b, M here, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *net = b->r + job->role->net;
+    const Pair rate_slope = value_and_slope(net, top - 1, c[STEP]);
+    V rate = rate_slope.one, slope = rate_slope.other;
+    return falling_root(net, top - 1, c[STEP], rate, slope, here);
+}
+
+/* Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``. */
+INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *net = b->r + job->role->net;
+    V *e = b->r + job->role->omega;
+    V step = c[STEP];
+    V rate = value(net, top - 1, step);
+    M peaks = here & (peak < INFINITY);
+    if (bits(peaks)) {
+        V there = pick(peaks, peak, broadcast(0.0));
+        V speed = sqrt_of(value(e, top, there));
+        V slope = value(net, top - 1, there);
+        keep_faster(b, peaks, speed, c[TIME] + before, c[X] + there, slope);
+    }
+    V change = magnitude(net[0]) * step;
+    M uneventful = c[EVENT] == (double)EVENT_NONE;
+    M steady = (change < ((double)STIFF_CHANGE * e[0])) & uneventful;
+    c[X] = pick(here, c[X] + step, c[X]);
+    V square = e[0] + increment(e, top, step);
+    c[OMEGA] = pick(here, sqrt_of(maximum(square, broadcast(0.0))), c[OMEGA]);
+    keep_faster(b, here, c[OMEGA], until, c[X], rate);
+    c[TIME] = pick(here, until, c[TIME]);
+    c[STEPS] = pick(here, c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0)), c[STEPS]);
+    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    EACH(lane, bits(here)) {
+        settle(b, lane, rate[lane], 0, 0);
+    }
+}
+
+/* Make one step of moving lanes in powers of the rotation. If its duration is uncertain or extremely short, or
+ * exceeds the end time, the lane stays where it is and is integrated in time. */
+static void turn_on(Batch *b, M here)
+{
+    V *const c = b->c;
+    V omega = 1.0 * c[OMEGA];
+    c[OMEGA] = pick(here, omega * omega, c[OMEGA]);
+    V room = way_ahead(b);
+    int top = expand(b, room, here, 0, 1);
+    choose_step(b, here, top);
+    shorten(b, here);
+    find_events(b, here, top);
+    V peak = greatest_speed(b, here, top);
+    const Pair before_after = times_of_step(b, here, top, peak);
+    V before = before_after.one, after = before_after.other;
+    int count = 0;
+    M unsure = here & ~((before + after) < INFINITY);
+    while (bits(unsure) && (count < MOST_HALVINGS)) {
+        c[STEP] = pick(here, pick(unsure, 0.5 * c[STEP], c[STEP]), c[STEP]);
+        c[EVENT] = pick(here, pick(unsure, broadcast((double)EVENT_NONE), c[EVENT]), c[EVENT]);
+        peak = greatest_speed(b, here, top);
+        const Pair before_after = times_of_step(b, here, top, peak);
+        V before = before_after.one, after = before_after.other;
+        unsure = here & ~((before + after) < INFINITY);
+        count = count + 1;
+    }
+    V duration = before + after;
+    V until = c[TIME] + duration;
+    M stands = c[STEP] == 0.0;
+    M regular = (duration > SHORTEST) | stands;
+    M fits = here & regular & (until < c[END_TIME]);
+    c[OMEGA] = pick(here, omega, c[OMEGA]);
+    c[CLOCKED] = pick(here, pick(fits, broadcast(0.0), broadcast(1.0)), c[CLOCKED]);
+    if (bits(fits)) {
+        complete(b, fits, top, peak, before, until);
+    }
 }
 
 /* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
@@ -3004,7 +3345,8 @@ INLINE V faded(V y)
 /* Compute the factors of E, followed by q. */
 INLINE void factors(V *e, V drive, V sine, V vers, V q)
 {
-    V share = 2.0 / (1.0 + (q * q));
+    V square = q * q;
+    V share = 2.0 / (1.0 + square);
     e[0] = 2.0 * drive;
     e[3] = share * (vers - (sine * q));
     e[2] = share * (sine + (vers * q));
@@ -3026,7 +3368,9 @@ INLINE void functions(V *f, V x, V q)
 /* Return E from its factors and its functions. */
 INLINE V energy(V *e, V *f)
 {
-    return (e[0] * f[0]) + ((e[1] * f[1]) + ((e[2] * f[2]) + (e[3] * f[3])));
+    V faded_part = e[1] * f[1];
+    V turned_part = (e[2] * f[2]) + (e[3] * f[3]);
+    return (e[0] * f[0]) + (faded_part + turned_part);
 }
 
 /* Return the derivative of E. */
@@ -3034,7 +3378,9 @@ INLINE V slope_of(V *e, V *f)
 {
     V sine = f[0] - f[3];
     V lost = f[0] - (e[4] * f[1]);
-    return e[0] + ((e[1] * lost) + ((e[2] * sine) + (e[3] * f[2])));
+    V faded_part = e[1] * lost;
+    V turned_part = (e[2] * sine) + (e[3] * f[2]);
+    return e[0] + (faded_part + turned_part);
 }
 
 /* Return the second derivative of E. */
@@ -3043,7 +3389,9 @@ INLINE V bend_of(V *e, V *f)
     V sine = f[0] - f[3];
     V cosine = 1.0 - f[2];
     V lost = f[0] - (e[4] * f[1]);
-    return (e[1] * (1.0 - (e[4] * lost))) + ((e[2] * cosine) + (e[3] * sine));
+    V faded_part = e[1] * (1.0 - (e[4] * lost));
+    V turned_part = (e[2] * cosine) + (e[3] * sine);
+    return faded_part + turned_part;
 }
 
 /* Compute the factors of E about the end of a phase, from the four functions there. */
@@ -3051,7 +3399,8 @@ INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
 {
     V sine_end = f[0] - f[3];
     V cosine = 1.0 - f[2];
-    V at_end = drive + ((sine * sine_end) + (vers * f[2]));
+    V change = (sine * sine_end) + (vers * f[2]);
+    V at_end = drive + change;
     V sine_back = (sine * cosine) + (vers * sine_end);
     V vers_back = (sine * sine_end) - (vers * cosine);
     factors(back, -at_end, sine_back, vers_back, -q);
@@ -3062,7 +3411,9 @@ INLINE void reverse(V *f, V q)
 {
     V y = q * f[0];
     V faded_by = (1.0 - y) + ((q * q) * f[1]);
-    f[1] = (((f[0] * f[0]) - f[1]) - (y * f[1])) / faded_by;
+    V square = f[0] * f[0];
+    V rest = (square - f[1]) - (y * f[1]);
+    f[1] = rest / faded_by;
 }
 
 /* Compute the factors of E. */
@@ -3127,8 +3478,10 @@ INLINE V softening_energy(V *e, V *f)
     for (int k = LAST; k >= 0; k--) {
         grown = FADING[k] - (grown * shift);
     }
-    grown = 1.0 + (shift + ((shift * shift) * grown));
-    return grown * (energy(e, f) + (terms + ((e[4] * above) * (f[0] - (e[4] * f[1])))));
+    V square = shift * shift;
+    grown = 1.0 + (shift + (square * grown));
+    V faded_part = (e[4] * above) * (f[0] - (e[4] * f[1]));
+    return grown * (energy(e, f) + (terms + faded_part));
 }
 
 /* Compute E and its first two derivatives behind the functions of which it consists. */
@@ -3142,12 +3495,16 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
     V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
     V of_square = c[job->role->net_square] + (f[4] * c[job->role->net_loss_square]);
-    V loss = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + ((c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at)));
-    V slope = 2.0 * ((c[job->role->drive] + (f[4] * c[job->role->net_loss])) + ((of_sine * sine) + ((of_vers * f[2]) + (of_square * at))));
+    V lost = (c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at);
+    V loss = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + lost);
+    V bent = (of_vers * f[2]) + (of_square * at);
+    V drive = c[job->role->drive] + (f[4] * c[job->role->net_loss]);
+    V slope = 2.0 * (drive + ((of_sine * sine) + bent));
     V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
     f[5] = at;
     f[6] = slope;
-    f[7] = 2.0 * (turns + ((c[job->role->loss_rate] * (1.0 + f[4])) * loss));
+    V softens = (c[job->role->loss_rate] * (1.0 + f[4])) * loss;
+    f[7] = 2.0 * (turns + softens);
 }
 
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
@@ -3184,7 +3541,8 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     const Job *const job = b->job;
     V *const c = b->c;
     V unit = peak / (end - peak);
-    V bend = (c[FACTOR] * BENT) * sqrt_of(1.0 - (peak * c[job->role->loss_rate]));
+    V softened = 1.0 - (peak * c[job->role->loss_rate]);
+    V bend = (c[FACTOR] * BENT) * sqrt_of(softened);
     V before = time_of_part(b, e, end, unit, bend, 0);
     V after = time_of_part(b, e, end, 1.0 / unit, (4.0 * c[FACTOR]) - 1.0, 1);
     return (Pair){before, (before + after)};
@@ -3407,7 +3765,7 @@ static void look_ahead(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int top = expand(b, room, here, 1);
+    int top = expand(b, room, here, 1, 0);
     V *net = b->r + job->role->net;
     M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
     M jumps = (net[0] > 0.0) & ~touches;
@@ -3568,6 +3926,13 @@ static void advance(Batch *b, M here)
     M resting = here & (c[STATUS] == (double)RESTING);
     if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0)) {
         moving = moving & ~swing(b, moving);
+    }
+    if (job->by_rotation && !(job->samples > 0)) {
+        M turning = moving & (c[CLOCKED] == 0.0);
+        if (bits(turning)) {
+            turn_on(b, turning);
+        }
+        moving = moving & (c[CLOCKED] > 0.0);
     }
     if (__builtin_popcount(bits(moving)) > __builtin_popcount(bits(resting))) {
         make_step(b, moving);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b523a2ebd2bd02ee8613097402157c62d64fc403d3232db5ff92ae9cd8a9a43e
+# sha256 of the text below: 8acff0f95e3d1acfb94a7ed70698bc440cbeb4ebc823813e903801f1e564edf8
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -81,6 +81,7 @@ class Lanes:
         self.timed = sum(t.kind == ix.OF_TIME for t in self.tables)
         self.terms = max([self.highest + 2, *(t.terms for t in self.tables)])
         self.autonomous = program.autonomous
+        self.by_rotation = program.by_rotation
         self.samples = samples
         self.log = log
         self.logged = log is not None
@@ -139,9 +140,10 @@ def power_of_two(y: Floats) -> Floats:
     return pattern.view(np.float64)
 
 
-def operate(s: Lanes, n: int) -> None:
-    """Compute coefficient n of every register."""
-    series_ops(s.program.series, s.registers, s.cells, n)
+def operate(s: Lanes, n: int, by_rotation: int) -> None:
+    """Compute coefficient n of every register. In powers of the rotation, the square of omega is a state."""
+    skipped = int(by_rotation and s.by_rotation == 2)
+    series_ops(s.program.series[skipped:], s.registers, s.cells, n)
 
 
 def operate_later(s: Lanes, n: int) -> None:
@@ -308,6 +310,7 @@ NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.
     0.2108819967832719)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
+BEYOND = 1.125
 ROUNDING = 1.3877787807814457e-17
 CORRECTIONS = 10
 LARGEST = 1099511627776000.0
@@ -318,6 +321,14 @@ SIXTH = 0.16666666666666666
 LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
 FAR = 1e+300
+LONGEST = 1.0
+REACH = 4.0
+STRAIGHT = 16.0
+NEWTON = 3
+NEAREST = 0.9
+EVEN = 9.5367431640625e-07
+MOST_HALVINGS = 30
+SHORTEST = 1e-07
 LAST = 7
 VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
     -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
@@ -386,7 +397,9 @@ def bracketed_root(p: Floats, n: int, low: Floats, at_low: Floats, high: Floats,
         which: Mask) -> Floats:
     """Return a root between bounds at which values have opposite signs."""
     falls = at_low > 0.0
-    at = inside_or_middle(low + (high - low) * (at_low / (at_low - at_high)), low, high)
+    share = at_low / (at_low - at_high)
+    chord = low + (high - low) * share
+    at = inside_or_middle(chord, low, high)
     count = 0
     while np.any(which) and count < MOST_ITERATIONS:
         residual, slope = value_and_slope(p, n, at)
@@ -812,7 +825,7 @@ def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
 def evaluate(s: Lanes) -> None:
     """Compute order 0 of all registers. Rates of states are per time."""
     begin_series(s)
-    operate(s, 0)
+    operate(s, 0, False)
     operate_later(s, 1)
     omega = s.registers[s.roles.omega][0].copy()
     for q in s.states:
@@ -864,7 +877,7 @@ def cut(s: Lanes, order: Floats, top: int) -> None:
             s.registers[s.roles.upright][n] = np.where(within, s.registers[s.roles.upright][n], 0.0)
 
 
-def begin_expansion(s: Lanes, which: Mask, top: int) -> None:
+def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int, by_rotation: int) -> None:
     """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     c = s.cells
     begin_series(s)
@@ -875,10 +888,27 @@ def begin_expansion(s: Lanes, which: Mask, top: int) -> None:
             i = np.flatnonzero(which)
             if i.size:
                 expand_sine(s, i, t, top)
+    if by_rotation and s.roles.square >= 0:
+        s.registers[s.roles.square][0] = c[ix.OMEGA]
+    c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
 
 
-def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -> None:
+def integrate_in_rotation(s: Lanes, n: int, order: Floats, alike: int) -> None:
+    """Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation."""
+    rate = 2.0 * s.registers[s.roles.net][n]
+    coefficient = rate * (1.0 / (n + 1))
+    coefficient = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
+    s.registers[s.roles.omega][n + 1] = coefficient
+    s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
+    if s.roles.square >= 0:
+        s.registers[s.roles.square][n + 1] = coefficient
+
+
+def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int, by_rotation: int) -> None:
     """Compute coefficient n + 1 of the states from coefficient n of their rates."""
+    if by_rotation:
+        integrate_in_rotation(s, n, order, alike)
+        return
     for q in s.states:
         coefficient: Floats = 0.0
         if not at_rest:
@@ -896,22 +926,42 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     return counts
 
 
-def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
+def look_for_end(s: Lanes, room: Floats) -> Floats:
+    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    product = e[0] * e[2]
+    square = e[1] * e[1] - 4.0 * product
+    root = np.sqrt(np.maximum(square, 0.0))
+    end = (e[1] + root) / (-2.0 * e[2])
+    nearer = np.minimum(BEYOND * end, room)
+    path = np.where(e[2] < 0.0, nearer, room)
+    largest = np.maximum(np.abs(e[2]), path * np.abs(e[3]))
+    largest = np.maximum(np.abs(e[1]), path * largest)
+    c[ix.LARGEST_OMEGA] = np.maximum(np.abs(e[0]), path * largest)
+    return path
+
+
+def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) -> int:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
     alike = all_lanes(order == float(top))
-    begin_expansion(s, which, top)
-    c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
+    begin_expansion(s, which, top, at_rest, by_rotation)
     first = c[ix.LARGEST_OMEGA].copy()
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
     while n < top:
-        operate(s, n)
-        integrate_rates(s, n, order, alike, at_rest)
-        if s.timed:
+        operate(s, n, by_rotation)
+        integrate_rates(s, n, order, alike, at_rest, by_rotation)
+        if by_rotation and n == 3:
+            room = look_for_end(s, room)
+            power = room * room
+            power = power * power
+            in_a_row = 0.0
+        if s.timed or by_rotation:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
@@ -927,6 +977,7 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     if not alike:
         cut(s, order, top)
     c[ix.SERIES_ORDER] = order
+    c[ix.STEP] = room
     return top
 
 
@@ -1028,7 +1079,8 @@ def start(lane: Lanes, i: Index) -> None:
     c[ix.LIFTED, i] = 0.0
     c[ix.FACED, i] = 0.0
     c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
-    if lane.timed:
+    c[ix.CLOCKED, i] = 0.0
+    if lane.timed or lane.by_rotation:
         find_negligible(lane, i)
     find_pieces(lane, i)
 
@@ -1843,17 +1895,17 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
             ix.EVENT_LIFT_OFF)
 
 
-def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
-    """Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early."""
+def choose_step(s: Lanes, here: Mask, top: int) -> None:
+    """Shorten the step to a fraction of the least radius of convergence, except where series end early."""
     c = s.cells
-    c[ix.STEP] = np.where(here, room, c[ix.STEP])
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
         radius: Floats = INFINITY
         for q in s.states:
             if q.register != s.roles.x:
                 radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
-        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), c[ix.STEP]), c[ix.STEP])
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, c[ix.STEP]), c[ix.STEP]),
+            c[ix.STEP])
 
 
 def advance_states(s: Lanes, here: Mask, top: int) -> None:
@@ -1908,8 +1960,8 @@ def make_step(s: Lanes, here: Mask) -> None:
     c = s.cells
     limit = np.minimum(next_break(s), c[ix.END_TIME])
     room = limit - c[ix.TIME]
-    top = expand(s, room, here, 0)
-    choose_step(s, here, room, top)
+    top = expand(s, room, here, 0, False)
+    choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
     uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
@@ -1935,6 +1987,172 @@ def make_step(s: Lanes, here: Mask) -> None:
         c[ix.STEPS])
     c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
     conclude(s, here, rate, at_limit, endless)
+
+
+def time_over(p: Floats, n: int, base: Floats, way: Floats, beyond: Floats, per: Floats) -> Floats:
+    """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain."""
+    size = np.abs(way)
+    side = np.where(way < 0.0, -1.0, 1.0)
+    first = np.sqrt(beyond)
+    left = 1.0 - per * size
+    stretch = 1.0 + per * beyond
+    final = np.sqrt((beyond + size) / left)
+    span = size * stretch / (left * (first + final))
+    total: Floats = 0.0
+    last: Floats = 0.0
+    last_but_one: Floats = 0.0
+    for k in range(TO_PEAK, TO_PEAK + FROM_PEAK - 1 + 1):
+        past = span * NODES[k]
+        v = first + past
+        square = v * v
+        share = 1.0 / (1.0 + per * square)
+        y = past * (first + v) * share
+        at = base + side * y
+        speed = np.sqrt(value(p, n, at))
+        slowness = v * (share * share) / speed
+        total = total + SHARES[k] * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    unevenness = np.abs(last) + np.abs(last_but_one)
+    time = span * stretch * total
+    time = np.where(unevenness <= EVEN * total, time, INFINITY)
+    return np.where(size > 0.0, time, 0.0)
+
+
+def distance_of_rest(p: Floats, n: int, base: Floats, side: Floats, far: Floats) -> Floats:
+    """Return the distance from ``base`` at which E has a zero, by Newton's method as far as it converges."""
+    at, slope = value_and_slope(p, n, base)
+    distance = -side * at / slope
+    for _ in range(1, NEWTON + 1):
+        there = base + side * distance
+        at, slope = value_and_slope(p, n, there)
+        change = -side * at / slope
+        converges = np.abs(change) < 0.5 * distance
+        distance = np.where(converges, distance + change, distance)
+    nearest = np.minimum(distance, far)
+    return np.where(distance >= 0.0, nearest, far)
+
+
+def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats, Floats]:
+    """Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    step = c[ix.STEP].copy()
+    peaks = peak < INFINITY
+    slope = value(s.registers[s.roles.net], top - 1, step)
+    far = STRAIGHT * step
+    stands = c[ix.EVENT] == float(ix.EVENT_STANDSTILL)
+    to_end = distance_of_rest(e, top, step, 1.0, far)
+    to_end = np.where(stands, 0.0, to_end)
+    rises = e[1] > 0.0
+    falls = np.logical_not(rises) & (slope < 0.0)
+    behind = distance_of_rest(e, top, 0.0, -1.0, far)
+    behind = np.where(rises, behind, far)
+    by_bend = np.maximum(-e[2] / e[1], 0.0)
+    ahead = np.where(peaks, 1.0 / (step + to_end), by_bend)
+    path = np.minimum(peak, step)
+    near = rises & (ahead * path < NEAREST)
+    ahead = np.where(near, ahead, 0.0)
+    beyond = np.where(falls, to_end, behind)
+    base = np.where(falls, step, 0.0)
+    path = np.where(falls, -step, path)
+    before = time_over(e, top, base, path, beyond, ahead)
+    after: Floats = 0.0
+    if np.any(peaks):
+        back = np.where(peaks, peak - step, 0.0)
+        from_end = np.where(rises, 1.0 / (step + behind), 0.0)
+        after = time_over(e, top, step, back, to_end, from_end)
+    return (before, after)
+
+
+def way_ahead(s: Lanes) -> Floats:
+    """Return the rotation up to which a step may go: to the next edge of a table."""
+    c = s.cells
+    room = LONGEST + c[ix.X]
+    for t in s.tables:
+        if t.kind == ix.OF_SLIP or t.kind == ix.OF_ROTATION:
+            room = np.minimum(c[t.cells + ix.UPPER] - c[ix.X], room)
+    return room
+
+
+def shorten(s: Lanes, here: Mask) -> None:
+    """Shorten a step where the square of the speed bends upwards, so that a second rest behind is not too near."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    bends = here & (e[2] > 0.0) & (e[1] >= 0.0)
+    by_slope = e[1] / e[2]
+    by_speed = np.sqrt(e[0] / e[2])
+    most = REACH * (by_slope + by_speed)
+    shorter = np.minimum(most, c[ix.STEP])
+    c[ix.STEP] = np.where(here, np.where(bends, shorter, c[ix.STEP]), c[ix.STEP])
+
+
+def greatest_speed(s: Lanes, here: Mask, top: int) -> Floats:
+    """Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity."""
+    c = s.cells
+    net = s.registers[s.roles.net]
+    rate, slope = value_and_slope(net, top - 1, c[ix.STEP])
+    return falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
+
+
+def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until: Floats) -> None:
+    """Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``."""
+    c = s.cells
+    net = s.registers[s.roles.net]
+    e = s.registers[s.roles.omega]
+    step = c[ix.STEP].copy()
+    rate = value(net, top - 1, step)
+    peaks = here & (peak < INFINITY)
+    if np.any(peaks):
+        there = np.where(peaks, peak, 0.0)
+        speed = np.sqrt(value(e, top, there))
+        slope = value(net, top - 1, there)
+        keep_faster(s, peaks, speed, c[ix.TIME] + before, c[ix.X] + there, slope)
+    change = np.abs(net[0]) * step
+    uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+    steady = (change < ix.STIFF_CHANGE * e[0]) & uneventful
+    c[ix.X] = np.where(here, c[ix.X] + step, c[ix.X])
+    square = e[0] + increment(e, top, step)
+    c[ix.OMEGA] = np.where(here, np.sqrt(np.maximum(square, 0.0)), c[ix.OMEGA])
+    keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
+    c[ix.TIME] = np.where(here, until, c[ix.TIME])
+    c[ix.STEPS] = np.where(here, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0), c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    i = np.flatnonzero(here)
+    if i.size:
+        settle(s, i, rate[i], np.full(i.size, False), np.full(i.size, False))
+
+
+def turn_on(s: Lanes, here: Mask) -> None:
+    """Make one step of moving lanes in powers of the rotation."""
+    c = s.cells
+    omega = 1.0 * c[ix.OMEGA]
+    c[ix.OMEGA] = np.where(here, omega * omega, c[ix.OMEGA])
+    room = way_ahead(s)
+    top = expand(s, room, here, 0, True)
+    choose_step(s, here, top)
+    shorten(s, here)
+    find_events(s, here, top)
+    peak = greatest_speed(s, here, top)
+    before, after = times_of_step(s, here, top, peak)
+    count = 0
+    unsure = here & np.logical_not(before + after < INFINITY)
+    while np.any(unsure) and count < MOST_HALVINGS:
+        c[ix.STEP] = np.where(here, np.where(unsure, 0.5 * c[ix.STEP], c[ix.STEP]), c[ix.STEP])
+        c[ix.EVENT] = np.where(here, np.where(unsure, float(ix.EVENT_NONE), c[ix.EVENT]), c[ix.EVENT])
+        peak = greatest_speed(s, here, top)
+        before, after = times_of_step(s, here, top, peak)
+        unsure = here & np.logical_not(before + after < INFINITY)
+        count = count + 1
+    duration = before + after
+    until = c[ix.TIME] + duration
+    stands = c[ix.STEP] == 0.0
+    regular = (duration > SHORTEST) | stands
+    fits = here & regular & (until < c[ix.END_TIME])
+    c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
+    c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
+    if np.any(fits):
+        complete(s, fits, top, peak, before, until)
 
 
 def turned(x: Floats) -> tuple[Floats, Floats]:
@@ -1971,7 +2189,8 @@ def faded(y: Floats) -> Floats:
 
 def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> None:
     """Compute the factors of E, followed by q."""
-    share = 2.0 / (1.0 + q * q)
+    square = q * q
+    share = 2.0 / (1.0 + square)
     e[0] = 2.0 * drive
     e[3] = share * (vers - sine * q)
     e[2] = share * (sine + vers * q)
@@ -1990,14 +2209,18 @@ def functions(f: Floats, x: Floats, q: Floats) -> None:
 
 def energy(e: Floats, f: Floats) -> Floats:
     """Return E from its factors and its functions."""
-    return e[0] * f[0] + (e[1] * f[1] + (e[2] * f[2] + e[3] * f[3]))
+    faded_part = e[1] * f[1]
+    turned_part = e[2] * f[2] + e[3] * f[3]
+    return e[0] * f[0] + (faded_part + turned_part)
 
 
 def slope_of(e: Floats, f: Floats) -> Floats:
     """Return the derivative of E."""
     sine = f[0] - f[3]
     lost = f[0] - e[4] * f[1]
-    return e[0] + (e[1] * lost + (e[2] * sine + e[3] * f[2]))
+    faded_part = e[1] * lost
+    turned_part = e[2] * sine + e[3] * f[2]
+    return e[0] + (faded_part + turned_part)
 
 
 def bend_of(e: Floats, f: Floats) -> Floats:
@@ -2005,14 +2228,17 @@ def bend_of(e: Floats, f: Floats) -> Floats:
     sine = f[0] - f[3]
     cosine = 1.0 - f[2]
     lost = f[0] - e[4] * f[1]
-    return e[1] * (1.0 - e[4] * lost) + (e[2] * cosine + e[3] * sine)
+    faded_part = e[1] * (1.0 - e[4] * lost)
+    turned_part = e[2] * cosine + e[3] * sine
+    return faded_part + turned_part
 
 
 def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
     """Compute the factors of E about the end of a phase, from the four functions there."""
     sine_end = f[0] - f[3]
     cosine = 1.0 - f[2]
-    at_end = drive + (sine * sine_end + vers * f[2])
+    change = sine * sine_end + vers * f[2]
+    at_end = drive + change
     sine_back = sine * cosine + vers * sine_end
     vers_back = sine * sine_end - vers * cosine
     factors(back, -at_end, sine_back, vers_back, -q)
@@ -2022,7 +2248,9 @@ def reverse(f: Floats, q: Floats) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
     faded_by = 1.0 - y + q * q * f[1]
-    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
+    square = f[0] * f[0]
+    rest = square - f[1] - y * f[1]
+    f[1] = rest / faded_by
 
 
 def softening_factors(s: Lanes, e: Floats) -> None:
@@ -2079,8 +2307,10 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
     grown: Floats = 0.0
     for k in range(LAST, 0 - 1, -1):
         grown = FADING[k] - grown * shift
-    grown = 1.0 + (shift + shift * shift * grown)
-    return grown * (energy(e, f) + (terms + e[4] * above * (f[0] - e[4] * f[1])))
+    square = shift * shift
+    grown = 1.0 + (shift + square * grown)
+    faded_part = e[4] * above * (f[0] - e[4] * f[1])
+    return grown * (energy(e, f) + (terms + faded_part))
 
 
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -2092,13 +2322,16 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
     of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
     of_square = c[s.roles.net_square] + f[4] * c[s.roles.net_loss_square]
-    loss = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + (c[s.roles.net_loss_vers] *
-         f[2] + c[s.roles.net_loss_square] * at))
-    slope = 2.0 * (c[s.roles.drive] + f[4] * c[s.roles.net_loss] + (of_sine * sine + (of_vers * f[2] + of_square * at)))
+    lost = c[s.roles.net_loss_vers] * f[2] + c[s.roles.net_loss_square] * at
+    loss = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + lost)
+    bent = of_vers * f[2] + of_square * at
+    drive = c[s.roles.drive] + f[4] * c[s.roles.net_loss]
+    slope = 2.0 * (drive + (of_sine * sine + bent))
     turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
     f[6] = slope
-    f[7] = 2.0 * (turns + c[s.roles.loss_rate] * (1.0 + f[4]) * loss)
+    softens = c[s.roles.loss_rate] * (1.0 + f[4]) * loss
+    f[7] = 2.0 * (turns + softens)
 
 
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
@@ -2128,7 +2361,8 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     c = s.cells
     unit = peak / (end - peak)
-    bend = c[ix.FACTOR] * BENT * np.sqrt(1.0 - peak * c[s.roles.loss_rate])
+    softened = 1.0 - peak * c[s.roles.loss_rate]
+    bend = c[ix.FACTOR] * BENT * np.sqrt(softened)
     before = time_of_part(s, e, end, unit, bend, 0)
     after = time_of_part(s, e, end, 1.0 / unit, 4.0 * c[ix.FACTOR] - 1.0, 1)
     return (before, before + after)
@@ -2318,7 +2552,7 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
-    top = expand(s, room, here, 1)
+    top = expand(s, room, here, 1, False)
     net = s.registers[s.roles.net]
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
     jumps = (net[0] > 0.0) & np.logical_not(touches)
@@ -2477,6 +2711,11 @@ def advance(s: Lanes, here: Mask) -> None:
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
     if s.roles.net_sine >= 0 and (not s.samples):
         moving = moving & np.logical_not(swing(s, moving))
+    if s.by_rotation and (not s.samples):
+        turning = moving & (c[ix.CLOCKED] == 0.0)
+        if np.any(turning):
+            turn_on(s, turning)
+        moving = moving & (c[ix.CLOCKED] > 0.0)
     if np.count_nonzero(moving) > np.count_nonzero(resting):
         make_step(s, moving)
     if np.any(resting) and np.count_nonzero(resting) >= np.count_nonzero(moving):

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4a0198b5f82aff81c660817a2b9b95fdb8ff3f6c40ee22dbae5c5e4bcbdb8853
+# sha256 of the text below: c605e9f6ffb374541984ee56cf8da125b01f72b28bbedece8bf774a5ff008fdf
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -38,22 +38,23 @@ X = 31  # rotation since the phase began, in the direction of travel
 OMEGA = 32  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
-PENDING = -16  # action required before its next step
-FACED = -15  # directions checked since its standstill
-SUDDEN = -14  # 1 if slip begins at a jump of forces, else 0
-RATE_BEFORE = -13  # d omega*/dt* where the phase before ended
-DRIVE_BEFORE = -12  # the drive of that phase
-SCALE_BEFORE = -11  # the size of the terms of that drive
-SERIES_ORDER = -10  # order of the series of this step
-LARGEST_OMEGA = -9  # largest term of the series of omega so far, at rest of the net moment
-STEP = -8  # length of this step, up to its first event
-EVENT = -7  # that event
-STRETCH = -6  # at rest, the time ahead that is known
-START_AHEAD = -5  # time until slip begins
-START_DIRECTION = -4  # of that slip
-LIFT_AHEAD = -3  # time until contact is lost or regained
-QUIET_FROM = -2  # least value of the function of time at which it certainly stays at rest
-QUIET_TO = -1  # greatest such value
+PENDING = -17  # action required before its next step
+FACED = -16  # directions checked since its standstill
+SUDDEN = -15  # 1 if slip begins at a jump of forces, else 0
+RATE_BEFORE = -14  # d omega*/dt* where the phase before ended
+DRIVE_BEFORE = -13  # the drive of that phase
+SCALE_BEFORE = -12  # the size of the terms of that drive
+SERIES_ORDER = -11  # order of the series of this step
+LARGEST_OMEGA = -10  # largest term of the series of omega so far, at rest of the net moment
+STEP = -9  # length of this step, up to its first event
+EVENT = -8  # that event
+STRETCH = -7  # at rest, the time ahead that is known
+START_AHEAD = -6  # time until slip begins
+START_DIRECTION = -5  # of that slip
+LIFT_AHEAD = -4  # time until contact is lost or regained
+QUIET_FROM = -3  # least value of the function of time at which it certainly stays at rest
+QUIET_TO = -2  # greatest such value
+CLOCKED = -1  # 1 if its steps are series in time to the end, although series in the rotation exist
 
 # Cells of a table.
 PIECE = 0  # number of its piece
@@ -121,7 +122,7 @@ CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', '
     'REST_SINCE', 'TURNS', 'LAST_WAY', 'NEGLIGIBLE', 'x', 'omega')
 TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'RISE', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
-ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
+ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'square', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu',
     'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers',
     'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine',

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5f4ec64b459ef59c5b2a211f996961fddbced7d9e8f080fd5e9595b3320cead9
+# sha256 of the text below: 679ba37d52cf19733b90a2f4e83468fcdd9cd58ed9cc4ce11eae221691787244
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -251,6 +251,7 @@ def _departed(made: Definitions) -> OnCells:
     return ("abs", "ROTATION") if "ROTATION" in taken else ("set", ZERO)
 
 
+SQUARE = ("sqr", ("omega",))  # operation that precedes all others
 EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and an upright chord
 # Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
 OUTPUT_CELLS = {
@@ -297,7 +298,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     if not definitions.tables and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
-    series = _needed(linker.series, pending)
+    series = sorted(_needed(linker.series, pending), key=lambda row: row[0][:2] != SQUARE)
     scalar = _needed(linker.scalar, pending)
     constants = sorted(name for name in pending if name and name.startswith("="))
     return Linked(scalar, series, registers, outputs, constants)
@@ -518,6 +519,10 @@ def _simplified(kind: str, operands: list[str]) -> str | None:
     return None
 
 
+# Functions of slip whose series converge no farther in the rotation than in time, and other arguments of tables.
+SHORT = {"exp", "rec", "log", "pow", "time", "speed"}
+
+
 class Table(NamedTuple):
     """Piecewise function in a program.
 
@@ -540,7 +545,9 @@ class Program:
     phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
     its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
     each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
-    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0.
+    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. Unless ``by_rotation``
+    is 0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
+    E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 
     cells: Names
@@ -552,6 +559,7 @@ class Program:
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
     autonomous: int
+    by_rotation: int
     constants: Mapping[str, float]
 
     @cached_property
@@ -562,7 +570,7 @@ class Program:
     @cached_property
     def split(self) -> tuple[list[int], list[int]]:
         """Places of the operations on which rates depend, and of those that can wait until states are complete."""
-        needed = {rate for _, _, rate in self.states}
+        needed = {rate for _, _, rate in self.states} | {self.roles.get("square", -1)}
         rates = list[int]()
         others = list[int]()
         for k in reversed(range(len(self.series))):
@@ -607,8 +615,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
     registers = places.registers
     read = {name: registers.get(str(register), -1) for name, register in linked.registers.items()}
     roles = {name: read[name] for name in ("x", "omega", "net", *EVENTS, *outputs)}
-    for role, name in linked.outputs.items():
-        roles[role] = cells[name]
+    roles |= _roles(linked, places)
     tables = []
     for table in definitions.tables:
         name, kind, argument, degree = table
@@ -630,8 +637,20 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         tables=tuple(tables),
         roles=roles,
         autonomous=_autonomous(definitions, linked),
+        by_rotation=_by_rotation(definitions, linked),
         constants={name: float(name[1:]) for name in linked.constants},
     )
+
+
+def _roles(linked: Linked, places: _Places) -> dict[str, int]:
+    """Return the places of cells that have roles, and of the square of omega."""
+    roles = {}
+    for role, name in linked.outputs.items():
+        roles[role] = places.cells[name]
+    for operation, results in linked.series:
+        if operation[:2] == SQUARE:
+            roles["square"] = places.registers[results[0]]
+    return roles
 
 
 def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
@@ -658,6 +677,18 @@ def _autonomous(definitions: Definitions, linked: Linked) -> int:
     taken = {register for operation, _ in linked.series for register in operation.registers}
     still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
     return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)
+
+
+def _by_rotation(definitions: Definitions, linked: Linked) -> int:
+    """Return the code of `Program.by_rotation`."""
+    others = [operation for operation, _ in linked.series if operation[:2] != SQUARE]
+    taken = {register for operation in others for register in operation.registers}
+    kinds = {operation.kind for operation in others}
+    kinds.update(table.kind for table in definitions.tables)
+    turns = len(definitions.states) == 2 and "x" in taken
+    fits = turns and "omega" not in taken and kinds.isdisjoint(SHORT)
+    squared = len(linked.series) - len(others)
+    return fits * (1 + squared)
 
 
 # Quantity that a law of one soil supplies, by the effect that takes it.
@@ -749,6 +780,7 @@ def integers_of(program: Program) -> list[int]:
         len(series),
         len(later),
         int(program.autonomous),
+        program.by_rotation,
     ]
     places = {name: program.roles.get(name, -1) for name in ROLES}
     roles = [place if name.startswith("cell_") else _begin(place) for name, place in places.items()]

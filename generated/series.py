@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 527ad32edf9b074c6bb3bb404d1405b7bb879eb81bf9b075b532e54a4673378a
+# sha256 of the text below: 418c5c18bb92cf9f85b142c4570e024bb0441eff1b54d8c3371ba94e845333d2
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "15fef637c828c088ae93753d03c102aae764bfc1a9b61ca4308d153cbbacff23"  # of the compiled integrator's source
+DIGEST = "887f9a48a0acefc08bed5d6f9ae0079ab62d7c835d340d32d4234dde2555b0cc"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

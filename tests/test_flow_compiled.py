@@ -181,7 +181,7 @@ def test_threads_walk_side_by_side() -> None:
 MALFORMED = {  # integers of a program by their places, and what they become
     "cells": (0, -1), "no cells": (0, 0), "made": (1, 10**6), "registers": (2, 10**8), "fewer registers": (2, 3),
     "states": (3, 10**8), "no states": (3, 0), "tables": (4, 10**8), "numbers": (5, -4), "series": (6, 2**31 - 1),
-    "later": (7, 3), "a register of a role": (9, 5), "a cell of a role": (14, 10**7),
+    "later": (7, 3), "a register of a role": (10, 5), "a cell of a role": (16, 10**7),
 }  # fmt: skip
 OF_TABLE = [  # integers of the last table, by their places from the end, and what they become
     (-4, -1), (-4, 4), (-3, -2), (-3, 5), (-3, ix.STRIDE * 10**5), (-2, -1), (-2, -(2**31)), (-2, 10**4),

@@ -1,5 +1,6 @@
 """Closed forms of phases of motion: proofs, plain integration with many digits, and the integrator in time."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache, partial
@@ -15,7 +16,7 @@ from derive.algebra import phase_plane
 from derive.algebra.phase_plane import drive, q, sine, vers, x
 from derive.check.proof import ProofError
 from derive.flow import closed
-from derive.flow.integrator import energy, softening, swing
+from derive.flow.integrator import energy, one_lane, softening, swing
 from derive.flow.layout import STRIDE
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
@@ -36,19 +37,19 @@ EFFECTS: dict[str, dict[str, Any]] = {
 
 
 def in_time(problem: lanes.Problem) -> lanes.Problem:
-    """Return the same lanes without their closed form, so that they are integrated in time."""
+    """Return the same lanes without closed form and series in the rotation, so that they are integrated in time."""
     roles = {role: place for role, place in problem.program.roles.items() if "cell_net_" not in role}
-    return replace(problem, program=replace(problem.program, roles=roles))
+    return replace(problem, program=replace(problem.program, roles=roles, by_rotation=0))
 
 
-def random_scene(effects: dict[str, Any], end: float | None, softens: bool = False) -> Scene[Any]:
+def random_scene(effects: dict[str, Any], end: float | None, softens: str = "") -> Scene[Any]:
     middle, half = 1.5 * np.pi + _RNG.uniform(-1.2, 1.2, COUNT), _RNG.uniform(0.05, 1.5, COUNT)
     arc: Any = Arc(_RNG.uniform(100.0, 2000.0, COUNT), middle - half, middle + half, 20e3)
     pushed = np.where(_RNG.random(COUNT) < 0.3, _RNG.normal(size=COUNT) * 5.0, 0.0)
     friction: Any = _RNG.uniform(0.0, 0.6, COUNT)
     if softens:
         residual, length = friction * _RNG.uniform(0.0, 1.1, COUNT), 10.0 ** _RNG.uniform(-1.0, 3.0, COUNT)
-        friction = {"law": "exponential", "peak": friction, "residual": residual, "length": length}
+        friction = {"law": softens, "peak": friction, "residual": residual, "length": length}
     return Scene(arc, friction, TURNING | effects, pushed, end)
 
 
@@ -69,10 +70,23 @@ def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", EFFECTS)
+def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str) -> None:
+    """Friction softens linearly; a third of the masses are pushed, in both directions."""
+    for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
+        scene = random_scene(EFFECTS[name], end, softens="linear")
+        problem = lanes.posed(scene, 1e-15)
+        assert problem.program.by_rotation
+        expected = lanes.integrate(in_time(problem), which)
+        found = lanes.integrate(problem, which, backend)
+        assert agree(found, expected, 1e-12)
+        assert end or found[ix.STEPS].sum() < expected[ix.STEPS].sum()
+
+
+@pytest.mark.parametrize("name", EFFECTS)
 def test_softening_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
     """Compare all motions, and within 1e-11 the motions without steps in time."""
     for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
-        scene = random_scene(EFFECTS[name], end, softens=True)
+        scene = random_scene(EFFECTS[name], end, softens="exponential")
         expected = lanes.integrate(in_time(lanes.posed(scene, 1e-15)), which)
         steps = lanes.integrate(in_time(lanes.posed(scene, 1e-9)), which)[ix.STEPS]
         found = lanes.integrate(lanes.posed(scene, 1e-9), which, backend)
@@ -84,7 +98,7 @@ def test_softening_phases_in_closed_form_are_those_integrated_in_time(name: str)
 
 def test_higher_orders_are_integrated_in_time() -> None:
     """The series of closed forms is as accurate as 1e-9 requires, and error estimates compare it with higher orders."""
-    scene = random_scene({}, None, softens=True)
+    scene = random_scene({}, None, softens="exponential")
     for accuracy, equal in ((1e-9, False), (1e-10, True)):
         problem = lanes.posed(scene, accuracy)
         steps = [lanes.integrate(one)[ix.STEPS] for one in (problem, in_time(problem))]
@@ -201,6 +215,34 @@ def test_e_under_exponential_softening_solves_the_equation(softens: Any) -> None
             softening.soften(s, e, f, at)
             expected = [exact(mpmath.mpf(at)), *(mpmath.diff(exact, at, order) for order in (1, 2))]
             assert f[5:8] == pytest.approx([float(x) for x in expected], rel=1e-12)
+
+
+@pytest.mark.parametrize("slope", [1 + 1e-12, 0.5 + 1e-12, 1.9, 2.1])
+def test_the_plain_series_is_not_used_near_resonances(slope: float) -> None:
+    """The integrator divides by q - slope and q - 2 slope, in units of q, and has no digits where these are small."""
+    numbers, softens = (0.1, -0.9, 0.1, 0.6), (0.6 * slope, 0.01, -0.05, 0.2, -0.1)
+    s, e, f = softening_lanes(numbers, softens), [0.0] * STRIDE, [0.0] * STRIDE
+    s.order = softening.FINEST
+    softening.softening_factors(s, e)
+    softening.soften(s, e, f, 0.2)
+    exact = float(by_quadrature(numbers, mpmath.mpf(0.2), softens))
+    assert (abs(f[5] / exact - 1) < 1e-12) == (slope > 1.5)
+    assert softening.series_suffices(s, e) == (slope > 2)
+
+
+@pytest.mark.parametrize("degree", [one_lane.FROM_PEAK - 1, one_lane.FROM_PEAK - 2])
+def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The integrand is 1 + c P(v), with a polynomial of Legendre that the rule just resolves."""
+    nodes = np.array(one_lane.NODES[one_lane.TO_PEAK :])
+    unit = 1e-3
+    share = 1 / (unit * nodes**2 + 1)
+    for part, uncertain in ((1e-7, False), (1e-4, True)):
+        integrand = 1 + part * np.polynomial.Legendre.basis(degree)(2 * nodes - 1)
+        energies = iter((share**2 * nodes / integrand) ** 2)
+        monkeypatch.setattr(softening, "softening_functions", lambda *_: None)
+        monkeypatch.setattr(softening, "softening_energy", lambda *_, given=energies: next(given))
+        time = softening.time_of_part(SimpleNamespace(), [], 1.0, unit, 0.0, 1)
+        assert time == (math.inf if uncertain else pytest.approx(2 * unit, rel=1e-6))
 
 
 @pytest.mark.parametrize("share", [0.5, 1e-9])

@@ -96,6 +96,7 @@ WORKING = {
     "LIFT_AHEAD": "time until contact is lost or regained",
     "QUIET_FROM": "least value of the function of time at which it certainly stays at rest",
     "QUIET_TO": "greatest such value",
+    "CLOCKED": "1 if its steps are series in time to the end, although series in the rotation exist",
 }
 PENDING = {
     "READY": "nothing",
@@ -117,6 +118,7 @@ ROLES = (
     "net",
     "normal",
     "upright",
+    "square",
     "cell_drive",
     "cell_drive_scale",
     "cell_normal0",

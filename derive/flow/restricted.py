@@ -44,7 +44,7 @@ _OF_LANES = {
     **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
     **{f"series.{x}": ("SERIES", "S") for x in layout.ROLES},
     **{f"has.{x.removeprefix('cell_')}": ("HAS", "N") for x in layout.ROLES},
-    **dict.fromkeys(("samples", "logged", "timed", "autonomous", "highest"), ("SHARED", "N")),
+    **dict.fromkeys(("samples", "logged", "timed", "autonomous", "by_rotation", "highest"), ("SHARED", "N")),
 }
 _OF_TABLE = {
     **{x.lower(): ("PART", "V") for x in layout.TABLE if x != "Q1"},

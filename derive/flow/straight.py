@@ -20,7 +20,7 @@ from derive.flow.recurrences import OPERATIONS
 # Parameters that change along the motion: none, a level of water, a record in one direction or in two.
 MOVING: tuple[tuple[Symbol, ...], ...] = ((), (WATER,), (K_H,), (K_H, K_V))
 FUNCTIONS = """\
-INLINE void rates_{k}(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void rates_{k}(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {{
 {rates}
 }}
@@ -33,11 +33,12 @@ EACH_ORDER({k})
 
 
 def programs() -> Iterator[Program]:
-    """Link the programs: the first smooth laws without argument, of slip and of speed, with each set of parameters."""
+    """Link the first smooth law without argument, of slip, of speed, and one in pieces, each with all of `MOVING`."""
     smooth = [law for law in LAWS if law.coefficient is not None and not law.kinks]
     laws = {law.depends_on: law for law in reversed(smooth)}
+    laws["slip", "kinks"] = next(law for law in LAWS if law.kinks)
     parts = lookup()
-    for dependence, moving in product(((), ("slip",), ("speed",)), MOVING):
+    for dependence, moving in product(((), ("slip",), ("speed",), ("slip", "kinks")), MOVING):
         effects = [e for e in EFFECTS if not e.parameters or not e.symbols.keys().isdisjoint(moving)]
         absent = [x for e in effects for x in e.symbols if x not in moving]
         recipe = Recipe(
@@ -76,7 +77,8 @@ def c_programs() -> dict[str, str]:
         rates, others = program.split
         for row in (program.series[i] for i in (*rates, *others)):
             begins.append(len(integers))
-            calls.append(f"    STRAIGHT({len(integers)}, {', '.join(operation(*row))});")
+            condition = "if (squares) " if row[0] == "sqr" and not integers else ""
+            calls.append(f"    {condition}STRAIGHT({len(integers)}, {', '.join(operation(*row))});")
             integers += operation(*row)
         count = len(rates)
         patterns += f"    {{{begins[count]}, {len(integers)}, (const int32_t[]){{{', '.join(integers)}}}}},\n"

@@ -37,8 +37,9 @@ typedef struct {
 
 typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
-     * states, tables, those of time; 1 where its rate depends on the speed alone, 2 where on time alone. */
-    int cells, made, registers, states, tables, timed, autonomous;
+     * states, tables, those of time; 1 where its rate depends on the speed alone, 2 where on time alone; 1 where series in
+     * powers of the rotation exist, 2 where the first operation is the square of omega. */
+    int cells, made, registers, states, tables, timed, autonomous, by_rotation;
     const int32_t *scalar, *scalar_end, *series, *series_end, *later_end; /* after `series` what no rate needs */
     const State *state;
     const Table *table;
@@ -79,8 +80,8 @@ static int straight_of(const Job *job)
 #endif
 
 /* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
- * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
-enum { HEAD = 9, WIDEST = 64 };
+ * of those on series and of those on series that no rate needs, autonomous, by_rotation; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
+enum { HEAD = 10, WIDEST = 64 };
 
 static int read_program(Job *job, const int32_t *p, const int32_t *end)
 {
@@ -96,7 +97,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
     job->scalar_end = job->series = job->scalar + p[5];
     job->series_end = job->series + p[6], job->later_end = job->series_end + p[7];
     job->state = (const State *)job->later_end;
-    job->autonomous = p[8];
+    job->autonomous = p[8], job->by_rotation = p[9];
     job->table = (const Table *)(job->state + job->states);
     for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2;
 #ifdef __wasm__
@@ -177,6 +178,7 @@ static int program_fits(const Job *job)
         if (t->kind < 0 || t->kind > 3 || t->cell < 0 || t->degree < 0 || t->degree >= STRIDE || end > job->cells ||
             (t->reg != -1 && !is_register(job, t->reg))) return 0;
     }
+    if (job->by_rotation == 2 && (job->series_end - job->series < 3 || job->series[0] != SQR || job->role->square < 0)) return 0;
     const int32_t *const role = (const int32_t *)job->role;
     for (int i = 0; i < (int)sizeof(Roles) / 4; i++)
         if (role[i] != -1 && !(i < REGISTER_ROLES ? is_register(job, role[i]) : is_cell(job, role[i]))) return 0;
@@ -544,13 +546,13 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 #define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
-    static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n) \
-    { if (n == 0) rates_##k(own, r, c, 0, by_n); else rates_##k(own, r, c, n, by_n); } \
+    static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n, int squares) \
+    { if (n == 0) rates_##k(own, r, c, 0, by_n, squares); else rates_##k(own, r, c, n, by_n, squares); } \
     static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
 @STRAIGHT@
 static const struct {
-    void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n);
+    void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n, int squares);
     void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
 } straight[] = {
 @STRAIGHT_ROWS@
@@ -560,18 +562,19 @@ const Traits NAMED(flow_traits, LEVEL) = {LANES, 1};
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 0};
 #endif
 
-/* Coefficient n of every register that the rates need. */
-INLINE void operate(const Batch *b, int n)
+/* Coefficient n of every register that the rates need. In powers of the rotation, the square of omega is a state. */
+INLINE void operate(const Batch *b, int n, int by_rotation)
 {
     const Job *const job = b->job;
     const double per = b->inverse[n];
+    const int given = by_rotation && job->by_rotation == 2;
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
-        straight[job->straight].order(job->series, b->r, b->c, n, per);
+        straight[job->straight].order(job->series, b->r, b->c, n, per, !given);
         return;
     }
 #endif
-    for (const int32_t *at = job->series; at < job->series_end;) at = operation(at, at, b->r, b->c, n, per);
+    for (const int32_t *at = job->series + 3 * given; at < job->series_end;) at = operation(at, at, b->r, b->c, n, per);
 }
 
 /* Coefficients below n of all others. */

@@ -13,11 +13,12 @@ other     cohesion, drag, viscosity
 
 A lane is one motion. Its numbers, called cells, are attributes (see `derive.flow.layout`). The program of a scene
 contains only the terms of its effects, as operations on series, in increments since the lane's phase began. A step is a
-Taylor series in time, as long as its radius of convergence allows. Events are roots of the step's series. Under rate
-weakening the variable of a step is tau instead of the time (see `derive.flow.pace`).
+Taylor series in time or in the rotation, as long as its radius of convergence allows. Events are roots of the step's
+series. Under rate weakening the variable of a step is tau instead of the time (see `derive.flow.pace`).
 
 step       steps of moving lanes to the first event, and the consequences of events: standstill, an upright chord,
            lift-off and landing, edges of tables, the end time
+rotation   steps in powers of the rotation, with omega^2 as the state
 energy     closed form of omega^2 in the rotation
 softening  the same under exponentially softening friction
 swing      phases from rest that have a closed form
@@ -36,4 +37,4 @@ to cells apply to these lanes.
 """
 
 # Modules, each uses only earlier modules.
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "energy", "softening", "swing", "rest")
+TEXT = ("roots", "tables", "series", "phases", "records", "step", "rotation", "energy", "softening", "swing", "rest")

@@ -54,7 +54,8 @@ def faded(y: V) -> V:
 
 def factors(e: S, drive: V, sine: V, vers: V, q: V) -> None:
     """Compute the factors of E, followed by q."""
-    share = 2.0 / (1.0 + q * q)
+    square = q * q
+    share = 2.0 / (1.0 + square)
     e[0] = 2.0 * drive
     e[3] = share * (vers - sine * q)
     e[2] = share * (sine + vers * q)
@@ -73,14 +74,18 @@ def functions(f: S, x: V, q: V) -> None:
 
 def energy(e: S, f: S) -> V:
     """Return E from its factors and its functions."""
-    return e[0] * f[0] + (e[1] * f[1] + (e[2] * f[2] + e[3] * f[3]))
+    faded_part = e[1] * f[1]
+    turned_part = e[2] * f[2] + e[3] * f[3]
+    return e[0] * f[0] + (faded_part + turned_part)
 
 
 def slope_of(e: S, f: S) -> V:
     """Return the derivative of E."""
     sine = f[0] - f[3]
     lost = f[0] - e[4] * f[1]
-    return e[0] + (e[1] * lost + (e[2] * sine + e[3] * f[2]))
+    faded_part = e[1] * lost
+    turned_part = e[2] * sine + e[3] * f[2]
+    return e[0] + (faded_part + turned_part)
 
 
 def bend_of(e: S, f: S) -> V:
@@ -88,14 +93,17 @@ def bend_of(e: S, f: S) -> V:
     sine = f[0] - f[3]
     cosine = 1.0 - f[2]
     lost = f[0] - e[4] * f[1]
-    return e[1] * (1.0 - e[4] * lost) + (e[2] * cosine + e[3] * sine)
+    faded_part = e[1] * (1.0 - e[4] * lost)
+    turned_part = e[2] * cosine + e[3] * sine
+    return faded_part + turned_part
 
 
 def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
     """Compute the factors of E about the end of a phase, from the four functions there."""
     sine_end = f[0] - f[3]
     cosine = 1.0 - f[2]
-    at_end = drive + (sine * sine_end + vers * f[2])
+    change = sine * sine_end + vers * f[2]
+    at_end = drive + change
     sine_back = sine * cosine + vers * sine_end
     vers_back = sine * sine_end - vers * cosine
     factors(back, -at_end, sine_back, vers_back, -q)
@@ -105,4 +113,6 @@ def reverse(f: S, q: V) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
     faded_by = 1.0 - y + q * q * f[1]
-    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
+    square = f[0] * f[0]
+    rest = square - f[1] - y * f[1]
+    f[1] = rest / faded_by

@@ -98,7 +98,8 @@ def start(lane: Lane) -> None:
     lane.lifted = 0.0
     lane.faced = 0.0
     lane.pending = where(lane.omega > 0.0, Pending.START_MOVING, Pending.RESOLVE)
-    if lane.timed:
+    lane.clocked = 0.0
+    if lane.timed or lane.by_rotation:
         find_negligible(lane)
     find_pieces(lane)
 

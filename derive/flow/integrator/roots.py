@@ -60,7 +60,9 @@ def bracketed_root(p: S, n: N, low: V, at_low: V, high: V, at_high: V, which: M)
     Newton's method starts where the chord crosses zero, and bisects if a step leaves the bounds.
     """
     falls = at_low > 0.0
-    at = inside_or_middle(low + (high - low) * (at_low / (at_low - at_high)), low, high)
+    share = at_low / (at_low - at_high)
+    chord = low + (high - low) * share
+    at = inside_or_middle(chord, low, high)
     count: N = 0
     while any_lane(which) and count < MOST_ITERATIONS:
         residual, slope = value_and_slope(p, n, at)

@@ -103,8 +103,10 @@ def softening_energy(e: S, f: S) -> V:
     grown: V = 0.0
     for k in down(LAST, 0):
         grown = FADING[k] - grown * shift
-    grown = 1.0 + (shift + shift * shift * grown)
-    return grown * (energy(e, f) + (terms + e[4] * above * (f[0] - e[4] * f[1])))
+    square = shift * shift
+    grown = 1.0 + (shift + square * grown)
+    faded_part = e[4] * above * (f[0] - e[4] * f[1])
+    return grown * (energy(e, f) + (terms + faded_part))
 
 
 def soften(s: Lanes, e: S, f: S, x: V) -> None:
@@ -115,12 +117,16 @@ def soften(s: Lanes, e: S, f: S, x: V) -> None:
     of_sine = s.net_sine + f[4] * s.net_loss_sine
     of_vers = s.net_vers + f[4] * s.net_loss_vers
     of_square = s.net_square + f[4] * s.net_loss_square
-    loss = s.net_loss + (s.net_loss_sine * sine + (s.net_loss_vers * f[2] + s.net_loss_square * at))
-    slope = 2.0 * (s.drive + f[4] * s.net_loss + (of_sine * sine + (of_vers * f[2] + of_square * at)))
+    lost = s.net_loss_vers * f[2] + s.net_loss_square * at
+    loss = s.net_loss + (s.net_loss_sine * sine + lost)
+    bent = of_vers * f[2] + of_square * at
+    drive = s.drive + f[4] * s.net_loss
+    slope = 2.0 * (drive + (of_sine * sine + bent))
     turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
     f[6] = slope
-    f[7] = 2.0 * (turns + s.loss_rate * (1.0 + f[4]) * loss)
+    softens = s.loss_rate * (1.0 + f[4]) * loss
+    f[7] = 2.0 * (turns + softens)
 
 
 def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
@@ -156,7 +162,8 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
     Error estimates change the step over the radius of convergence, and with it the rules, which they so compare.
     """
     unit = peak / (end - peak)
-    bend = s.factor * BENT * sqrt(1.0 - peak * s.loss_rate)
+    softened = 1.0 - peak * s.loss_rate
+    bend = s.factor * BENT * sqrt(softened)
     before = time_of_part(s, e, end, unit, bend, 0)
     after = time_of_part(s, e, end, 1.0 / unit, 4.0 * s.factor - 1.0, 1)
     return before, before + after

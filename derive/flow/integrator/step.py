@@ -224,19 +224,18 @@ def find_events(s: Lanes, here: M, top: N) -> None:
         find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, s.passed == Passed.LIFT, Event.LIFT_OFF)
 
 
-def choose_step(s: Lanes, here: M, room: V, top: N) -> None:
-    """Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early.
+def choose_step(s: Lanes, here: M, top: N) -> None:
+    """Shorten the step to a fraction of the least radius of convergence, except where series end early.
 
     The radius of the rotation equals the radius of the angular velocity.
     """
-    s.step = room
     complete = here and s.series_order == s.order
     if any_lane(complete):
         radius: V = INFINITY
         for q in s.states:
             if q.has_own_radius:
                 radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
-        s.step = where(complete, minimum(s.factor * radius, room), s.step)
+        s.step = where(complete, minimum(s.factor * radius, s.step), s.step)
 
 
 def advance_states(s: Lanes, here: M, top: N) -> None:
@@ -287,8 +286,8 @@ def make_step(s: Lanes, here: M) -> None:
     """Make one step of moving lanes."""
     limit = minimum(next_break(s), s.end_time)
     room = limit - s.time
-    top: N = expand(s, room, here, 0)
-    choose_step(s, here, room, top)
+    top: N = expand(s, room, here, 0, False)
+    choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
     uneventful = s.event == number(Event.NONE)

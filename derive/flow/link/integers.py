@@ -28,6 +28,7 @@ def integers_of(program: Program) -> list[int]:
         len(series),
         len(later),
         int(program.autonomous),
+        program.by_rotation,
     ]
     places = {name: program.roles.get(name, -1) for name in ROLES}
     roles = [place if name.startswith("cell_") else _begin(place) for name, place in places.items()]

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from derive.flow.layout import ROLES
 from derive.flow.link.definitions import ONE, ZERO, Computed, Definitions, Names, OnCells, OnSeries
 
+SQUARE = ("sqr", ("omega",))  # operation that precedes all others
 EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and an upright chord
 # Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
 OUTPUT_CELLS = {
@@ -56,7 +57,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     if not definitions.tables and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
-    series = _needed(linker.series, pending)
+    series = sorted(_needed(linker.series, pending), key=lambda row: row[0][:2] != SQUARE)
     scalar = _needed(linker.scalar, pending)
     constants = sorted(name for name in pending if name and name.startswith("="))
     return Linked(scalar, series, registers, outputs, constants)

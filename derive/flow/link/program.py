@@ -8,8 +8,11 @@ from typing import Any, NamedTuple, Self
 
 from derive.flow.layout import CELLS
 from derive.flow.link.definitions import ZERO, Definitions, Lookup, Names, OnSeries, Recipe, definitions_of
-from derive.flow.link.linker import EVENTS, Linked, link
+from derive.flow.link.linker import EVENTS, SQUARE, Linked, link
 from derive.flow.recurrences import RESULTS
+
+# Functions of slip whose series converge no farther in the rotation than in time, and other arguments of tables.
+SHORT = {"exp", "rec", "log", "pow", "time", "speed"}
 
 
 class Table(NamedTuple):
@@ -34,7 +37,9 @@ class Program:
     phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
     its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
     each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
-    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0.
+    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. Unless ``by_rotation``
+    is 0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
+    E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 
     cells: Names
@@ -46,6 +51,7 @@ class Program:
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
     autonomous: int
+    by_rotation: int
     constants: Mapping[str, float]
 
     @cached_property
@@ -56,7 +62,7 @@ class Program:
     @cached_property
     def split(self) -> tuple[list[int], list[int]]:
         """Places of the operations on which rates depend, and of those that can wait until states are complete."""
-        needed = {rate for _, _, rate in self.states}
+        needed = {rate for _, _, rate in self.states} | {self.roles.get("square", -1)}
         rates = list[int]()
         others = list[int]()
         for k in reversed(range(len(self.series))):
@@ -101,8 +107,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
     registers = places.registers
     read = {name: registers.get(str(register), -1) for name, register in linked.registers.items()}
     roles = {name: read[name] for name in ("x", "omega", "net", *EVENTS, *outputs)}
-    for role, name in linked.outputs.items():
-        roles[role] = cells[name]
+    roles |= _roles(linked, places)
     tables = []
     for table in definitions.tables:
         name, kind, argument, degree = table
@@ -124,8 +129,20 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         tables=tuple(tables),
         roles=roles,
         autonomous=_autonomous(definitions, linked),
+        by_rotation=_by_rotation(definitions, linked),
         constants={name: float(name[1:]) for name in linked.constants},
     )
+
+
+def _roles(linked: Linked, places: _Places) -> dict[str, int]:
+    """Return the places of cells that have roles, and of the square of omega."""
+    roles = {}
+    for role, name in linked.outputs.items():
+        roles[role] = places.cells[name]
+    for operation, results in linked.series:
+        if operation[:2] == SQUARE:
+            roles["square"] = places.registers[results[0]]
+    return roles
 
 
 def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
@@ -152,3 +169,15 @@ def _autonomous(definitions: Definitions, linked: Linked) -> int:
     taken = {register for operation, _ in linked.series for register in operation.registers}
     still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
     return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)
+
+
+def _by_rotation(definitions: Definitions, linked: Linked) -> int:
+    """Return the code of `Program.by_rotation`."""
+    others = [operation for operation, _ in linked.series if operation[:2] != SQUARE]
+    taken = {register for operation in others for register in operation.registers}
+    kinds = {operation.kind for operation in others}
+    kinds.update(table.kind for table in definitions.tables)
+    turns = len(definitions.states) == 2 and "x" in taken
+    fits = turns and "omega" not in taken and kinds.isdisjoint(SHORT)
+    squared = len(linked.series) - len(others)
+    return fits * (1 + squared)

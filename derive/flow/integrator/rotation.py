@@ -1,0 +1,223 @@
+"""Steps in powers of the rotation, where forces depend on the rotation and on omega^2 alone.
+
+With E = omega^2 the equation of motion is dE/dx = 2 net (`derive.algebra.phase_plane`), and dx/dx = 1. In the series of
+such a step E is in place of omega, and events are found as in a series in time. E is regular at rest, and friction that
+softens with slip changes it slowly, so that there are fewer steps than in time.
+
+The duration of a step is the integral of dx/sqrt(E), by Gauss's rule before and after the greatest speed. Its variable
+is the root of the ratio of the distances from the rests before and after, estimated from E and its derivatives.
+"""
+
+from derive.flow.integrator.one_lane import (
+    FROM_PEAK,
+    INFINITY,
+    LAST_SHARES,
+    NEXT_SHARES,
+    NODES,
+    SHARES,
+    TO_PEAK,
+    Event,
+    Kind,
+    Lanes,
+    Limit,
+    M,
+    N,
+    Passed,
+    S,
+    Share,
+    V,
+    any_lane,
+    maximum,
+    minimum,
+    number,
+    sqrt,
+    up,
+    where,
+)
+from derive.flow.integrator.phases import keep_faster
+from derive.flow.integrator.roots import falling_root, increment, value, value_and_slope
+from derive.flow.integrator.series import expand
+from derive.flow.integrator.step import choose_step, find_events, settle
+
+LONGEST = 1.0  # of a step
+REACH = 4.0  # greatest step over the distance of a second rest behind
+STRAIGHT = 16.0  # distance of a rest, over the length of the path, from which the path need not be stretched
+NEWTON = 3  # steps of the method by which a rest near a step is found
+NEAREST = 0.9  # of a rest that is estimated ahead: greatest path over its distance
+EVEN = 2.0**-20  # last coefficients of an integrand up to which its integral is accurate
+MOST_HALVINGS = 30
+SHORTEST = 1e-7  # duration of a step below which series in time, which states are read from, may overflow
+
+
+def time_over(p: S, n: N, base: V, way: V, beyond: V, per: V) -> V:
+    """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
+
+    ``way`` is the path from ``base`` with its sign: against the motion if the rest is at the end. ``per`` is 1 over the
+    distance of another rest in this direction, or 0. In the variable v with v^2 = (beyond + y)/(1 - per y) both rests
+    are regular.
+    """
+    size = abs(way)
+    side = where(way < 0.0, -1.0, 1.0)
+    first = sqrt(beyond)
+    left = 1.0 - per * size
+    stretch = 1.0 + per * beyond
+    final = sqrt((beyond + size) / left)
+    span = size * stretch / (left * (first + final))
+    total: V = 0.0
+    last: V = 0.0
+    last_but_one: V = 0.0
+    for k in up(TO_PEAK, TO_PEAK + FROM_PEAK - 1):
+        past = span * NODES[k]
+        v = first + past
+        square = v * v
+        share = 1.0 / (1.0 + per * square)
+        y = past * (first + v) * share
+        at = base + side * y
+        speed = sqrt(value(p, n, at))
+        slowness = v * (share * share) / speed
+        total = total + SHARES[k] * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    unevenness = abs(last) + abs(last_but_one)
+    time = span * stretch * total
+    time = where(unevenness <= EVEN * total, time, INFINITY)
+    return where(size > 0.0, time, 0.0)
+
+
+def distance_of_rest(p: S, n: N, base: V, side: V, far: V) -> V:
+    """Return the distance from ``base`` at which E has a zero, by Newton's method as far as it converges.
+
+    It is searched forwards if ``side`` is 1, backwards if it is -1. Without a zero there the distance is ``far``.
+    """
+    at, slope = value_and_slope(p, n, base)
+    distance = -side * at / slope
+    for _ in up(1, NEWTON):
+        there = base + side * distance
+        at, slope = value_and_slope(p, n, there)
+        change = -side * at / slope
+        converges = abs(change) < 0.5 * distance
+        distance = where(converges, distance + change, distance)
+    nearest = minimum(distance, far)
+    return where(distance >= 0.0, nearest, far)
+
+
+def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
+    """Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain.
+
+    ``peak`` is the rotation at the greatest speed, infinite without one.
+    """
+    e = s.series.omega
+    step = s.step
+    peaks = peak < INFINITY
+    slope = value(s.series.net, top - 1, step)
+    far = STRAIGHT * step
+    stands = s.event == number(Event.STANDSTILL)
+    to_end = distance_of_rest(e, top, step, 1.0, far)
+    to_end = where(stands, 0.0, to_end)
+    rises = e[1] > 0.0
+    falls = not rises and slope < 0.0
+    behind = distance_of_rest(e, top, 0.0, -1.0, far)
+    behind = where(rises, behind, far)
+    by_bend = maximum(-e[2] / e[1], 0.0)
+    ahead = where(peaks, 1.0 / (step + to_end), by_bend)
+    path = minimum(peak, step)
+    near = rises and ahead * path < NEAREST
+    ahead = where(near, ahead, 0.0)
+    beyond = where(falls, to_end, behind)
+    base = where(falls, step, 0.0)
+    path = where(falls, -step, path)
+    before = time_over(e, top, base, path, beyond, ahead)
+    after: V = 0.0
+    if any_lane(peaks):
+        back = where(peaks, peak - step, 0.0)
+        from_end = where(rises, 1.0 / (step + behind), 0.0)
+        after = time_over(e, top, step, back, to_end, from_end)
+    return before, after
+
+
+def way_ahead(s: Lanes) -> V:
+    """Return the rotation up to which a step may go: to the next edge of a table."""
+    room = LONGEST + s.x
+    for t in s.tables:
+        if t.kind == Kind.SLIP or t.kind == Kind.ROTATION:
+            room = minimum(t.upper - s.x, room)
+    return room
+
+
+def shorten(s: Lanes, here: M) -> None:
+    """Shorten a step where the square of the speed bends upwards, so that a second rest behind is not too near."""
+    e = s.series.omega
+    bends = here and e[2] > 0.0 and e[1] >= 0.0
+    by_slope = e[1] / e[2]
+    by_speed = sqrt(e[0] / e[2])
+    most = REACH * (by_slope + by_speed)
+    shorter = minimum(most, s.step)
+    s.step = where(bends, shorter, s.step)
+
+
+def greatest_speed(s: Lanes, here: M, top: N) -> V:
+    """Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity."""
+    net = s.series.net
+    rate, slope = value_and_slope(net, top - 1, s.step)
+    return falling_root(net, top - 1, s.step, rate, slope, here)
+
+
+def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
+    """Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``."""
+    net = s.series.net
+    e = s.series.omega
+    step = s.step
+    rate = value(net, top - 1, step)
+    peaks = here and peak < INFINITY
+    if any_lane(peaks):
+        there = where(peaks, peak, 0.0)
+        speed = sqrt(value(e, top, there))
+        slope = value(net, top - 1, there)
+        keep_faster(s, peaks, speed, s.time + before, s.x + there, slope)
+    change = abs(net[0]) * step
+    uneventful = s.event == number(Event.NONE)
+    steady = change < Share.STIFF_CHANGE * e[0] and uneventful
+    s.x = s.x + step
+    square = e[0] + increment(e, top, step)
+    s.omega = sqrt(maximum(square, 0.0))
+    keep_faster(s, here, s.omega, until, s.x, rate)
+    s.time = until
+    s.steps = s.steps + where(steady, number(Limit.STIFF_STEP), 1.0)
+    s.passed = number(Passed.NOTHING)
+    if here:
+        settle(s, rate, False, False)
+
+
+def turn_on(s: Lanes, here: M) -> None:
+    """Make one step of moving lanes in powers of the rotation.
+
+    If its duration is uncertain or extremely short, or exceeds the end time, the lane stays where it is and is
+    integrated in time.
+    """
+    omega: V = 1.0 * s.omega
+    s.omega = omega * omega
+    room = way_ahead(s)
+    top: N = expand(s, room, here, 0, True)
+    choose_step(s, here, top)
+    shorten(s, here)
+    find_events(s, here, top)
+    peak = greatest_speed(s, here, top)
+    before, after = times_of_step(s, here, top, peak)
+    count: N = 0
+    unsure = here and not (before + after < INFINITY)
+    while any_lane(unsure) and count < MOST_HALVINGS:
+        s.step = where(unsure, 0.5 * s.step, s.step)
+        s.event = where(unsure, number(Event.NONE), s.event)
+        peak = greatest_speed(s, here, top)
+        before, after = times_of_step(s, here, top, peak)
+        unsure = here and not (before + after < INFINITY)
+        count = count + 1
+    duration = before + after
+    until = s.time + duration
+    stands = s.step == 0.0
+    regular = duration > SHORTEST or stands
+    fits = here and regular and until < s.end_time
+    s.omega = omega
+    s.clocked = where(fits, 0.0, 1.0)
+    if any_lane(fits):
+        complete(s, fits, top, peak, before, until)
