@@ -24,8 +24,10 @@ ROUNDED = 6.0
 LEAST_SIZE = 1e-300  # divisor in place of 0
 LEAST = 8 * EPS / 2  # least estimate
 UNDECIDED = 8.0  # units of rounding below which it is uncertain whether the mass moves
-# Functions of the rotation are interpolated to a fraction of the accuracy, in the further runs down to rounding.
+# Functions of the rotation are interpolated to a fraction of the accuracy, in the further runs down to rounding, and
+# beyond coarse accuracies, between which errors may hardly differ.
 CLOSER = 1e-3
+CLOSE = 1e-10
 CLOSEST = 1e-13
 AT_END = {ix.ARRESTED, ix.PAUSED, ix.ENDED}  # at rest and at the end time, which differ in their durations only
 # Ratio of the spread of states during a motion to the spread of times, at the peak velocity. In 325 scenes states
@@ -78,7 +80,7 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
     """Return the problem of the same lanes with more accurate interpolation of functions of the rotation."""
     if not any(table.kind == "rotation" for table in problem.program.tables):
         return problem
-    closer = problem_of(replace(plan, accuracy=max(CLOSER * plan.accuracy, CLOSEST)))
+    closer = problem_of(replace(plan, accuracy=max(min(CLOSER * plan.accuracy, CLOSE), CLOSEST)))
     return replace(problem, data=closer.data, farther=closer.farther)
 
 
