@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c60b77ac1ffb22f72a65383917635be752ce815ac48616d39a93e71bca919f61"
+#define DIGEST "1307a1ba975b045032ae4458f66686b3092230c0c001cfce6a5d9906c69387e9"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2022,6 +2022,23 @@ INLINE V look_for_end(Batch *b, V room)
     return path;
 }
 
+/* Return whether series end as soon as their terms are negligible. In rotation they do not where water or loads
+ * are functions of it, which may change faster than the motion. */
+INLINE int may_end_early(Batch *b, int by_rotation)
+{
+    const Job *const job = b->job;
+    int early = job->timed;
+    if (by_rotation) {
+        early = 1;
+        for (int t = 0; t < job->tables; t++) {
+            if (job->table[t].kind == OF_ROTATION) {
+                early = 0;
+            }
+        }
+    }
+    return early;
+}
+
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
  * function of time, or with ``by_rotation`` an edge of a table or standstill, cuts the step short after ``room``,
  * a series ends as soon as two consecutive terms are negligible there, three if the speed grows beyond its first
@@ -2029,13 +2046,13 @@ INLINE V look_for_end(Batch *b, V room)
  * decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
     V order = pick(which, c[ORDER], broadcast(1.0));
     int top = greatest(order);
     int alike = all_lanes(order == (double)top);
     begin_expansion(b, which, top, at_rest, by_rotation);
     V first = c[LARGEST_OMEGA];
+    int early = may_end_early(b, by_rotation);
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
@@ -2048,7 +2065,7 @@ INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
             power = power * power;
             in_a_row = broadcast(0.0);
         }
-        if (job->timed || by_rotation) {
+        if (early) {
             M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
             power = power * room;
             in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ff2e31bf8acdf12d8cd5c46203037d9f6a3f3d626fadbff67e2217f464d8f9c3
+# sha256 of the text below: 8aa63d10b13bc33eb0e5496cdeccdd6ca448b1e54169222b8b7afcb419b19459
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -942,6 +942,17 @@ def look_for_end(s: Lanes, room: Floats) -> Floats:
     return path
 
 
+def may_end_early(s: Lanes, by_rotation: int) -> int:
+    """Return whether series end as soon as their terms are negligible."""
+    early = s.timed
+    if by_rotation:
+        early = 1
+        for t in s.tables:
+            if t.kind == ix.OF_ROTATION:
+                early = 0
+    return early
+
+
 def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) -> int:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
@@ -950,6 +961,7 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) 
     alike = all_lanes(order == float(top))
     begin_expansion(s, which, top, at_rest, by_rotation)
     first = c[ix.LARGEST_OMEGA].copy()
+    early = may_end_early(s, by_rotation)
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
@@ -961,7 +973,7 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) 
             power = room * room
             power = power * power
             in_a_row = 0.0
-        if s.timed or by_rotation:
+        if early:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = np.where(counts, 0.0, in_a_row + 1.0)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4e1bdbab4685bdb7cdc212b086fcc8e51ceb955618545ca8d397f01e7e90cdc1
+# sha256 of the text below: add51a515fb6c00281bce4ae45d8bdf513e3f6d4f11393a675cc3d0f7a1f8134
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "c60b77ac1ffb22f72a65383917635be752ce815ac48616d39a93e71bca919f61"  # of the compiled integrator's source
+DIGEST = "1307a1ba975b045032ae4458f66686b3092230c0c001cfce6a5d9906c69387e9"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -192,6 +192,20 @@ def look_for_end(s: Lanes, room: V) -> V:
     return path
 
 
+def may_end_early(s: Lanes, by_rotation: N) -> N:
+    """Return whether series end as soon as their terms are negligible.
+
+    In rotation they do not where water or loads are functions of it, which may change faster than the motion.
+    """
+    early: N = s.timed
+    if by_rotation:
+        early = 1
+        for t in s.tables:
+            if t.kind == Kind.ROTATION:
+                early = 0
+    return early
+
+
 def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order.
 
@@ -205,6 +219,7 @@ def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
     alike: N = all_lanes(order == number(top))
     begin_expansion(s, which, top, at_rest, by_rotation)
     first = s.largest_omega
+    early: N = may_end_early(s, by_rotation)
     power: V = 1.0 if at_rest else room
     in_a_row: V = 0.0
     n: N = 0
@@ -216,7 +231,7 @@ def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
             power = room * room
             power = power * power
             in_a_row = 0.0
-        if s.timed or by_rotation:
+        if early:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = where(counts, 0.0, in_a_row + 1.0)
