@@ -17,12 +17,12 @@ CASES = """
 1   3   3  speeds up
 2  -3  -3  slows down
 2   8  -3  passes a peak
-2  -5   3  dips
+1 -10   3  dips
 1  -6  -9  stops
 1 -20  -3  stops while its net moment rises
 1   3 -20  stops after a peak
 1 -30   9  stops and starts
-0  -5   5  starts
+0  -5   1  starts
 0   3   5  starts at once
 0   9  -3  starts and passes a peak
 0   3  -9  starts and stops
