@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 679ba37d52cf19733b90a2f4e83468fcdd9cd58ed9cc4ce11eae221691787244
+# sha256 of the text below: da15482f5411f36013a4d7ad8c099852ab43ca1cdf3c4998e6207d3d35fd2466
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -122,7 +122,8 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     for part in ("gravity", *effects, "balance", *further):
         for fragment in fragments(part, "rotation" in effects):
             _include(made, fragment, moving, slip_factor)
-    varies = moving or len(made.states) > 2
+    follows_time = moving or "viscosity" in effects  # implicit steps are in time
+    varies = follows_time or len(made.states) > 2
     alone = len(recipe.laws) == 1
     if alone and "per_speed" in made.cells and not varies:
         (of_pace,) = fragments("pace", False)

@@ -57,13 +57,14 @@ def test_states_at_given_times_and_at_the_end_time(name: str) -> None:
 
 
 def test_tau_replaces_the_time_where_a_quotient_of_the_speed_is_the_only_friction() -> None:
-    """Functions of time, further states and a law of slip beside it leave the time."""
+    """Functions of time, further states, viscosity and a law of slip beside it keep the time."""
     (weakening,) = [x.name for x in LAWS if x.coefficient is not None and pace.of_friction(x.coefficient)]
     alone = build_program(Recipe(TURNING, (weakening,)))
     others = [
         build_program(Recipe(TURNING, ("exponential", weakening))),
         build_program(Recipe((*TURNING, "shaking"), (weakening,), ("k_h",), ("k_v",))),
         build_program(Recipe((*TURNING, "thermal_pressurisation"), (weakening,))),
+        build_program(Recipe((*TURNING, "viscosity"), (weakening,))),
     ]
     assert "rec" not in {kind for kind, *_ in alone.series}
     for program in others:
@@ -74,7 +75,8 @@ def test_tau_replaces_the_time_where_a_quotient_of_the_speed_is_the_only_frictio
 @pytest.mark.parametrize("wrong", ["far", "per_speed"])
 def test_another_friction_than_declared_is_no_theorem(wrong: str, monkeypatch: pytest.MonkeyPatch) -> None:
     (weakening,) = [x for x in LAWS if x.coefficient is not None and pace.of_friction(x.coefficient)]
-    effects = [effect for effect in EFFECTS if not effect.states and {p.kind for p in effect.parameters} <= {"number"}]
+    instant = [effect for effect in EFFECTS if not effect.states and effect.name != "viscosity"]
+    effects = [effect for effect in instant if {p.kind for p in effect.parameters} <= {"number"}]
     assert linked.prove_case(effects, (weakening,))
     right = pace.of_friction
 

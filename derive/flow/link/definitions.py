@@ -123,7 +123,8 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     for part in ("gravity", *effects, "balance", *further):
         for fragment in fragments(part, "rotation" in effects):
             _include(made, fragment, moving, slip_factor)
-    varies = moving or len(made.states) > 2
+    follows_time = moving or "viscosity" in effects  # implicit steps are in time
+    varies = follows_time or len(made.states) > 2
     alone = len(recipe.laws) == 1
     if alone and "per_speed" in made.cells and not varies:
         (of_pace,) = fragments("pace", False)
