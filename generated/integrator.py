@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8aa63d10b13bc33eb0e5496cdeccdd6ca448b1e54169222b8b7afcb419b19459
+# sha256 of the text below: 298906f97e886247352fb53b5da7b86e83209581da66669616d36d96ba2ddcad
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -327,6 +327,7 @@ STRAIGHT = 16.0
 NEWTON = 3
 NEAREST = 0.9
 EVEN = 9.5367431640625e-07
+CLOSER = 2.9802322387695312e-08
 MOST_HALVINGS = 30
 SHORTEST = 1e-07
 LAST = 7
@@ -2002,7 +2003,13 @@ def make_step(s: Lanes, here: Mask) -> None:
     conclude(s, here, rate, at_limit, endless)
 
 
-def time_over(p: Floats, n: int, base: Floats, way: Floats, beyond: Floats, per: Floats) -> Floats:
+def is_even(last: Floats, last_but_one: Floats, most: Floats) -> Mask:
+    """Return whether the last coefficients of an integrand are small enough."""
+    unevenness = np.abs(last) + np.abs(last_but_one)
+    return unevenness <= most
+
+
+def time_over(p: Floats, n: int, fine: int, base: Floats, way: Floats, beyond: Floats, per: Floats) -> Floats:
     """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain."""
     size = np.abs(way)
     side = np.where(way < 0.0, -1.0, 1.0)
@@ -2014,7 +2021,9 @@ def time_over(p: Floats, n: int, base: Floats, way: Floats, beyond: Floats, per:
     total: Floats = 0.0
     last: Floats = 0.0
     last_but_one: Floats = 0.0
-    for k in range(TO_PEAK, TO_PEAK + FROM_PEAK - 1 + 1):
+    k_first = 0 if fine else TO_PEAK
+    k_last = TO_PEAK - 1 if fine else TO_PEAK + FROM_PEAK - 1
+    for k in range(k_first, k_last + 1):
         past = span * NODES[k]
         v = first + past
         square = v * v
@@ -2026,9 +2035,10 @@ def time_over(p: Floats, n: int, base: Floats, way: Floats, beyond: Floats, per:
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    unevenness = np.abs(last) + np.abs(last_but_one)
+    most: Floats = CLOSER if fine else EVEN
+    accurate = is_even(last, last_but_one, most * total)
     time = span * stretch * total
-    time = np.where(unevenness <= EVEN * total, time, INFINITY)
+    time = np.where(accurate, time, INFINITY)
     return np.where(size > 0.0, time, 0.0)
 
 
@@ -2069,12 +2079,13 @@ def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats,
     beyond = np.where(falls, to_end, behind)
     base = np.where(falls, step, 0.0)
     path = np.where(falls, -step, path)
-    before = time_over(e, top, base, path, beyond, ahead)
+    fine = s.highest > 18
+    before = time_over(e, top, fine, base, path, beyond, ahead)
     after: Floats = 0.0
     if np.any(peaks):
         back = np.where(peaks, peak - step, 0.0)
         from_end = np.where(rises, 1.0 / (step + behind), 0.0)
-        after = time_over(e, top, step, back, to_end, from_end)
+        after = time_over(e, top, fine, step, back, to_end, from_end)
     return (before, after)
 
 

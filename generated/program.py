@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: da15482f5411f36013a4d7ad8c099852ab43ca1cdf3c4998e6207d3d35fd2466
+# sha256 of the text below: 5078430d83e671d7310b7c26c189df4b7deb8aa15eab856807a5dd37e0556e88
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -299,7 +299,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     if not definitions.tables and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
-    series = sorted(_needed(linker.series, pending), key=lambda row: row[0][:2] != SQUARE)
+    series = _needed(linker.series, pending)
     scalar = _needed(linker.scalar, pending)
     constants = sorted(name for name in pending if name and name.startswith("="))
     return Linked(scalar, series, registers, outputs, constants)
@@ -633,7 +633,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         given=len(given),
         registers=tuple(registers),
         scalar=tuple(scalar),
-        series=tuple(_placed(operation, results, places) for operation, results in linked.series),
+        series=_in_order(linked, places),
         states=tuple(states),
         tables=tuple(tables),
         roles=roles,
@@ -652,6 +652,12 @@ def _roles(linked: Linked, places: _Places) -> dict[str, int]:
         if operation[:2] == SQUARE:
             roles["square"] = places.registers[results[0]]
     return roles
+
+
+def _in_order(linked: Linked, places: _Places) -> tuple[tuple[Any, ...], ...]:
+    """Return the operations on series with places. The square of omega precedes all others."""
+    rows = sorted(linked.series, key=lambda row: row[0][:2] != SQUARE)
+    return tuple(_placed(operation, results, places) for operation, results in rows)
 
 
 def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:

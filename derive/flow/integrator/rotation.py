@@ -45,16 +45,23 @@ STRAIGHT = 16.0  # distance of a rest, over the length of the path, from which t
 NEWTON = 3  # steps of the method by which a rest near a step is found
 NEAREST = 0.9  # of a rest that is estimated ahead: greatest path over its distance
 EVEN = 2.0**-20  # last coefficients of an integrand up to which its integral is accurate
+CLOSER = 2.0**-25  # the same for series of higher order than 18, with the rule of more nodes
 MOST_HALVINGS = 30
 SHORTEST = 1e-7  # duration of a step below which series in time, which states are read from, may overflow
 
 
-def time_over(p: S, n: N, base: V, way: V, beyond: V, per: V) -> V:
+def is_even(last: V, last_but_one: V, most: V) -> M:
+    """Return whether the last coefficients of an integrand are small enough."""
+    unevenness = abs(last) + abs(last_but_one)
+    return unevenness <= most
+
+
+def time_over(p: S, n: N, fine: N, base: V, way: V, beyond: V, per: V) -> V:
     """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
 
     ``way`` is the path from ``base`` with its sign: against the motion if the rest is at the end. ``per`` is 1 over the
     distance of another rest in this direction, or 0. In the variable v with v^2 = (beyond + y)/(1 - per y) both rests
-    are regular.
+    are regular. Under `fine` the rule has more nodes.
     """
     size = abs(way)
     side = where(way < 0.0, -1.0, 1.0)
@@ -66,7 +73,9 @@ def time_over(p: S, n: N, base: V, way: V, beyond: V, per: V) -> V:
     total: V = 0.0
     last: V = 0.0
     last_but_one: V = 0.0
-    for k in up(TO_PEAK, TO_PEAK + FROM_PEAK - 1):
+    k_first: N = 0 if fine else TO_PEAK
+    k_last: N = TO_PEAK - 1 if fine else TO_PEAK + FROM_PEAK - 1
+    for k in up(k_first, k_last):
         past = span * NODES[k]
         v = first + past
         square = v * v
@@ -78,9 +87,10 @@ def time_over(p: S, n: N, base: V, way: V, beyond: V, per: V) -> V:
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    unevenness = abs(last) + abs(last_but_one)
+    most: V = CLOSER if fine else EVEN
+    accurate = is_even(last, last_but_one, most * total)
     time = span * stretch * total
-    time = where(unevenness <= EVEN * total, time, INFINITY)
+    time = where(accurate, time, INFINITY)
     return where(size > 0.0, time, 0.0)
 
 
@@ -126,12 +136,13 @@ def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     beyond = where(falls, to_end, behind)
     base = where(falls, step, 0.0)
     path = where(falls, -step, path)
-    before = time_over(e, top, base, path, beyond, ahead)
+    fine: N = s.highest > 18
+    before = time_over(e, top, fine, base, path, beyond, ahead)
     after: V = 0.0
     if any_lane(peaks):
         back = where(peaks, peak - step, 0.0)
         from_end = where(rises, 1.0 / (step + behind), 0.0)
-        after = time_over(e, top, step, back, to_end, from_end)
+        after = time_over(e, top, fine, step, back, to_end, from_end)
     return before, after
 
 

@@ -57,7 +57,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     if not definitions.tables and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
-    series = sorted(_needed(linker.series, pending), key=lambda row: row[0][:2] != SQUARE)
+    series = _needed(linker.series, pending)
     scalar = _needed(linker.scalar, pending)
     constants = sorted(name for name in pending if name and name.startswith("="))
     return Linked(scalar, series, registers, outputs, constants)

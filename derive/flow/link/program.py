@@ -124,7 +124,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         given=len(given),
         registers=tuple(registers),
         scalar=tuple(scalar),
-        series=tuple(_placed(operation, results, places) for operation, results in linked.series),
+        series=_in_order(linked, places),
         states=tuple(states),
         tables=tuple(tables),
         roles=roles,
@@ -143,6 +143,12 @@ def _roles(linked: Linked, places: _Places) -> dict[str, int]:
         if operation[:2] == SQUARE:
             roles["square"] = places.registers[results[0]]
     return roles
+
+
+def _in_order(linked: Linked, places: _Places) -> tuple[tuple[Any, ...], ...]:
+    """Return the operations on series with places. The square of omega precedes all others."""
+    rows = sorted(linked.series, key=lambda row: row[0][:2] != SQUARE)
+    return tuple(_placed(operation, results, places) for operation, results in rows)
 
 
 def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:

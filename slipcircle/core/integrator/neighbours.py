@@ -83,13 +83,14 @@ def compared(runs: Floats) -> Rows:
 def integrate_single(problem: Problem) -> tuple[list[float], Rows | None]:
     """Return the final cells of a single scene, and those by which its runs are compared, if they are integrated.
 
-    All runs are integrated in one call unless the scene has functions of time, slip, speed or rotation, a viscous
-    layer, or a run that needs more than explicit steps and the rounded limit friction.
+    All runs are integrated in one call unless the scene has functions of time or speed, or a viscous layer, or a run
+    needs more than explicit steps, the rounded limit friction and the present tables.
     """
     program = problem.program
-    if not program.tables and "viscosity" not in problem.recipe.effects:
+    steady = program.by_rotation or not program.tables
+    if steady and "viscosity" not in problem.recipe.effects:
         runs = perturbed_runs(problem)
-        engine().integrate(program, (), runs)
+        engine().integrate(program, problem.tables(), runs)
         final = runs[:ENTRIES, 0].tolist()
         rows = compared(runs)
         if max(rows[0]) < ix.TOO_LONG and final[ix.CLOSE] >= NEAR:
