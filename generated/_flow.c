@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a75b43cd37c8067cd19e337ae86c362ab79d60b61eb8876ec17255462281942d"
+#define DIGEST "8a17f5d21f6f5049e08ad2a787deb24222a71e42eb00fe9a94e5ae812d3b8152"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3125,11 +3125,12 @@ static void make_step(Batch *b, M here)
     conclude(b, here, rate, at_limit, endless);
 }
 
-/* Return whether the last coefficients of an integrand are small enough. */
-INLINE M is_even(V last, V last_but_one, V most)
+/* Return whether the last coefficients of an integrand are small enough beside its integral. */
+INLINE M is_even(V last, V last_but_one, V total, int fine)
 {
+    V most = broadcast(fine ? CLOSER : EVEN);
     V unevenness = magnitude(last) + magnitude(last_but_one);
-    return unevenness <= most;
+    return unevenness <= (most * total);
 }
 
 /* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
@@ -3163,10 +3164,8 @@ INLINE V time_over(V *p, int n, int fine, V base, V way, V beyond, V per)
         last = last + (LAST_SHARES[k] * slowness);
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
-    V most = broadcast(fine ? CLOSER : EVEN);
-    M accurate = is_even(last, last_but_one, most * total);
     V time = (span * stretch) * total;
-    time = pick(accurate, time, broadcast(INFINITY));
+    time = pick(is_even(last, last_but_one, total, fine), time, broadcast(INFINITY));
     return pick(size > 0.0, time, broadcast(0.0));
 }
 

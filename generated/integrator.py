@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 298906f97e886247352fb53b5da7b86e83209581da66669616d36d96ba2ddcad
+# sha256 of the text below: d85f2f2f69a8c7c61f74c5a7791376e06395fbf795de4b1594fa1d1f6d0238cc
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2003,10 +2003,11 @@ def make_step(s: Lanes, here: Mask) -> None:
     conclude(s, here, rate, at_limit, endless)
 
 
-def is_even(last: Floats, last_but_one: Floats, most: Floats) -> Mask:
-    """Return whether the last coefficients of an integrand are small enough."""
+def is_even(last: Floats, last_but_one: Floats, total: Floats, fine: int) -> Mask:
+    """Return whether the last coefficients of an integrand are small enough beside its integral."""
+    most: Floats = CLOSER if fine else EVEN
     unevenness = np.abs(last) + np.abs(last_but_one)
-    return unevenness <= most
+    return unevenness <= most * total
 
 
 def time_over(p: Floats, n: int, fine: int, base: Floats, way: Floats, beyond: Floats, per: Floats) -> Floats:
@@ -2035,10 +2036,8 @@ def time_over(p: Floats, n: int, fine: int, base: Floats, way: Floats, beyond: F
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    most: Floats = CLOSER if fine else EVEN
-    accurate = is_even(last, last_but_one, most * total)
     time = span * stretch * total
-    time = np.where(accurate, time, INFINITY)
+    time = np.where(is_even(last, last_but_one, total, fine), time, INFINITY)
     return np.where(size > 0.0, time, 0.0)
 
 

@@ -50,10 +50,11 @@ MOST_HALVINGS = 30
 SHORTEST = 1e-7  # duration of a step below which series in time, which states are read from, may overflow
 
 
-def is_even(last: V, last_but_one: V, most: V) -> M:
-    """Return whether the last coefficients of an integrand are small enough."""
+def is_even(last: V, last_but_one: V, total: V, fine: N) -> M:
+    """Return whether the last coefficients of an integrand are small enough beside its integral."""
+    most: V = CLOSER if fine else EVEN
     unevenness = abs(last) + abs(last_but_one)
-    return unevenness <= most
+    return unevenness <= most * total
 
 
 def time_over(p: S, n: N, fine: N, base: V, way: V, beyond: V, per: V) -> V:
@@ -87,10 +88,8 @@ def time_over(p: S, n: N, fine: N, base: V, way: V, beyond: V, per: V) -> V:
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    most: V = CLOSER if fine else EVEN
-    accurate = is_even(last, last_but_one, most * total)
     time = span * stretch * total
-    time = where(accurate, time, INFINITY)
+    time = where(is_even(last, last_but_one, total, fine), time, INFINITY)
     return where(size > 0.0, time, 0.0)
 
 
