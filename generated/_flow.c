@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "8a17f5d21f6f5049e08ad2a787deb24222a71e42eb00fe9a94e5ae812d3b8152"
+#define DIGEST "fe6db1b24e65e00c24fbf90b71c87b125b0953f1e98e1f2147e47a7f52cff775"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3133,11 +3133,11 @@ INLINE M is_even(V last, V last_but_one, V total, int fine)
     return unevenness <= (most * total);
 }
 
-/* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
- * ``way`` is the path from ``base`` with its sign: against the motion if the rest is at the end. ``per`` is 1 over
- * the distance of another rest in this direction, or 0. In the variable v with v^2 = (beyond + y)/(1 - per y) both
- * rests are regular. Under `fine` the rule has more nodes. */
-INLINE V time_over(V *p, int n, int fine, V base, V way, V beyond, V per)
+/* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain. E
+ * is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the
+ * motion if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the
+ * variable v with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes. */
+INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
 {
     V size = magnitude(way);
     V side = pick(way < 0.0, broadcast(-1.0), broadcast(1.0));
@@ -3157,8 +3157,7 @@ INLINE V time_over(V *p, int n, int fine, V base, V way, V beyond, V per)
         V square = v * v;
         V share = 1.0 / (1.0 + (per * square));
         V y = (past * (first + v)) * share;
-        V at = base + (side * y);
-        V speed = sqrt_of(value(p, n, at));
+        V speed = sqrt_of(value(p, n, side * y));
         V slowness = (v * (share * share)) / speed;
         total = total + (SHARES[k] * slowness);
         last = last + (LAST_SHARES[k] * slowness);
@@ -3169,16 +3168,13 @@ INLINE V time_over(V *p, int n, int fine, V base, V way, V beyond, V per)
     return pick(size > 0.0, time, broadcast(0.0));
 }
 
-/* Return the distance from ``base`` at which E has a zero, by Newton's method as far as it converges. It is
+/* Return the distance at which the polynomial E has a zero, by Newton's method as far as it converges. It is
  * searched forwards if ``side`` is 1, backwards if it is -1. Without a zero there the distance is ``far``. */
-INLINE V distance_of_rest(V *p, int n, V base, V side, V far)
+INLINE V distance_of_rest(V *p, int n, V side, V far)
 {
-    const Pair at_slope = value_and_slope(p, n, base);
-    V at = at_slope.one, slope = at_slope.other;
-    V distance = ((-side) * at) / slope;
+    V distance = ((-side) * p[0]) / p[1];
     for (int _ = 1; _ <= NEWTON; _++) {
-        V there = base + (side * distance);
-        const Pair at_slope = value_and_slope(p, n, there);
+        const Pair at_slope = value_and_slope(p, n, side * distance);
         V at = at_slope.one, slope = at_slope.other;
         V change = ((-side) * at) / slope;
         M converges = magnitude(change) < (0.5 * distance);
@@ -3186,6 +3182,25 @@ INLINE V distance_of_rest(V *p, int n, V base, V side, V far)
     }
     V nearest = minimum(distance, far);
     return pick(distance >= 0.0, nearest, far);
+}
+
+/* Compute E as a polynomial of the distance from the end of the step: Taylor's shift by Horner's scheme. It has no
+ * rounding error where the mass comes to rest, near which the duration depends on it. */
+INLINE void expand_about_end(Batch *b, V *p, int n)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    for (int k = 0; k <= n; k++) {
+        p[k] = e[k];
+    }
+    for (int first = 0; first <= n - 1; first++) {
+        for (int j = n - 1; j >= first; j--) {
+            p[j] = p[j] + (c[STEP] * p[j + 1]);
+        }
+    }
+    M stands = c[EVENT] == (double)EVENT_STANDSTILL;
+    p[0] = pick(stands, broadcast(0.0), p[0]);
 }
 
 /* Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain. ``peak``
@@ -3197,31 +3212,32 @@ INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
     V *e = b->r + job->role->omega;
     V step = c[STEP];
     M peaks = peak < INFINITY;
-    V slope = value(b->r + job->role->net, top - 1, step);
     V far = STRAIGHT * step;
-    M stands = c[EVENT] == (double)EVENT_STANDSTILL;
-    V to_end = distance_of_rest(e, top, step, broadcast(1.0), far);
-    to_end = pick(stands, broadcast(0.0), to_end);
+    int fine = job->order > 18;
+    V of_end[STRIDE];
+    expand_about_end(b, of_end, top);
+    V to_end = distance_of_rest(of_end, top, broadcast(1.0), far);
     M rises = e[1] > 0.0;
-    M falls = ~rises & (slope < 0.0);
-    V behind = distance_of_rest(e, top, broadcast(0.0), broadcast(-1.0), far);
+    M falls = ~rises & (of_end[1] < 0.0);
+    V behind = distance_of_rest(e, top, broadcast(-1.0), far);
     behind = pick(rises, behind, far);
     V by_bend = maximum((-e[2]) / e[1], broadcast(0.0));
     V ahead = pick(peaks, 1.0 / (step + to_end), by_bend);
     V path = minimum(peak, step);
     M near = rises & ((ahead * path) < NEAREST);
     ahead = pick(near, ahead, broadcast(0.0));
-    V beyond = pick(falls, to_end, behind);
-    V base = pick(falls, step, broadcast(0.0));
-    path = pick(falls, -step, path);
-    int fine = job->order > 18;
-    V before = time_over(e, top, fine, base, path, beyond, ahead);
     V after = broadcast(0.0);
     if (bits(peaks)) {
         V back = pick(peaks, peak - step, broadcast(0.0));
         V from_end = pick(rises, 1.0 / (step + behind), broadcast(0.0));
-        after = time_over(e, top, fine, step, back, to_end, from_end);
+        after = time_over(of_end, top, fine, back, to_end, from_end);
     }
+    for (int k = 0; k <= top; k++) {
+        of_end[k] = pick(falls, of_end[k], e[k]);
+    }
+    V beyond = pick(falls, to_end, behind);
+    path = pick(falls, -step, path);
+    V before = time_over(of_end, top, fine, path, beyond, ahead);
     return (Pair){before, after};
 }
 

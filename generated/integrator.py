@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d85f2f2f69a8c7c61f74c5a7791376e06395fbf795de4b1594fa1d1f6d0238cc
+# sha256 of the text below: ec889fadc8e7a63928e51c964b161e879fb19eed5c69072da349f60b668410de
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2010,7 +2010,7 @@ def is_even(last: Floats, last_but_one: Floats, total: Floats, fine: int) -> Mas
     return unevenness <= most * total
 
 
-def time_over(p: Floats, n: int, fine: int, base: Floats, way: Floats, beyond: Floats, per: Floats) -> Floats:
+def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Floats) -> Floats:
     """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain."""
     size = np.abs(way)
     side = np.where(way < 0.0, -1.0, 1.0)
@@ -2030,8 +2030,7 @@ def time_over(p: Floats, n: int, fine: int, base: Floats, way: Floats, beyond: F
         square = v * v
         share = 1.0 / (1.0 + per * square)
         y = past * (first + v) * share
-        at = base + side * y
-        speed = np.sqrt(value(p, n, at))
+        speed = np.sqrt(value(p, n, side * y))
         slowness = v * (share * share) / speed
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
@@ -2041,18 +2040,29 @@ def time_over(p: Floats, n: int, fine: int, base: Floats, way: Floats, beyond: F
     return np.where(size > 0.0, time, 0.0)
 
 
-def distance_of_rest(p: Floats, n: int, base: Floats, side: Floats, far: Floats) -> Floats:
-    """Return the distance from ``base`` at which E has a zero, by Newton's method as far as it converges."""
-    at, slope = value_and_slope(p, n, base)
-    distance = -side * at / slope
+def distance_of_rest(p: Floats, n: int, side: Floats, far: Floats) -> Floats:
+    """Return the distance at which the polynomial E has a zero, by Newton's method as far as it converges."""
+    distance = -side * p[0] / p[1]
     for _ in range(1, NEWTON + 1):
-        there = base + side * distance
-        at, slope = value_and_slope(p, n, there)
+        at, slope = value_and_slope(p, n, side * distance)
         change = -side * at / slope
         converges = np.abs(change) < 0.5 * distance
         distance = np.where(converges, distance + change, distance)
     nearest = np.minimum(distance, far)
     return np.where(distance >= 0.0, nearest, far)
+
+
+def expand_about_end(s: Lanes, p: Floats, n: int) -> None:
+    """Compute E as a polynomial of the distance from the end of the step: Taylor's shift by Horner's scheme."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    for k in range(n + 1):
+        p[k] = e[k]
+    for first in range(n - 1 + 1):
+        for j in range(n - 1, first - 1, -1):
+            p[j] = p[j] + c[ix.STEP] * p[j + 1]
+    stands = c[ix.EVENT] == float(ix.EVENT_STANDSTILL)
+    p[0] = np.where(stands, 0.0, p[0])
 
 
 def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats, Floats]:
@@ -2061,30 +2071,30 @@ def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats,
     e = s.registers[s.roles.omega]
     step = c[ix.STEP].copy()
     peaks = peak < INFINITY
-    slope = value(s.registers[s.roles.net], top - 1, step)
     far = STRAIGHT * step
-    stands = c[ix.EVENT] == float(ix.EVENT_STANDSTILL)
-    to_end = distance_of_rest(e, top, step, 1.0, far)
-    to_end = np.where(stands, 0.0, to_end)
+    fine = s.highest > 18
+    of_end = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    expand_about_end(s, of_end, top)
+    to_end = distance_of_rest(of_end, top, 1.0, far)
     rises = e[1] > 0.0
-    falls = np.logical_not(rises) & (slope < 0.0)
-    behind = distance_of_rest(e, top, 0.0, -1.0, far)
+    falls = np.logical_not(rises) & (of_end[1] < 0.0)
+    behind = distance_of_rest(e, top, -1.0, far)
     behind = np.where(rises, behind, far)
     by_bend = np.maximum(-e[2] / e[1], 0.0)
     ahead = np.where(peaks, 1.0 / (step + to_end), by_bend)
     path = np.minimum(peak, step)
     near = rises & (ahead * path < NEAREST)
     ahead = np.where(near, ahead, 0.0)
-    beyond = np.where(falls, to_end, behind)
-    base = np.where(falls, step, 0.0)
-    path = np.where(falls, -step, path)
-    fine = s.highest > 18
-    before = time_over(e, top, fine, base, path, beyond, ahead)
     after: Floats = 0.0
     if np.any(peaks):
         back = np.where(peaks, peak - step, 0.0)
         from_end = np.where(rises, 1.0 / (step + behind), 0.0)
-        after = time_over(e, top, fine, step, back, to_end, from_end)
+        after = time_over(of_end, top, fine, back, to_end, from_end)
+    for k in range(top + 1):
+        of_end[k] = np.where(falls, of_end[k], e[k])
+    beyond = np.where(falls, to_end, behind)
+    path = np.where(falls, -step, path)
+    before = time_over(of_end, top, fine, path, beyond, ahead)
     return (before, after)
 
 

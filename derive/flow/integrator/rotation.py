@@ -27,8 +27,10 @@ from derive.flow.integrator.one_lane import (
     Share,
     V,
     any_lane,
+    down,
     maximum,
     minimum,
+    new_series,
     number,
     sqrt,
     up,
@@ -57,12 +59,12 @@ def is_even(last: V, last_but_one: V, total: V, fine: N) -> M:
     return unevenness <= most * total
 
 
-def time_over(p: S, n: N, fine: N, base: V, way: V, beyond: V, per: V) -> V:
+def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
     """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
 
-    ``way`` is the path from ``base`` with its sign: against the motion if the rest is at the end. ``per`` is 1 over the
-    distance of another rest in this direction, or 0. In the variable v with v^2 = (beyond + y)/(1 - per y) both rests
-    are regular. Under `fine` the rule has more nodes.
+    E is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the motion
+    if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the variable v
+    with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes.
     """
     size = abs(way)
     side = where(way < 0.0, -1.0, 1.0)
@@ -82,8 +84,7 @@ def time_over(p: S, n: N, fine: N, base: V, way: V, beyond: V, per: V) -> V:
         square = v * v
         share = 1.0 / (1.0 + per * square)
         y = past * (first + v) * share
-        at = base + side * y
-        speed = sqrt(value(p, n, at))
+        speed = sqrt(value(p, n, side * y))
         slowness = v * (share * share) / speed
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
@@ -93,21 +94,34 @@ def time_over(p: S, n: N, fine: N, base: V, way: V, beyond: V, per: V) -> V:
     return where(size > 0.0, time, 0.0)
 
 
-def distance_of_rest(p: S, n: N, base: V, side: V, far: V) -> V:
-    """Return the distance from ``base`` at which E has a zero, by Newton's method as far as it converges.
+def distance_of_rest(p: S, n: N, side: V, far: V) -> V:
+    """Return the distance at which the polynomial E has a zero, by Newton's method as far as it converges.
 
     It is searched forwards if ``side`` is 1, backwards if it is -1. Without a zero there the distance is ``far``.
     """
-    at, slope = value_and_slope(p, n, base)
-    distance = -side * at / slope
+    distance = -side * p[0] / p[1]
     for _ in up(1, NEWTON):
-        there = base + side * distance
-        at, slope = value_and_slope(p, n, there)
+        at, slope = value_and_slope(p, n, side * distance)
         change = -side * at / slope
         converges = abs(change) < 0.5 * distance
         distance = where(converges, distance + change, distance)
     nearest = minimum(distance, far)
     return where(distance >= 0.0, nearest, far)
+
+
+def expand_about_end(s: Lanes, p: S, n: N) -> None:
+    """Compute E as a polynomial of the distance from the end of the step: Taylor's shift by Horner's scheme.
+
+    It has no rounding error where the mass comes to rest, near which the duration depends on it.
+    """
+    e = s.series.omega
+    for k in up(0, n):
+        p[k] = e[k]
+    for first in up(0, n - 1):
+        for j in down(n - 1, first):
+            p[j] = p[j] + s.step * p[j + 1]
+    stands = s.event == number(Event.STANDSTILL)
+    p[0] = where(stands, 0.0, p[0])
 
 
 def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
@@ -118,30 +132,30 @@ def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     e = s.series.omega
     step = s.step
     peaks = peak < INFINITY
-    slope = value(s.series.net, top - 1, step)
     far = STRAIGHT * step
-    stands = s.event == number(Event.STANDSTILL)
-    to_end = distance_of_rest(e, top, step, 1.0, far)
-    to_end = where(stands, 0.0, to_end)
+    fine: N = s.highest > 18
+    of_end = new_series()
+    expand_about_end(s, of_end, top)
+    to_end = distance_of_rest(of_end, top, 1.0, far)
     rises = e[1] > 0.0
-    falls = not rises and slope < 0.0
-    behind = distance_of_rest(e, top, 0.0, -1.0, far)
+    falls = not rises and of_end[1] < 0.0
+    behind = distance_of_rest(e, top, -1.0, far)
     behind = where(rises, behind, far)
     by_bend = maximum(-e[2] / e[1], 0.0)
     ahead = where(peaks, 1.0 / (step + to_end), by_bend)
     path = minimum(peak, step)
     near = rises and ahead * path < NEAREST
     ahead = where(near, ahead, 0.0)
-    beyond = where(falls, to_end, behind)
-    base = where(falls, step, 0.0)
-    path = where(falls, -step, path)
-    fine: N = s.highest > 18
-    before = time_over(e, top, fine, base, path, beyond, ahead)
     after: V = 0.0
     if any_lane(peaks):
         back = where(peaks, peak - step, 0.0)
         from_end = where(rises, 1.0 / (step + behind), 0.0)
-        after = time_over(e, top, fine, step, back, to_end, from_end)
+        after = time_over(of_end, top, fine, back, to_end, from_end)
+    for k in up(0, top):
+        of_end[k] = where(falls, of_end[k], e[k])
+    beyond = where(falls, to_end, behind)
+    path = where(falls, -step, path)
+    before = time_over(of_end, top, fine, path, beyond, ahead)
     return before, after
 
 
