@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "fe6db1b24e65e00c24fbf90b71c87b125b0953f1e98e1f2147e47a7f52cff775"
+#define DIGEST "bb98bb2868ab11a8bf1775f8dd2f271879200cc8e2b53aba447d8f2d88f46563"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1879,10 +1879,12 @@ INLINE void evaluate(Batch *b)
     begin_series(b);
     operate(b, 0, 0);
     operate_later(b, 1);
-    V omega = (b->r + job->role->omega)[0];
-    for (const State *q = job->state; q < job->state + job->states; q++) {
-        V rate = (b->r + q->rate)[0];
-        (b->r + q->rate)[0] = per_time(b, rate, omega);
+    if (job->role->pace >= 0) {
+        V omega = (b->r + job->role->omega)[0];
+        for (const State *q = job->state; q < job->state + job->states; q++) {
+            V rate = (b->r + q->rate)[0];
+            (b->r + q->rate)[0] = per_time(b, rate, omega);
+        }
     }
 }
 
@@ -3088,6 +3090,17 @@ INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
     }
 }
 
+/* Let a step end at the time ``until``, count it, and apply its consequences. */
+INLINE void arrive(Batch *b, M here, V until, V rate, M steady, M at_limit, M endless)
+{
+    V *const c = b->c;
+    keep_faster(b, here, c[OMEGA], until, c[X], rate);
+    c[TIME] = pick(here, until, c[TIME]);
+    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
+    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    conclude(b, here, rate, at_limit, endless);
+}
+
 /* Make one step of moving lanes. */
 static void make_step(Batch *b, M here)
 {
@@ -3118,11 +3131,7 @@ static void make_step(Batch *b, M here)
     M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
     advance_states(b, here, top);
     rate = per_time(b, rate, c[OMEGA]);
-    keep_faster(b, here, c[OMEGA], until, c[X], rate);
-    c[TIME] = pick(here, until, c[TIME]);
-    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
-    conclude(b, here, rate, at_limit, endless);
+    arrive(b, here, until, rate, steady, at_limit, endless);
 }
 
 /* Return whether the last coefficients of an integrand are small enough beside its integral. */
@@ -3302,13 +3311,8 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
     c[X] = pick(here, c[X] + step, c[X]);
     V square = e[0] + increment(e, top, step);
     c[OMEGA] = pick(here, sqrt_of(maximum(square, broadcast(0.0))), c[OMEGA]);
-    keep_faster(b, here, c[OMEGA], until, c[X], rate);
-    c[TIME] = pick(here, until, c[TIME]);
-    c[STEPS] = pick(here, c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0)), c[STEPS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
-    EACH(lane, bits(here)) {
-        settle(b, lane, rate[lane], 0, 0);
-    }
+    M goes_on = (M){0};
+    arrive(b, here, until, rate, steady, goes_on, goes_on);
 }
 
 /* Make one step of moving lanes in powers of the rotation. If its duration is uncertain or extremely short, or

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ec889fadc8e7a63928e51c964b161e879fb19eed5c69072da349f60b668410de
+# sha256 of the text below: 3268305f021311990a23d98ed83ac26b6ab4918ed04c2b614603cb25afc024f9
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -828,10 +828,11 @@ def evaluate(s: Lanes) -> None:
     begin_series(s)
     operate(s, 0, False)
     operate_later(s, 1)
-    omega = s.registers[s.roles.omega][0].copy()
-    for q in s.states:
-        rate = s.registers[q.rate][0].copy()
-        s.registers[q.rate][0] = per_time(s, rate, omega)
+    if s.roles.pace >= 0:
+        omega = s.registers[s.roles.omega][0].copy()
+        for q in s.states:
+            rate = s.registers[q.rate][0].copy()
+            s.registers[q.rate][0] = per_time(s, rate, omega)
 
 
 def normal_force(s: Lanes) -> Floats:
@@ -1969,6 +1970,17 @@ def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) 
         settle(s, i, rate[i], at_limit[i], endless[i])
 
 
+def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats, steady: Mask, at_limit: Mask, endless: Mask) -> None:
+    """Let a step end at the time ``until``, count it, and apply its consequences."""
+    c = s.cells
+    keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
+    c[ix.TIME] = np.where(here, until, c[ix.TIME])
+    c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
+        c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    conclude(s, here, rate, at_limit, endless)
+
+
 def make_step(s: Lanes, here: Mask) -> None:
     """Make one step of moving lanes."""
     c = s.cells
@@ -1995,12 +2007,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
     advance_states(s, here, top)
     rate = per_time(s, rate, c[ix.OMEGA])
-    keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
-    c[ix.TIME] = np.where(here, until, c[ix.TIME])
-    c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
-        c[ix.STEPS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
-    conclude(s, here, rate, at_limit, endless)
+    arrive(s, here, until, rate, steady, at_limit, endless)
 
 
 def is_even(last: Floats, last_but_one: Floats, total: Floats, fine: int) -> Mask:
@@ -2147,13 +2154,8 @@ def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until
     c[ix.X] = np.where(here, c[ix.X] + step, c[ix.X])
     square = e[0] + increment(e, top, step)
     c[ix.OMEGA] = np.where(here, np.sqrt(np.maximum(square, 0.0)), c[ix.OMEGA])
-    keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
-    c[ix.TIME] = np.where(here, until, c[ix.TIME])
-    c[ix.STEPS] = np.where(here, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0), c[ix.STEPS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
-    i = np.flatnonzero(here)
-    if i.size:
-        settle(s, i, rate[i], np.full(i.size, False), np.full(i.size, False))
+    goes_on = none_of(s)
+    arrive(s, here, until, rate, steady, goes_on, goes_on)
 
 
 def turn_on(s: Lanes, here: Mask) -> None:

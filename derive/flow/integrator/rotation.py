@@ -19,10 +19,8 @@ from derive.flow.integrator.one_lane import (
     Event,
     Kind,
     Lanes,
-    Limit,
     M,
     N,
-    Passed,
     S,
     Share,
     V,
@@ -31,6 +29,7 @@ from derive.flow.integrator.one_lane import (
     maximum,
     minimum,
     new_series,
+    none_of,
     number,
     sqrt,
     up,
@@ -39,7 +38,7 @@ from derive.flow.integrator.one_lane import (
 from derive.flow.integrator.phases import keep_faster
 from derive.flow.integrator.roots import falling_root, increment, value, value_and_slope
 from derive.flow.integrator.series import expand
-from derive.flow.integrator.step import choose_step, find_events, settle
+from derive.flow.integrator.step import arrive, choose_step, find_events
 
 LONGEST = 1.0  # of a step
 REACH = 4.0  # greatest step over the distance of a second rest behind
@@ -204,12 +203,8 @@ def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
     s.x = s.x + step
     square = e[0] + increment(e, top, step)
     s.omega = sqrt(maximum(square, 0.0))
-    keep_faster(s, here, s.omega, until, s.x, rate)
-    s.time = until
-    s.steps = s.steps + where(steady, number(Limit.STIFF_STEP), 1.0)
-    s.passed = number(Passed.NOTHING)
-    if here:
-        settle(s, rate, False, False)
+    goes_on = none_of(s)
+    arrive(s, here, until, rate, steady, goes_on, goes_on)
 
 
 def turn_on(s: Lanes, here: M) -> None:

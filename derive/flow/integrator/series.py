@@ -78,10 +78,11 @@ def evaluate(s: Lanes) -> None:
     begin_series(s)
     operate(s, 0, False)
     operate_later(s, 1)
-    omega = s.series.omega[0]
-    for q in s.states:
-        rate = q.rate[0]
-        q.rate[0] = per_time(s, rate, omega)
+    if s.has.pace:
+        omega = s.series.omega[0]
+        for q in s.states:
+            rate = q.rate[0]
+            q.rate[0] = per_time(s, rate, omega)
 
 
 def normal_force(s: Lanes) -> V:

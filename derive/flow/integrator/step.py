@@ -282,6 +282,15 @@ def conclude(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
         settle(s, rate, at_limit, endless)
 
 
+def arrive(s: Lanes, here: M, until: V, rate: V, steady: M, at_limit: M, endless: M) -> None:
+    """Let a step end at the time ``until``, count it, and apply its consequences."""
+    keep_faster(s, here, s.omega, until, s.x, rate)
+    s.time = until
+    s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
+    s.passed = number(Passed.NOTHING)
+    conclude(s, here, rate, at_limit, endless)
+
+
 def make_step(s: Lanes, here: M) -> None:
     """Make one step of moving lanes."""
     limit = minimum(next_break(s), s.end_time)
@@ -305,8 +314,4 @@ def make_step(s: Lanes, here: M) -> None:
     steady = abs(net[0]) * step < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
     advance_states(s, here, top)
     rate = per_time(s, rate, s.omega)
-    keep_faster(s, here, s.omega, until, s.x, rate)
-    s.time = until
-    s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
-    s.passed = number(Passed.NOTHING)
-    conclude(s, here, rate, at_limit, endless)
+    arrive(s, here, until, rate, steady, at_limit, endless)
