@@ -231,7 +231,8 @@ class LayeredSection(LayeredNumbers):
     @cached_property
     def profile(self) -> Profile:
         """Integrals along the arc of unit weights below the surfaces, by columns."""
-        return profile_of(self._strips, *self._columns)
+        weights, _ = self._columns
+        return profile_of(self._strips, weights)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
         """Return integrals of the head of the water level over arcs in space, (..., circles).
@@ -268,12 +269,13 @@ class LayeredSection(LayeredNumbers):
     def _moments_of_weight(self) -> Floats:
         """Integrals of `circles.MEASURES` times the unit weight over the mass, N/m^3, (7, lanes).
 
-        The first surface uses the integrals of a homogeneous mass, so that one soil in many layers equals a single
+        The ground alone uses the integrals of a homogeneous mass, so that one soil in many layers equals a single
         layer.
         """
         whole = self.profile.whole[MEASURED]
-        whole[:, 0] = list(self._moments.values())
-        _, by_lane = self._columns
+        weights, by_lane = self._columns
+        if not weights[0, 1:].any():
+            whole[:, 0] = list(self._moments.values())
         return over_circles(whole.transpose(1, 0, 2), by_lane)
 
     @cached_property

@@ -118,31 +118,31 @@ class StretchIntegrals:
         _, steps = self.section._columns
         of_first_lane = steps[:, :1]
         if len(self.section._facing) > 1:
-            steps = np.ones((1, 1))
-        elif of_first_lane.size and np.all(steps == of_first_lane):
-            (part,) = profile.parts
-            combined = part.combined(of_first_lane)
-            profile = profile._replace(parts=[combined])
-            steps = np.ones((1, 1))
-        return profile, steps / self.section._weights_per_area
+            of_first_lane = steps
+        elif not of_first_lane.size or np.any(steps != of_first_lane):
+            return profile, steps / self.section._weights_per_area
+        return profile.combined(of_first_lane), 1.0 / self.section._weights_per_area[None]
 
     def _pressing(self, rotation: Floats, count: int) -> Floats:
         """Return integrals of unit weights below surfaces up to the joints met, (count, J + 1, surfaces, M, circles).
 
-        The integrals are the first ones of a `Profile`. They begin at the entry, with x down-slope.
+        The integrals are the first ones of a `Profile`. They begin at the entry, with x down-slope. Rotations (pieces,
+        nodes, circles) are the Chebyshev nodes of pieces.
         """
         profile, _ = self._surfaces
         facing = self.section._facing
-        met = self._joints_met(rotation)
-        joints, moments, circles = met.shape
-        directions = met.reshape(joints * moments, circles)
-        whole = profile.to_ends[:count, :, None]
-        to_the_right = facing * directions
-        from_entry = profile.up_to(to_the_right, count)
-        np.subtract(whole, from_entry, out=from_entry, where=facing < 0.0)
+        *pieces, circles = rotation.shape
+        met = self._joints_met(rotation.reshape(-1, circles))
+        to_the_right = (facing * met).reshape(-1, *pieces[1:], circles)
+        up_to = profile.up_to_nodes if len(pieces) > 1 else profile.up_to
+        from_entry = up_to(to_the_right, count)
         surfaces = from_entry.shape[1]
-        every = np.empty((count, joints + 1, surfaces, *rotation.shape))
-        every[:, :-1] = from_entry.reshape(count, surfaces, *met.shape).swapaxes(1, 2)
+        from_entry = from_entry.reshape(count, surfaces, *met.shape)
+        whole = profile.whole[:count, :, None]
+        np.subtract(whole[:, :, None], from_entry, out=from_entry, where=facing < 0.0)
+        joints, moments, _ = met.shape
+        every = np.empty((count, joints + 1, surfaces, moments, circles))
+        every[:, :-1] = from_entry.swapaxes(1, 2)
         every[:, -1] = whole
         every[RADIAL_X] *= facing
         return every
@@ -150,13 +150,16 @@ class StretchIntegrals:
     def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
         """Return parts by name, each (parts, M, circles), after rotations (M, circles) in rad.
 
-        All weights are computed together.
+        All weights are computed together. Rotations (pieces, nodes, circles) are the Chebyshev nodes of pieces, one
+        piece after the other in the results.
         """
+        by_piece = rotation
+        rotation = by_piece.reshape(-1, by_piece.shape[-1])
         every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
             # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
             count = PRESSING if "overburden" in names else PRESSING - 1
-            pressing = self._pressing(rotation, count)
+            pressing = self._pressing(by_piece, count)
             by_joint = pressing.reshape(count, math.prod(pressing.shape[1:3]), *rotation.shape)
             radial_y, radial_x, polar, *cover = by_joint
             cosine = np.cos(rotation)
