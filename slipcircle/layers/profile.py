@@ -27,13 +27,13 @@ RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  #
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
 _INTEGRALS = len(MEASURED) + 1
 PRESSING = 4  # number of the first integrals, which strength uses
-_COUNT = 10  # nodes of Gauss' rule on a piece
+_COUNT = 12  # nodes of Gauss' rule on a piece
 _ACCURACY = 1e-8  # of the last coefficients in Legendre polynomials; the error of Gauss' rule is about its square
 _SHORTEST = 1e-4  # width of a piece, rad
 _TOGETHER = 1 << 14  # nodes of a block, whose arrays fit into the cache
 
 
-class _Rule(NamedTuple):
+class Rule(NamedTuple):
     """Weights of the values at nodes in integrals over pieces, (integrals, nodes), for a half width of 1.
 
     Nodes are distances from the start over half the width of a piece, (nodes,).
@@ -43,20 +43,19 @@ class _Rule(NamedTuple):
     weights: Floats
 
 
-def _gauss() -> tuple[_Rule, _Rule]:
-    """Return Gauss' rule, and the rule with the first two and the last two coefficients in Legendre polynomials."""
-    nodes, weights = legendre.leggauss(_COUNT)
-    degrees = np.array([0, 1, _COUNT - 2, _COUNT - 1])
-    polynomials = legendre.legvander(nodes, _COUNT - 1)[:, degrees]
-    coefficients = (degrees + 0.5) * polynomials * weights[:, None]
-    whole = weights[None]
-    return _Rule(1.0 + nodes, whole), _Rule(1.0 + nodes, np.concatenate([whole, coefficients.T]))
+def _gauss(count: int) -> Rule:
+    nodes, weights = legendre.leggauss(count)
+    return Rule(1.0 + nodes, weights[None])
 
 
-_WHOLE, _DEVELOPING = _gauss()
+GAUSS = _gauss(_COUNT)
+ROUGH = _gauss(2)  # for estimates
+_DEGREES = np.array([0, 1, _COUNT - 2, _COUNT - 1])  # of the Legendre polynomials whose coefficients are needed
+_POLYNOMIALS = legendre.legvander(GAUSS.nodes - 1.0, _COUNT)[:, _DEGREES] * (_DEGREES + 0.5)
+_DEVELOPING = GAUSS._replace(weights=_POLYNOMIALS.T * GAUSS.weights)
 _INTEGRATED = chebyshev.chebint(np.eye(TERMS)) @ TO_CHEBYSHEV
 _AT_NODES = chebyshev.chebvander(NODES, TERMS) @ _INTEGRATED
-_UP_TO_NODES = _Rule(NODES - NODES[0], _AT_NODES - _AT_NODES[0])  # from the first Chebyshev node
+_UP_TO_NODES = Rule(NODES - NODES[0], _AT_NODES - _AT_NODES[0])  # from the first Chebyshev node
 
 
 class Profile(NamedTuple):
@@ -95,7 +94,7 @@ class Profile(NamedTuple):
         of_first_circle = piece[:, :1]
         return of_first_circle if np.all(piece == of_first_circle) else piece
 
-    def up_to(self, beta: Floats, count: int) -> Floats:
+    def up_to(self, beta: Floats, count: int, rule: Rule = GAUSS) -> Floats:
         """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
 
         Directions are in rad from straight below the centre, positive to the right.
@@ -105,7 +104,7 @@ class Profile(NamedTuple):
         circle = np.arange(beta.shape[1])
         first = self.edges[piece, circle]
         half = (inside - first) / 2
-        within = _integrals(self.strips, self.weights, self.strip[piece], first, half, _WHOLE, count)
+        within = _integrals(self.strips, self.weights, self.strip[piece], first, half, rule, count)
         return within[0] + self.before[:count, :, piece, circle]
 
     def up_to_nodes(self, beta: Floats, count: int) -> Floats:
@@ -164,13 +163,14 @@ def _developed(strips: Strips, weights: Floats, strip: Integers, first: Floats, 
     `strip`.
     """
     half = (last - first) / 2
-    whole, *coefficients = _integrals(strips, weights, strip[:, None], first, half, _DEVELOPING, _INTEGRALS)
+    coefficients = _integrals(strips, weights, strip[:, None], first, half, _DEVELOPING, _INTEGRALS)
     sizes = np.abs(coefficients).max(axis=(1, 2))
+    whole = 2.0 * coefficients[0]
     return np.moveaxis(whole, 2, 0), sizes[:2].max(axis=0), sizes[2:].max(axis=0)
 
 
 def _integrals(
-    strips: Strips, weights: Floats, strip: Integers, first: Floats, half: Floats, rule: _Rule, count: int
+    strips: Strips, weights: Floats, strip: Integers, first: Floats, half: Floats, rule: Rule, count: int
 ) -> Floats:
     """Return the first integrals by a rule on pieces, (integrals of the rule, count, columns, pieces, circles).
 

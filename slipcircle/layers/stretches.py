@@ -16,7 +16,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Integers
-from slipcircle.layers.profile import PRESSING, RADIAL_X, Profile
+from slipcircle.ground.plane import sine_and_cosine
+from slipcircle.layers.profile import GAUSS, PRESSING, RADIAL_X, Profile, Rule
 from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 
 # Properties shared by sections that differ in numbers of soils alone.
@@ -123,21 +124,21 @@ class StretchIntegrals:
             return profile, steps / self.section._weights_per_area
         return profile.combined(of_first_lane), 1.0 / self.section._weights_per_area[None]
 
-    def _pressing(self, rotation: Floats, count: int) -> Floats:
+    def _pressing(self, rotation: Floats, count: int, rule: Rule) -> Floats:
         """Return integrals of unit weights below surfaces up to the joints met, (count, J + 1, surfaces, M, circles).
 
         The integrals are the first ones of a `Profile`. They begin at the entry, with x down-slope. Rotations (pieces,
-        nodes, circles) are the Chebyshev nodes of pieces.
+        nodes, circles) are the Chebyshev nodes of pieces; for others the `rule` is used.
         """
         profile, _ = self._surfaces
         facing = self.section._facing
         *pieces, circles = rotation.shape
         met = self._joints_met(rotation.reshape(-1, circles))
         to_the_right = (facing * met).reshape(-1, *pieces[1:], circles)
-        up_to = profile.up_to_nodes if len(pieces) > 1 else profile.up_to
-        from_entry = up_to(to_the_right, count)
-        surfaces = from_entry.shape[1]
-        from_entry = from_entry.reshape(count, surfaces, *met.shape)
+        at_nodes = len(pieces) > 1
+        up_to = profile.up_to_nodes(to_the_right, count) if at_nodes else profile.up_to(to_the_right, count, rule)
+        surfaces = up_to.shape[1]
+        from_entry = up_to.reshape(count, surfaces, *met.shape)
         whole = profile.whole[:count, :, None]
         np.subtract(whole[:, :, None], from_entry, out=from_entry, where=facing < 0.0)
         joints, moments, _ = met.shape
@@ -147,11 +148,11 @@ class StretchIntegrals:
         every[RADIAL_X] *= facing
         return every
 
-    def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
+    def parts(self, rotation: Floats, names: Collection[str], rule: Rule = GAUSS) -> ArrayDict:
         """Return parts by name, each (parts, M, circles), after rotations (M, circles) in rad.
 
-        All weights are computed together. Rotations (pieces, nodes, circles) are the Chebyshev nodes of pieces, one
-        piece after the other in the results.
+        All weights are computed together, by a `rule`. Rotations (pieces, nodes, circles) are the Chebyshev nodes of
+        pieces, one piece after the other in the results.
         """
         by_piece = rotation
         rotation = by_piece.reshape(-1, by_piece.shape[-1])
@@ -159,11 +160,10 @@ class StretchIntegrals:
         if len(every) < len(names):
             # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
             count = PRESSING if "overburden" in names else PRESSING - 1
-            pressing = self._pressing(by_piece, count)
+            pressing = self._pressing(by_piece, count, rule)
             by_joint = pressing.reshape(count, math.prod(pressing.shape[1:3]), *rotation.shape)
             radial_y, radial_x, polar, *cover = by_joint
-            cosine = np.cos(rotation)
-            sine = np.sin(rotation)
+            sine, cosine = sine_and_cosine(rotation)
             slope = radial_x * sine
             normal = -radial_y * cosine - slope
             tilt = radial_x * cosine - radial_y * sine
