@@ -27,7 +27,7 @@ RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  #
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
 _INTEGRALS = len(MEASURED) + 1
 PRESSING = 4  # number of the first integrals, which strength uses
-_COUNT = 12  # nodes of Gauss' rule on a piece
+_COUNT = 10  # nodes of Gauss' rule on a piece
 _ACCURACY = 1e-8  # of the last coefficients in Legendre polynomials; the error of Gauss' rule is about its square
 _SHORTEST = 1e-4  # width of a piece, rad
 _TOGETHER = 1 << 14  # nodes of a block, whose arrays fit into the cache
@@ -58,15 +58,36 @@ _AT_NODES = chebyshev.chebvander(NODES, TERMS) @ _INTEGRATED
 _UP_TO_NODES = Rule(NODES - NODES[0], _AT_NODES - _AT_NODES[0])  # from the first Chebyshev node
 
 
+class _Surfaces(NamedTuple):
+    """Surfaces with a weight above arcs, straight in each strip, (surfaces, strips, circles).
+
+    Attributes
+    ----------
+    x : ndarray
+        Left edges of the strips, (strips, circles).
+    y, slope : ndarray
+        Height at the left edge, and slope to the right; the first surface is the ground.
+    weight : ndarray
+        Weight of each surface in the columns, 0 where it is below the arc, (columns, surfaces, strips, circles). Two
+        rows follow for each surcharge.
+    loads : ndarray
+        Both ends x1 and x2 of each surcharge, (loads, 2, circles).
+    """
+
+    x: Floats
+    y: Floats
+    slope: Floats
+    weight: Floats
+    loads: Floats
+
+
 class Profile(NamedTuple):
     """Integrals along arcs from their left ends, in pieces.
 
     Attributes
     ----------
-    strips : Strips
-        Strips of the masses.
-    weights : ndarray
-        Weights of the columns below surfaces, (columns, surfaces, circles).
+    surfaces : _Surfaces
+        Surfaces above the arcs.
     strip : ndarray
         Index of the strip of each piece, (pieces,).
     edges : ndarray
@@ -75,8 +96,7 @@ class Profile(NamedTuple):
         Integrals up to the edges, (integrals, columns, pieces + 1, circles).
     """
 
-    strips: Strips
-    weights: Floats
+    surfaces: _Surfaces
     strip: Integers
     edges: Floats
     before: Floats
@@ -101,11 +121,10 @@ class Profile(NamedTuple):
         """
         inside = np.clip(beta, self.edges[0], self.edges[-1])
         piece = self._piece(inside)
-        circle = np.arange(beta.shape[1])
-        first = self.edges[piece, circle]
+        first = _of_piece(self.edges, piece)
         half = (inside - first) / 2
-        within = _integrals(self.strips, self.weights, self.strip[piece], first, half, rule, count)
-        return within[0] + self.before[:count, :, piece, circle]
+        within = _integrals(self.surfaces, self.strip[piece], first, half, rule, count)
+        return within[0] + _of_piece(self.before[:count], piece)
 
     def up_to_nodes(self, beta: Floats, count: int) -> Floats:
         """Return the first integrals up to Chebyshev nodes, (count, columns, M, nodes, circles).
@@ -116,14 +135,28 @@ class Profile(NamedTuple):
         first = beta[:, 0]
         half = (beta[:, -1] - first) / _UP_TO_NODES.nodes[-1]
         strip = self.strip[self._piece(first)]
-        within = _integrals(self.strips, self.weights, strip, first, half, _UP_TO_NODES, count)
-        return np.moveaxis(within, 0, 3) + self.up_to(first, count)[:, :, :, None]
+        within = _integrals(self.surfaces, strip, first, half, _UP_TO_NODES, count)
+        within += self.up_to(first, count)
+        return np.moveaxis(within, 0, 3)
 
     def combined(self, steps: Floats) -> "Profile":
         """Return the profile of a single column, the sum of all columns with factors, (columns, circles)."""
-        weights = np.einsum("csn,cn->sn", self.weights, steps)
+        weight = np.einsum("cskn,cn->skn", self.surfaces.weight, steps)
         before = np.einsum("icpn,cn->ipn", self.before, steps)
-        return self._replace(weights=weights[None], before=before[:, None])
+        return self._replace(surfaces=self.surfaces._replace(weight=weight[None]), before=before[:, None])
+
+
+def _of_piece(values: Floats, piece: Integers, some: slice = slice(None)) -> Floats:
+    """Return the values (..., pieces, circles) of one piece for each of M directions and some circles.
+
+    `piece` are indices of pieces, (M, circles), or (M, 1) if all circles share them, as similar masses often do.
+    """
+    values = values[..., some]
+    if piece.shape[1] == 1:
+        return values.take(piece[:, 0], axis=-2)
+    *axes, pieces, circles = values.shape
+    number = piece[:, some] * circles + np.arange(circles)
+    return values.reshape(*axes, pieces * circles).take(number, axis=-1)
 
 
 def columns_of(steps: Floats, circles: int) -> ArrayPair:
@@ -146,16 +179,24 @@ def profile_of(strips: Strips, weights: Floats) -> Profile:
     Each surcharge adds two surfaces: a pressure that falls from 1 to 0, and a pressure that rises from 0 to 1, over R.
     """
     edges = strips.beta.T
-    develop = partial(_developed, strips, weights)
+    has_weight = weights.any(axis=(0, 2))
+    count = len(strips.y)
+    used = np.flatnonzero(has_weight[:count])
+    rows = np.concatenate([used, np.arange(count, len(strips.above))])
+    weight = weights[:, rows, None] * strips.above[rows].swapaxes(1, 2)
+    loads = np.reshape(strips.loads, (len(strips.loads), 2, len(strips.x)))
+    x, y, slope = (values.swapaxes(-2, -1) for values in (strips.x[:, :-1], strips.y[used], strips.slope[used]))
+    surfaces = _Surfaces(x, y, slope, weight, loads)
+    develop = partial(_developed, surfaces)
     rounds = [*converged_pieces(edges[:-1], edges[1:], develop, _ACCURACY, _SHORTEST)]
     number, first, last, each = (np.concatenate(column) for column in zip(*rounds, strict=True))
     in_order = np.argsort((first + last).sum(axis=1), kind="stable")  # from left to right
     by_piece = each[in_order].transpose(1, 2, 0, 3)
     before = np.cumsum(np.insert(by_piece, 0, 0.0, axis=2), axis=2)
-    return Profile(strips, weights, number[in_order], np.concatenate([first[in_order], edges[-1:]]), before)
+    return Profile(surfaces, number[in_order], np.concatenate([first[in_order], edges[-1:]]), before)
 
 
-def _developed(strips: Strips, weights: Floats, strip: Integers, first: Floats, last: Floats) -> ArrayTriple:
+def _developed(surfaces: _Surfaces, strip: Integers, first: Floats, last: Floats) -> ArrayTriple:
     """Return integrals over pieces, (pieces, integrals, columns, circles), and sizes of their coefficients.
 
     The sizes are the greater one of the first two coefficients, and the greater one of the last two, each (pieces,
@@ -163,61 +204,57 @@ def _developed(strips: Strips, weights: Floats, strip: Integers, first: Floats, 
     `strip`.
     """
     half = (last - first) / 2
-    coefficients = _integrals(strips, weights, strip[:, None], first, half, _DEVELOPING, _INTEGRALS)
+    coefficients = _integrals(surfaces, strip[:, None], first, half, _DEVELOPING, _INTEGRALS)
     sizes = np.abs(coefficients).max(axis=(1, 2))
     whole = 2.0 * coefficients[0]
     return np.moveaxis(whole, 2, 0), sizes[:2].max(axis=0), sizes[2:].max(axis=0)
 
 
 def _integrals(
-    strips: Strips, weights: Floats, strip: Integers, first: Floats, half: Floats, rule: Rule, count: int
+    surfaces: _Surfaces, strip: Integers, first: Floats, half: Floats, rule: Rule, count: int
 ) -> Floats:
     """Return the first integrals by a rule on pieces, (integrals of the rule, count, columns, pieces, circles).
 
     The pieces begin at `first` and have the half widths `half` in rad, (pieces, circles). They lie in the strips with
-    the indices `strip`, (pieces, circles or 1). The weights below surfaces are (columns, surfaces, circles).
+    the indices `strip`, (pieces, circles or 1).
     """
     pieces, circles = first.shape
-    columns = len(weights)
     rows, nodes = rule.weights.shape
+    columns = len(surfaces.weight)
     integrals = np.empty((rows, count, columns, pieces, circles))
     together = max(1, _TOGETHER // max(1, nodes * pieces))
     for start in range(0, circles, together):
         some = slice(start, start + together)
-        circle = np.arange(circles)[some]
-        of_some = strip[:, some] if strip.shape[1] > 1 else strip
-        distance = half[:, some] * rule.nodes[:, None, None]
-        values = _integrands(strips, weights, of_some, circle, first[:, some] + distance, count)
-        by_rule = rule.weights @ values.reshape(count, columns, nodes, pieces * len(circle))
-        integrals[..., some] = np.moveaxis(by_rule, 2, 0).reshape(rows, count, columns, pieces, len(circle))
-    return integrals * half
+        by_strip = (_of_piece(values, strip, some) for values in surfaces[:-1])
+        above = _Surfaces(*by_strip, surfaces.loads[..., some])
+        beta = first[:, some] + half[:, some] * rule.nodes[:, None, None]
+        values = _integrands(above, beta, count)
+        by_rule = rule.weights @ values.reshape(count, columns, nodes, beta[0].size)
+        by_piece = by_rule.reshape(count, columns, rows, *beta[0].shape)
+        np.multiply(np.moveaxis(by_piece, 2, 0), half[:, some], out=integrals[..., some])
+    return integrals
 
 
-def _integrands(
-    strips: Strips, weights: Floats, strip: Integers, circle: Integers, beta: Floats, count: int
-) -> Floats:
+def _integrands(surfaces: _Surfaces, beta: Floats, count: int) -> Floats:
     """Return the first integrands at directions in rad, (count, columns, nodes, pieces, circles).
 
-    The directions are (nodes, pieces, circles), and each piece lies in the strip with the index `strip`, (pieces,
-    circles or 1). The weights below surfaces are (columns, surfaces, all circles).
+    The directions are (nodes, pieces, circles), and the `surfaces` those above the strip of each piece.
     """
     x, c = sine_and_cosine(beta)
-    beyond = x - strips.x[circle, strip]
-    at_left = strips.y[:, circle, strip]
-    slope = strips.slope[:, circle, strip]
-    weight = weights[:, :, None, circle] * strips.above[:, circle, strip]
-    columns = np.moveaxis(weight, 1, 0)[:, :, None]  # weights of each surface
-    total = np.zeros((count, len(weight), *beta.shape))
-    for k, of_surface in enumerate(columns[: len(slope)]):
-        used = np.flatnonzero(of_surface.any(axis=(0, 1, 3)))
+    beyond = x - surfaces.x
+    weights = surfaces.weight.swapaxes(0, 1)[:, :, None]  # of each surface
+    total = np.zeros((count, weights.shape[1], *beta.shape))
+    for weight, y, slope in zip(weights, surfaces.y, surfaces.slope, strict=False):
+        used = np.flatnonzero(weight.any(axis=(0, 1, 3)))
         if used.size:
             some = slice(used[0], used[-1] + 1)  # pieces
             cosine = c[:, some]
-            height = np.maximum(at_left[k, some] + slope[k, some] * beyond[:, some] + cosine, 0.0)
-            _add(total[:, :, :, some], over_height(cosine, height), of_surface[:, :, some] * cosine)
-    ground = at_left[0] + slope[0] * beyond
+            height = np.maximum(y[some] + slope[some] * beyond[:, some] + cosine, 0.0)
+            _add(total[..., some, :], over_height(cosine, height), weight[..., some, :] * cosine)
     _complete(total, x, c)
-    _add_loads(total, strips.loads, circle, x, ground, columns[len(slope) :] * c)
+    if len(surfaces.loads):
+        ground = surfaces.y[0] + surfaces.slope[0] * beyond
+        _add_loads(total, surfaces.loads, x, ground, weights[len(surfaces.y) :] * c)
     return total
 
 
@@ -233,17 +270,14 @@ def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> N
         total[integral] += weighted
 
 
-def _add_loads(
-    total: Floats, loads: Sequence[Sequence[Floats]], circle: Integers, x: Floats, y: Floats, weights: Floats
-) -> None:
+def _add_loads(total: Floats, loads: Floats, x: Floats, y: Floats, weights: Floats) -> None:
     """Add the weights of surcharges on the ground at (x, y), each with its left and its right end.
 
-    `total` has the integrals as first axis and is changed. `circle` are the indices of the circles, and lengths are
-    over R.
+    `total` has the integrals as first axis and is changed. The `loads` are x of these ends, (loads, 2, circles), and
+    lengths are over R.
     """
     remaining = iter(weights)
-    for ends in loads:
-        first, last = (end[circle, 0] for end in ends)
+    for first, last in loads:
         share = (x - first) / (last - first)
         for pressure in (1.0 - share, share):
             weight = next(remaining) * pressure

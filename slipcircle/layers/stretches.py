@@ -137,15 +137,16 @@ class StretchIntegrals:
         to_the_right = (facing * met).reshape(-1, *pieces[1:], circles)
         at_nodes = len(pieces) > 1
         up_to = profile.up_to_nodes(to_the_right, count) if at_nodes else profile.up_to(to_the_right, count, rule)
-        surfaces = up_to.shape[1]
-        from_entry = up_to.reshape(count, surfaces, *met.shape)
-        whole = profile.whole[:count, :, None]
-        np.subtract(whole[:, :, None], from_entry, out=from_entry, where=facing < 0.0)
         joints, moments, _ = met.shape
+        surfaces = up_to.shape[1]
         every = np.empty((count, joints + 1, surfaces, moments, circles))
-        every[:, :-1] = from_entry.swapaxes(1, 2)
-        every[:, -1] = whole
-        every[RADIAL_X] *= facing
+        to_joints = every[:, :-1]
+        to_joints[...] = up_to.reshape(count, surfaces, *met.shape).swapaxes(1, 2)
+        whole = profile.whole[:count]
+        every[:, -1] = whole[:, :, None]
+        if np.any(facing < 0.0):
+            np.subtract(whole[:, None, :, None], to_joints, out=to_joints, where=facing < 0.0)
+            every[RADIAL_X] *= facing
         return every
 
     def parts(self, rotation: Floats, names: Collection[str], rule: Rule = GAUSS) -> ArrayDict:

@@ -167,7 +167,7 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
     rotation = first[:, None] + distance
     values = function(rotation)
     by_piece = values.reshape(-1, *rotation.shape)
-    return np.einsum("kj,fpjn->pkfn", TO_CHEBYSHEV, by_piece)
+    return (TO_CHEBYSHEV @ by_piece).transpose(1, 2, 0, 3)
 
 
 def _next_coefficients(size: Floats) -> Floats:
