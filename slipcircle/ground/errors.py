@@ -21,7 +21,7 @@ def geometry_errors(section: Any) -> Iterator[Fault]:
     An error is a mask of lanes and a function from the index of a lane to its message.
     """
     if section.has_water:
-        yield lazy_import("ponds").water_fault(*section.water)
+        yield from lazy_import("ponds").water_faults(*section.water)
     yield _not_one_stretch(section)
     first, last = section._angles
     is_below = circles.below_ground(section._cut, section._mine)  # the ground may pass over it outside the circle

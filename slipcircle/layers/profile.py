@@ -11,7 +11,7 @@ In terms of h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. The in
 strips, where they are integrated as Chebyshev series, in pieces that are halved until the series have converged.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from functools import partial
 from typing import NamedTuple
 
@@ -210,9 +210,7 @@ def _developed(surfaces: _Surfaces, strip: Integers, first: Floats, last: Floats
     return np.moveaxis(whole, 2, 0), sizes[:2].max(axis=0), sizes[2:].max(axis=0)
 
 
-def _integrals(
-    surfaces: _Surfaces, strip: Integers, first: Floats, half: Floats, rule: Rule, count: int
-) -> Floats:
+def _integrals(surfaces: _Surfaces, strip: Integers, first: Floats, half: Floats, rule: Rule, count: int) -> Floats:
     """Return the first integrals by a rule on pieces, (integrals of the rule, count, columns, pieces, circles).
 
     The pieces begin at `first` and have the half widths `half` in rad, (pieces, circles). They lie in the strips with
@@ -308,7 +306,8 @@ def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
 def _complete(total: Floats, x: Floats, c: Floats) -> None:
     """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once.
 
-    `total` has the first integrals, three at least, as first axis and is changed. `x` and `c` are sine and cosine of the directions.
+    `total` has the first integrals, three at least, as first axis and is changed. `x` and `c` are sine and cosine of
+    the directions.
     """
     radial_y, radial_x, polar, *_ = total
     radial_x *= x

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.base.kinds import ArrayPair, Flags, Floats
-from slipcircle.ground.plane import sine_and_cosine
+from slipcircle.ground import sine_and_cosine
 from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.bases import Arcs, Bases, BaseStresses
 from slipcircle.workbench.stability.columns import SlopeArrays
