@@ -179,9 +179,9 @@ def profile_of(strips: Strips, weights: Floats) -> Profile:
     Each surcharge adds two surfaces: a pressure that falls from 1 to 0, and a pressure that rises from 0 to 1, over R.
     """
     edges = strips.beta.T
-    has_weight = weights.any(axis=(0, 2))
     count = len(strips.y)
-    used = np.flatnonzero(has_weight[:count])
+    has_weight = weights[:, :count].any(axis=(0, 2))
+    used = np.flatnonzero(has_weight)
     rows = np.concatenate([used, np.arange(count, len(strips.above))])
     weight = weights[:, rows, None] * strips.above[rows].swapaxes(1, 2)
     loads = np.reshape(strips.loads, (len(strips.loads), 2, len(strips.x)))
@@ -223,8 +223,8 @@ def _integrals(surfaces: _Surfaces, strip: Integers, first: Floats, half: Floats
     together = max(1, _TOGETHER // max(1, nodes * pieces))
     for start in range(0, circles, together):
         some = slice(start, start + together)
-        by_strip = (_of_piece(values, strip, some) for values in surfaces[:-1])
-        above = _Surfaces(*by_strip, surfaces.loads[..., some])
+        x, y, slope, weight = (_of_piece(values, strip, some) for values in surfaces[:-1])
+        above = _Surfaces(x, y, slope, weight, surfaces.loads[..., some])
         beta = first[:, some] + half[:, some] * rule.nodes[:, None, None]
         values = _integrands(above, beta, count)
         by_rule = rule.weights @ values.reshape(count, columns, nodes, beta[0].size)
