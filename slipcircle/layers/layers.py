@@ -274,8 +274,9 @@ class LayeredSection(LayeredNumbers):
         """
         whole = self.profile.whole[MEASURED]
         weights, by_lane = self._columns
-        if not weights[0, 1:].any():
-            whole[:, 0] = list(self._moments.values())
+        ground, *others = weights[0]
+        if not np.any(others):
+            whole[:, 0] = ground * list(self._moments.values())
         return over_circles(whole.transpose(1, 0, 2), by_lane)
 
     @cached_property
@@ -374,8 +375,8 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
     same_tops = all(map(operator.is_, one.tops, other.tops))
-    if np.prod(one.shape) > 1 and not np.array_equal(one.weight_steps, other.weight_steps):
-        return False  # profiles of many circles depend on them
+    if not np.array_equal(one.weight_steps, other.weight_steps):
+        return False  # profiles depend on them
     return same_tops and _growing_below(one) == _growing_below(other)
 
 

@@ -139,12 +139,6 @@ class Profile(NamedTuple):
         within += self.up_to(first, count)
         return np.moveaxis(within, 0, 3)
 
-    def combined(self, steps: Floats) -> "Profile":
-        """Return the profile of a single column, the sum of all columns with factors, (columns, circles)."""
-        weight = np.einsum("cskn,cn->skn", self.surfaces.weight, steps)
-        before = np.einsum("icpn,cn->ipn", self.before, steps)
-        return self._replace(surfaces=self.surfaces._replace(weight=weight[None]), before=before[:, None])
-
 
 def _of_piece(values: Floats, piece: Integers, some: slice = slice(None)) -> Floats:
     """Return the values (..., pieces, circles) of one piece for each of M directions and some circles.
@@ -162,13 +156,13 @@ def _of_piece(values: Floats, piece: Integers, some: slice = slice(None)) -> Flo
 def columns_of(steps: Floats, circles: int) -> ArrayPair:
     """Return the surfaces summed in each column, (columns, surfaces, circles), and its weights, (columns, lanes).
 
-    ``steps`` are the steps of the unit weight below surfaces, (surfaces, lanes). For one circle each column is a
-    surface. For many circles the only column contains all surfaces.
+    ``steps`` are the steps of the unit weight below surfaces, (surfaces, lanes). If lanes of one circle differ in them,
+    each column is a surface; otherwise the only column contains all surfaces.
     """
-    if circles == 1:
+    of_circles = steps[:, :circles]
+    if np.any(steps != of_circles):
         return np.eye(len(steps))[..., None], steps
-    ground = steps[:1]
-    return (steps / ground)[None], ground
+    return of_circles[None], np.ones((1, steps.shape[1]))
 
 
 def profile_of(strips: Strips, weights: Floats) -> Profile:

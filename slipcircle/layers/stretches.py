@@ -17,7 +17,7 @@ import numpy as np
 
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Integers
 from slipcircle.ground.plane import sine_and_cosine
-from slipcircle.layers.profile import GAUSS, PRESSING, RADIAL_X, Profile, Rule
+from slipcircle.layers.profile import GAUSS, PRESSING, RADIAL_X, Rule
 from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 
 # Properties shared by sections that differ in numbers of soils alone.
@@ -109,28 +109,13 @@ class StretchIntegrals:
         in_mass = self._joints[:, None] - moved
         return np.clip(in_mass, first, last)
 
-    @cached_property
-    def _surfaces(self) -> tuple[Profile, Floats]:
-        """Profile of the load, and the unit weight below each of its surfaces over the mean, (surfaces, lanes).
-
-        A single surface combines all surfaces, unless lanes of one geometry differ in their weights.
-        """
-        profile = self.section.profile
-        _, steps = self.section._columns
-        of_first_lane = steps[:, :1]
-        if len(self.section._facing) > 1:
-            of_first_lane = steps
-        elif not of_first_lane.size or np.any(steps != of_first_lane):
-            return profile, steps / self.section._weights_per_area
-        return profile.combined(of_first_lane), 1.0 / self.section._weights_per_area[None]
-
     def _pressing(self, rotation: Floats, count: int, rule: Rule) -> Floats:
         """Return integrals of unit weights below surfaces up to the joints met, (count, J + 1, surfaces, M, circles).
 
         The integrals are the first ones of a `Profile`. They begin at the entry, with x down-slope. Rotations (pieces,
         nodes, circles) are the Chebyshev nodes of pieces; for others the `rule` is used.
         """
-        profile, _ = self._surfaces
+        profile = self.section.profile
         facing = self.section._facing
         *pieces, circles = rotation.shape
         met = self._joints_met(rotation.reshape(-1, circles))
