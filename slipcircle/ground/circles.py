@@ -269,7 +269,8 @@ def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Flo
 
     ``start`` and ``edge`` are over R, ``lane`` is the circle of each edge, and ``count`` is the number of circles.
     """
-    angle = np.arctan2(start.cross(edge), start.dot(start + edge))
+    end = start + edge
+    angle = np.arctan2(start.cross(edge), start.dot(end))
     by_edge = slopes.closed(start.x, start.y, edge.x, edge.y, angle)
     by_circle = [np.bincount(lane, values, count) for values in by_edge]
     return np.array(by_circle)

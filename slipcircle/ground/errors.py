@@ -49,7 +49,8 @@ def x_of_ends(section: Any) -> Any:
     """Return x of the left and of the right end of arcs in m, (2, lanes)."""
     _, centre, radius = section._circle
     left, right = section._ends
-    return centre[:, 0] + radius * [left.x, right.x]
+    from_centre = radius * [left.x, right.x]
+    return centre[:, 0] + from_centre
 
 
 def _one_point(section: Any) -> Fault:

@@ -99,11 +99,13 @@ def edge_below(line: Floats, x: Floats, middle: Floats) -> ArrayPair:
     for vertex in vertices.x.T[1:-1]:
         edge += vertex[:, None] <= middle
     start = vertices.starts
-    by_edge = np.stack([start.x, start.y, edge_slopes(vertices.edges)])
+    slopes_of_edges = edge_slopes(vertices.edges)
+    by_edge = np.stack([start.x, start.y, slopes_of_edges])
     circle = np.arange(len(line))[:, None]
     start_x, start_y, slope = by_edge[:, circle, edge]
     along = x - start_x
-    return start_y + slope * along, slope
+    rise = slope * along
+    return start_y + rise, slope
 
 
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:

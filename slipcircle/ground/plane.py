@@ -20,7 +20,9 @@ def sine_and_cosine(angle: Floats) -> ArrayPair:
     tangent = np.tan(angle / 2)
     square = tangent * tangent
     divisor = 1.0 + square
-    return 2.0 * tangent / divisor, (1.0 - square) / divisor
+    sine = 2.0 * tangent / divisor
+    cosine = (1.0 - square) / divisor
+    return sine, cosine
 
 
 @dataclass(slots=True)

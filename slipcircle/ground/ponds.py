@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.errors import Fault
-from slipcircle.base.kinds import Flags, Floats
+from slipcircle.base.kinds import ArrayPair, Flags, Floats
 from slipcircle.base.sections import distinct
 from slipcircle.ground.ground import AS_PRINTED, FAR, continued
 from slipcircle.ground.heights import edge_below
@@ -70,10 +70,13 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
     if levels is not None and not confined:
         bodies += _below(every_ground, levels)
     for first, last, level in ponds:
-        line = np.array([[[first, level], [last, level]]], float)
+        shores = [first, level], [last, level]
+        line = np.array([shores], float)
         bodies += _below(every_ground, line, first, last)
-    by_body = np.reshape(bodies, (len(bodies), 4, lanes))
-    return Ponds(*by_body.swapaxes(0, 1))
+    count = len(bodies)
+    by_body = np.reshape(bodies, (count, 4, lanes))
+    columns = by_body.swapaxes(0, 1)
+    return Ponds(*columns)
 
 
 def _below(grounds: Floats, levels: Floats, first: float = -np.inf, last: float = np.inf) -> Iterator[Floats]:
@@ -83,24 +86,42 @@ def _below(grounds: Floats, levels: Floats, first: float = -np.inf, last: float 
     """
     levels = continued(levels, -2 * FAR, 2 * FAR)
     x, is_wet = _wet_sections(grounds, levels)
-    heights, _ = edge_below(levels, x.T, x.T)
-    at_start, at_end = heights.T[:-1], heights.T[1:]
-    begins = np.diff(is_wet, axis=0, prepend=False) & is_wet
-    number = np.cumsum(begins, axis=0)
+    by_lane = x.T
+    heights, _ = edge_below(levels, by_lane, by_lane)
+    at_start = heights[:, :-1].T
+    at_end = heights[:, 1:].T
+    lower = np.minimum(at_start, at_end)
+    higher = np.maximum(at_start, at_end)
+    changes = np.diff(is_wet, axis=0, prepend=False)
+    number = np.cumsum(changes & is_wet, axis=0)
     outside = grounds[..., 0].min(initial=0.0) - 1.0  # where a lane has less water
     bottom = grounds[..., 1].min(initial=0.0)
-    for k in range(1, number.max(initial=0) + 1):
-        inside = is_wet & (number == k)
-        left = x[:-1].min(axis=0, where=inside, initial=np.inf)
-        right = x[1:].max(axis=0, where=inside, initial=outside)
-        reaches = (left < last) & (right > first)
+    start = x[:-1]
+    end = x[1:]
+    count = number.max(initial=0)
+    for k in range(1, count + 1):
+        is_same_body = number == k
+        inside = is_wet & is_same_body
+        left, right = _range(start, end, inside, outside)
+        begins_before = left < last
+        ends_after = right > first
+        reaches = begins_before & ends_after
+        low, high = _range(lower, higher, inside, bottom)
+        left = np.where(reaches, left, outside)
         right = np.where(reaches, right, outside)
-        left = np.minimum(left, right)
-        high = np.maximum(at_start, at_end).max(axis=0, where=inside, initial=bottom)
-        lowest = np.minimum(at_start, at_end).min(axis=0, where=inside, initial=np.inf)
-        low = np.minimum(lowest, high)
         middle_height = (low + high) / 2
-        yield np.stack([left, right, middle_height, high - low])
+        fall = high - low
+        yield np.stack([left, right, middle_height, fall])
+
+
+def _range(low: Floats, high: Floats, inside: Flags, nothing: float) -> ArrayPair:
+    """Return the least low and the greatest high value in marked sections, (lanes,), `nothing` in lanes without one.
+
+    `nothing` is below all values. The arguments are (sections, lanes).
+    """
+    greatest = high.max(axis=0, where=inside, initial=nothing)
+    least = low.min(axis=0, where=inside, initial=np.inf)
+    return np.minimum(least, greatest), greatest
 
 
 def _wet_sections(grounds: Floats, levels: Floats) -> tuple[Floats, Flags]:
@@ -117,22 +138,27 @@ def _wet_sections(grounds: Floats, levels: Floats) -> tuple[Floats, Flags]:
 
     left, right = grounds[:, [0, -1], 0].T
     of_lanes = each_lane(levels, len(grounds))
-    vertices = np.concatenate([grounds, of_lanes], axis=1)[..., 0]
-    within_ground = np.clip(vertices.T, left, right)
+    points = np.concatenate([grounds, of_lanes], axis=1)
+    vertices = points[..., 0].T
+    within_ground = np.clip(vertices, left, right)
     x = _sections(within_ground)
     start = x[:-1]
     width = np.diff(x, axis=0)
     inside = start + width / 2
     at_start = depth(start, inside)
-    fall = at_start - depth(x[1:], inside)
+    at_end = depth(start + width, inside)
+    fall = at_start - at_end
     divisor = np.where(fall == 0.0, np.inf, fall)
     share = np.clip(at_start / divisor, 0.0, 1.0)  # of the section, where the depth is 0
     shores = start + share * width
-    x = _sections(np.concatenate([x, shores]))
+    every_edge = np.concatenate([x, shores])
+    x = _sections(every_edge)
     width = np.diff(x, axis=0)
-    inside = x[:-1] + width / 2
+    start = x[:-1]
+    inside = start + width / 2
     least = _ROUNDING * (right - left)
-    is_deep = depth(inside, inside) > least
+    in_middle = depth(inside, inside)
+    is_deep = in_middle > least
     has_width = width > 0.0
     return x, is_deep & has_width
 
@@ -167,7 +193,8 @@ def water_faults(grounds: Floats, levels: Floats | None, confined: bool, ponds: 
         yield from _pond_faults(name, pond, water)
     water = free_water(grounds, levels, confined, ponds)
     in_order = np.argsort(water.first, axis=0)
-    first, last = (np.take_along_axis(shore, in_order, axis=0) for shore in water[:2])
+    first = np.take_along_axis(water.first, in_order, axis=0)
+    last = np.take_along_axis(water.last, in_order, axis=0)
     overlaps = last[:-1] > first[1:]
     in_other = "{ponds}: lies in other free water; remove one of them"
     yield overlaps.any(axis=0), lambda k: in_other
@@ -185,7 +212,8 @@ def _sloping_water(grounds: Floats, water: Ponds) -> Fault:
 
     def sentence(k: int) -> str:
         body = np.argmax(slopes[:, k])
-        first, last, _, fall = np.stack(water)[:, body, k]
+        of_bodies = np.stack(water)
+        first, last, _, fall = of_bodies[:, body, k]
         where = f"from x = {first:.10g} to {last:.10g}, where it is above the ground"
         remedy = "give a horizontal level there, or {confined} = true for an artesian level without free water"
         return f"{{level}}: varies by {fall:.4g} m {where}; free water is horizontal: {remedy}"
