@@ -95,9 +95,8 @@ def edge_below(line: Floats, x: Floats, middle: Floats) -> ArrayPair:
     `middle` are x of points, (n, M), each of which selects one of the V - 1 edges.
     """
     vertices = Vectors.of(line)
-    edge = np.zeros(middle.shape, np.intp)
-    for vertex in vertices.x.T[1:-1]:
-        edge += vertex[:, None] <= middle
+    inner = vertices.x.T[1:-1, :, None]
+    edge = (inner <= middle).sum(axis=0)
     start = vertices.starts
     slopes_of_edges = edge_slopes(vertices.edges)
     by_edge = np.stack([start.x, start.y, slopes_of_edges])

@@ -375,8 +375,8 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
     same_tops = all(map(operator.is_, one.tops, other.tops))
-    if not np.array_equal(one.weight_steps, other.weight_steps):
-        return False  # profiles depend on them
+    if not np.array_equal(one._columns[0], other._columns[0]):
+        return False  # profiles depend on the weights of surfaces
     return same_tops and _growing_below(one) == _growing_below(other)
 
 

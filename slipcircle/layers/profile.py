@@ -36,7 +36,7 @@ _TOGETHER = 1 << 14  # nodes of a block, whose arrays fit into the cache
 class Rule(NamedTuple):
     """Weights of the values at nodes in integrals over pieces, (integrals, nodes), for a half width of 1.
 
-    Nodes are distances from the start over half the width of a piece, (nodes,).
+    Nodes are distances from the start over half the width of a piece, (nodes, 1, 1).
     """
 
     nodes: Floats
@@ -45,17 +45,17 @@ class Rule(NamedTuple):
 
 def _gauss(count: int) -> Rule:
     nodes, weights = legendre.leggauss(count)
-    return Rule(1.0 + nodes, weights[None])
+    return Rule(1.0 + nodes[:, None, None], weights[None])
 
 
 GAUSS = _gauss(_COUNT)
 ROUGH = _gauss(2)  # for estimates
 _DEGREES = np.array([0, 1, _COUNT - 2, _COUNT - 1])  # of the Legendre polynomials whose coefficients are needed
-_POLYNOMIALS = legendre.legvander(GAUSS.nodes - 1.0, _COUNT)[:, _DEGREES] * (_DEGREES + 0.5)
-_DEVELOPING = GAUSS._replace(weights=_POLYNOMIALS.T * GAUSS.weights)
+_POLYNOMIALS = legendre.legvander(GAUSS.nodes.ravel() - 1.0, _COUNT)[:, _DEGREES] * (_DEGREES + 0.5)
+_DEVELOPING = _POLYNOMIALS.T * GAUSS.weights
 _INTEGRATED = chebyshev.chebint(np.eye(TERMS)) @ TO_CHEBYSHEV
 _AT_NODES = chebyshev.chebvander(NODES, TERMS) @ _INTEGRATED
-_UP_TO_NODES = Rule(NODES - NODES[0], _AT_NODES - _AT_NODES[0])  # from the first Chebyshev node
+_UP_TO_NODES = np.hstack([GAUSS.weights.repeat(TERMS, 0), _AT_NODES - _AT_NODES[0]])  # up to the first one by Gauss
 
 
 class _Surfaces(NamedTuple):
@@ -108,22 +108,22 @@ class Profile(NamedTuple):
 
     def _piece(self, beta: Floats) -> Integers:
         """Return the index of the piece of each direction, (M, circles), or (M, 1) if all circles share them."""
-        piece = np.zeros(beta.shape, np.intp)
-        for edge in self.edges[1:-1]:
-            piece += beta >= edge
+        inner = self.edges[1:-1, None]
+        piece = (inner <= beta).sum(axis=0)
         of_first_circle = piece[:, :1]
-        return of_first_circle if np.all(piece == of_first_circle) else piece
+        return of_first_circle if (piece == of_first_circle).all() else piece
 
     def up_to(self, beta: Floats, count: int, rule: Rule = GAUSS) -> Floats:
         """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
 
         Directions are in rad from straight below the centre, positive to the right.
         """
-        inside = np.clip(beta, self.edges[0], self.edges[-1])
+        inside = beta.clip(self.edges[0], self.edges[-1])
         piece = self._piece(inside)
         first = _of_piece(self.edges, piece)
         half = (inside - first) / 2
-        within = _integrals(self.surfaces, self.strip[piece], first, half, rule, count)
+        nodes = first + half * rule.nodes
+        within = _integrals(self.surfaces, self.strip[piece], nodes, half[None], rule.weights, count)
         return within[0] + _of_piece(self.before[:count], piece)
 
     def up_to_nodes(self, beta: Floats, count: int) -> Floats:
@@ -132,12 +132,15 @@ class Profile(NamedTuple):
         The nodes, (M, nodes, circles), are those of pieces on which the integrands are interpolated, each within one
         strip.
         """
-        first = beta[:, 0]
-        half = (beta[:, -1] - first) / _UP_TO_NODES.nodes[-1]
-        strip = self.strip[self._piece(first)]
-        within = _integrals(self.surfaces, strip, first, half, _UP_TO_NODES, count)
-        within += self.up_to(first, count)
-        return np.moveaxis(within, 0, 3)
+        place = beta[:, 0]
+        piece = self._piece(place)
+        first = _of_piece(self.edges, piece)
+        halves = np.stack([(place - first) / 2, (beta[:, -1] - place) / (NODES[-1] - NODES[0])])
+        nodes = np.concatenate([first + halves[0] * GAUSS.nodes, beta.swapaxes(0, 1)])
+        half = halves.repeat([_COUNT, TERMS], 0)
+        within = _integrals(self.surfaces, self.strip[piece], nodes, half, _UP_TO_NODES, count)
+        within += _of_piece(self.before[:count], piece)
+        return within.transpose(1, 2, 3, 0, 4)
 
 
 def _of_piece(values: Floats, piece: Integers, some: slice = slice(None)) -> Floats:
@@ -198,41 +201,43 @@ def _developed(surfaces: _Surfaces, strip: Integers, first: Floats, last: Floats
     `strip`.
     """
     half = (last - first) / 2
-    coefficients = _integrals(surfaces, strip[:, None], first, half, _DEVELOPING, _INTEGRALS)
+    nodes = first + half * GAUSS.nodes
+    coefficients = _integrals(surfaces, strip[:, None], nodes, half[None], _DEVELOPING, _INTEGRALS)
     sizes = np.abs(coefficients).max(axis=(1, 2))
     whole = 2.0 * coefficients[0]
-    return np.moveaxis(whole, 2, 0), sizes[:2].max(axis=0), sizes[2:].max(axis=0)
+    return whole.transpose(2, 0, 1, 3), sizes[:2].max(axis=0), sizes[2:].max(axis=0)
 
 
-def _integrals(surfaces: _Surfaces, strip: Integers, first: Floats, half: Floats, rule: Rule, count: int) -> Floats:
+def _integrals(surfaces: _Surfaces, strip: Integers, nodes: Floats, half: Floats, rule: Floats, count: int) -> Floats:
     """Return the first integrals by a rule on pieces, (integrals of the rule, count, columns, pieces, circles).
 
-    The pieces begin at `first` and have the half widths `half` in rad, (pieces, circles). They lie in the strips with
-    the indices `strip`, (pieces, circles or 1).
+    The rule contains weights of the values at nodes, (integrals, nodes), in pieces with the half widths `half`. The
+    nodes are directions in rad, (nodes, pieces, circles), `half` is (nodes or 1, pieces, circles). Pieces lie in the
+    strips with the indices `strip`, (pieces, circles or 1).
     """
-    pieces, circles = first.shape
-    rows, nodes = rule.weights.shape
+    _, pieces, circles = nodes.shape
     columns = len(surfaces.weight)
-    integrals = np.empty((rows, count, columns, pieces, circles))
-    together = max(1, _TOGETHER // max(1, nodes * pieces))
+    integrals = np.empty((len(rule), count, columns, pieces, circles))
+    together = max(1, _TOGETHER * circles // max(1, nodes.size))
     for start in range(0, circles, together):
         some = slice(start, start + together)
         x, y, slope, weight = (_of_piece(values, strip, some) for values in surfaces[:-1])
         above = _Surfaces(x, y, slope, weight, surfaces.loads[..., some])
-        beta = first[:, some] + half[:, some] * rule.nodes[:, None, None]
-        values = _integrands(above, beta, count)
-        by_rule = rule.weights @ values.reshape(count, columns, nodes, beta[0].size)
-        by_piece = by_rule.reshape(count, columns, rows, *beta[0].shape)
-        np.multiply(np.moveaxis(by_piece, 2, 0), half[:, some], out=integrals[..., some])
+        beta = nodes[..., some]
+        values = _integrands(above, beta, half[..., some], count)
+        by_rule = rule @ values.reshape(count, columns, len(nodes), beta[0].size)
+        by_piece = by_rule.reshape(count, columns, len(rule), *beta[0].shape)
+        integrals[..., some] = by_piece.transpose(2, 0, 1, 3, 4)
     return integrals
 
 
-def _integrands(surfaces: _Surfaces, beta: Floats, count: int) -> Floats:
-    """Return the first integrands at directions in rad, (count, columns, nodes, pieces, circles).
+def _integrands(surfaces: _Surfaces, beta: Floats, half: Floats, count: int) -> Floats:
+    """Return the first integrands at directions in rad, times `half`, (count, columns, nodes, pieces, circles).
 
     The directions are (nodes, pieces, circles), and the `surfaces` those above the strip of each piece.
     """
     x, c = sine_and_cosine(beta)
+    per_node = half * c
     beyond = x - surfaces.x
     weights = surfaces.weight.swapaxes(0, 1)[:, :, None]  # of each surface
     total = np.zeros((count, weights.shape[1], *beta.shape))
@@ -242,11 +247,11 @@ def _integrands(surfaces: _Surfaces, beta: Floats, count: int) -> Floats:
             some = slice(used[0], used[-1] + 1)  # pieces
             cosine = c[:, some]
             height = np.maximum(y[some] + slope[some] * beyond[:, some] + cosine, 0.0)
-            _add(total[..., some, :], over_height(cosine, height), weight[..., some, :] * cosine)
+            _add(total[..., some, :], over_height(cosine, height), weight[..., some, :] * per_node[:, some])
     _complete(total, x, c)
     if len(surfaces.loads):
         ground = surfaces.y[0] + surfaces.slope[0] * beyond
-        _add_loads(total, surfaces.loads, x, ground, weights[len(surfaces.y) :] * c)
+        _add_loads(total, surfaces.loads, x, ground, weights[len(surfaces.y) :] * per_node)
     return total
 
 
