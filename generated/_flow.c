@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "bb98bb2868ab11a8bf1775f8dd2f271879200cc8e2b53aba447d8f2d88f46563"
+#define DIGEST "79fcf59f125f4b36d29462aeac63509c2ef0d50153aa3b9bc7db85deeba7f912"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3337,7 +3337,7 @@ static void turn_on(Batch *b, M here)
         c[EVENT] = pick(here, pick(unsure, broadcast((double)EVENT_NONE), c[EVENT]), c[EVENT]);
         peak = greatest_speed(b, here, top);
         const Pair before_after = times_of_step(b, here, top, peak);
-        V before = before_after.one, after = before_after.other;
+        before = before_after.one, after = before_after.other;
         unsure = here & ~((before + after) < INFINITY);
         count = count + 1;
     }
