@@ -86,7 +86,7 @@ def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str
 @pytest.mark.parametrize("name", lanes.BACKENDS)
 def test_a_step_of_uncertain_duration_is_halved(name: str) -> None:
     """Near the limit a second rest is close behind the start; steps in time would be twice as many."""
-    law = {"law": "linear", "peak": np.array([0.3, 0.35]), "residual": 0.14, "length": 1.0}
+    law: Any = {"law": "linear", "peak": np.array([0.3, 0.35]), "residual": 0.14, "length": 1.0}
     problem = lanes.posed(replace(load("vaiont"), friction=law), 1e-9)
     assert lanes.integrate(problem, slice(None), name)[ix.STEPS].tolist() == [2, 3]
 
