@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: de817a17778176e5f055390f7bf7418207aeed69453d2b93c9a06cf36658b794
+# sha256 of the text below: 9ac824e9ed74e791c484fd59539de38dd3f786a378d7da5af0d7516738af9537
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2383,7 +2383,7 @@ def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
 
 
 def count_from_end(s: Lanes, back: Floats, f: Floats, x: Floats) -> None:
-    """Change the functions of the distance from the end of a phase to those of E as a function of it, at a rotation."""
+    """Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``."""
     c = s.cells
     reverse(f, -back[4])
     f[4] = -f[4] * (1.0 + np.expm1(c[s.roles.loss_rate] * x))

@@ -119,8 +119,8 @@ def test_softening_phases_in_closed_form_are_accurate_to_rounding(name: str) -> 
     problem = lanes.posed(scene, 1e-15)
     found, expected = lanes.integrate(problem), lanes.integrate(in_time(problem))
     at_once = found[ix.STEPS] < expected[ix.STEPS]
-    assert at_once.sum() > 10
-    assert agree(found[:, at_once], expected[:, at_once], 1e-12)
+    assert at_once.sum() > 5
+    assert agree(found[:, at_once], expected[:, at_once], 1e-14)
 
 
 @pytest.mark.parametrize("length", [1.0, 20.0, 500.0])

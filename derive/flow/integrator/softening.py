@@ -8,9 +8,9 @@ this series. The parts of the terms j > 0 that decay like exp(-(q - j slope) x) 
     W^j E_j = constant_j (W^j - exp(-q x)) + W^j (vers_j (1 - cos(x)) - sine_j sin(x))
 
 The duration has two parts, before and after the greatest speed, by Gauss's rule in a variable in which both ends are
-regular. The last coefficients of Legendre's series of an integrand measure the error, which is about their square.
-
-The rules have twice as many nodes if a series in time would have an order above `FINEST`.
+regular. In the second part E is a function of the distance from the end, where W begins with W_0 instead of 1, and
+W_0^j exp(-q x) is in place of exp(-q x). The last coefficients of Legendre's series of an integrand measure the error,
+which is about their square. Rules have twice as many nodes if a series in time would have an order above `FINEST`.
 """
 
 from derive.flow.integrator.energy import FADING, LAST, energy, factors, functions, look_back, reverse
@@ -44,8 +44,8 @@ ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral i
 PER_STEP = 4.0
 PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
-# Places of further factors of E: brake/slope, W at the beginning, the factors of the terms from the first on, and drive,
-# sine and vers of the load, and of the net moment without the load.
+# Places of further factors of E: brake/slope, W at the beginning, the factors of the terms from the first on, and
+# drive, sine and vers of the load, and of the net moment without the load.
 SHIFT = 5
 FIRST = 6
 CONSTANT = 8
@@ -99,11 +99,7 @@ def factors_about_end(s: Lanes, back: S, e: S, f: S) -> None:
 
 def series_suffices(s: Lanes, e: S) -> M:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
-    return (
-        abs(s.net_loss) <= DRIVEN * s.drive
-        and abs(e[SHIFT]) <= GREATEST
-        and 2.0 * e[4] + s.loss_rate < 0.0
-    )
+    return abs(s.net_loss) <= DRIVEN * s.drive and abs(e[SHIFT]) <= GREATEST and 2.0 * e[4] + s.loss_rate < 0.0
 
 
 def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
@@ -113,7 +109,7 @@ def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
 
 
 def count_from_end(s: Lanes, back: S, f: S, x: V) -> None:
-    """Change the functions of the distance from the end of a phase to those of E as a function of it, at a rotation."""
+    """Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``."""
     reverse(f, -back[4])
     f[4] = -f[4] * (1.0 + expm1(s.loss_rate * x))
 
