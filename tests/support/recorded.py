@@ -15,7 +15,8 @@ from functools import cache, wraps
 from pathlib import Path
 from typing import ParamSpec, TypeVar, cast
 
-P, T = ParamSpec("P"), TypeVar("T")
+P = ParamSpec("P")
+T = TypeVar("T")
 HERE = Path(__file__).parent
 FILE = HERE / "recorded.jsonl"
 SOURCES = (
