@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3268305f021311990a23d98ed83ac26b6ab4918ed04c2b614603cb25afc024f9
+# sha256 of the text below: 7356d3967756ff4f82f2644782aa62591bed76260ae24ace5a4fa4d9db4ad7b2
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -264,16 +264,31 @@ def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
 # --- the text of derive/flow/integrator ----------------------------------------------------------------------------
 
 EPS = 2.220446049250313e-16
-SINES = (0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776,
-    0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567,
-    0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688,
-    0.4509914298352196)
-PLACES = (0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667,
-    0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289,
-    0.9500957578259143, 0.9903976028453998)
-WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
-    0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
-    0.028531388628933663, 0.0123412297999872)
+SINES = (0.0, 0.009607359798384776, 0.03806023374435662, 0.08426519384872735, 0.14644660940672624, 0.22221488349019888,
+    0.3086582838174551, 0.40245483899193585, 0.4999999999999999)
+COSINES = (0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452,
+    0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, 0.25, 0.46193976625564337,
+    0.3535533905932738, 0.1913417161825449, 0.0, -0.1913417161825449, -0.3535533905932738, -0.46193976625564337, -0.25,
+    0.16666666666666666, 0.2771565374341817, 0.12756114412169658, -0.06503010733870943, -0.23570226039551587,
+    -0.3269284268010768, -0.30795984417042893, -0.18519007767320073, 0.0, 0.125, 0.1767766952966369, 0.0,
+    -0.1767766952966369, -0.25, -0.1767766952966369, 0.0, 0.1767766952966369, 0.125, 0.1, 0.11111404660392044,
+    -0.07653668647301795, -0.1961570560806461, -0.1414213562373095, 0.03901806440322565, 0.18477590650225734,
+    0.16629392246050906, 0.0, 0.08333333333333333, 0.06378057206084829, -0.11785113019775793, -0.15397992208521447, 0.0,
+    0.15397992208521447, 0.11785113019775793, -0.06378057206084829, -0.08333333333333333, 0.07142857142857142,
+    0.027870046002304038, -0.13198279035875524, -0.07936717614565746, 0.10101525445522108, 0.11878137318607788,
+    -0.054669061766441394, -0.1401121829147472, 0.0, 0.0625, 0.0, -0.125, 0.0, 0.125, 0.0, -0.125, 0.0, 0.0625,
+    0.05555555555555555, -0.021676702446236474, -0.10265328139014297, 0.06173002589106691, 0.07856742013183862,
+    -0.09238551247806058, -0.042520381373898866, 0.10897614226702561, 0.0, 0.05, -0.038268343236508975,
+    -0.07071067811865475, 0.09238795325112867, 0.0, -0.09238795325112867, 0.07071067811865475, 0.038268343236508975,
+    -0.05, 0.045454545454545456, -0.050506384819963834, -0.03478940294228089, 0.08916229821847549, -0.0642824346533225,
+    -0.017735483819648026, 0.08398904841011698, -0.07558814657295866, 0.0, 0.041666666666666664, -0.05892556509887897,
+    0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897,
+    0.041666666666666664, 0.038461538461538464, -0.06395920094634963, 0.029437187105006906, 0.015006947847394482,
+    -0.05439282932204212, 0.07544502156947927, -0.07106765634702206, 0.04273617177073863, 0.0, 0.03571428571428571,
+    -0.06599139517937762, 0.05050762722761054, -0.027334530883220697, 0.0, 0.027334530883220697, -0.05050762722761054,
+    0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783,
+    -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0,
+    0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125)
 TO_PEAK = 24
 FROM_PEAK = 12
 NODES = (0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853,
@@ -353,8 +368,18 @@ PI = 3.141592653589793
 FARTHEST = 3.14
 FADED = 2.0
 LAST_OF_HALLEY = 3.814697265625e-06
+CLEAR = 0.01
 MOST_CORRECTIONS = 12
-CONVERGED = 2.384185791015625e-07
+LAST_OF_NEWTON = 1.4901161193847656e-08
+PAIRS = 8
+QUARTER = 0.7853981633974483
+LAST_OF_ARCSINE = 20
+ARCSINE = (1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092,
+    0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815,
+    0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096,
+    0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306)
+LAST_OF_COARSE = 2.3283064365386963e-10
+LAST_OF_FINE = 2.2737367544323206e-13
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -761,13 +786,13 @@ def enter_lines(s: Lanes, here: Mask) -> Mask:
     return others
 
 
-def still_changes(lane: Lanes, i: Index) -> Mask:
-    """Return whether a force will still change while the lane rests."""
-    c = lane.cells
-    changes: Mask = False
-    for t in lane.tables:
+def still_changes(s: Lanes) -> Mask:
+    """Return whether a force will still change while lanes rest."""
+    c = s.cells
+    changes = none_of(s)
+    for t in s.tables:
         if t.kind == ix.OF_TIME:
-            changes = changes | (c[t.cells + ix.UPPER, i] < INFINITY)
+            changes = changes | (c[t.cells + ix.UPPER] < INFINITY)
     return changes
 
 
@@ -1014,21 +1039,6 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
     return power_of_two(lowest)
 
 
-def update_peak(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Record the current speed if it is the greatest."""
-    c = lane.cells
-    rises = c[ix.PEAK_TIME, i] == c[ix.TIME, i]
-    holds_1 = c[ix.OMEGA, i] > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA, i])
-    i_1, rate_1, rises_1 = (i, rate, rises)
-    i, rate, rises = among(holds_1, i_1, rate_1, rises_1)
-    if i.size:
-        c[ix.PEAK_TIME, i] = c[ix.TIME, i]
-        c[ix.PEAK_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
-        c[ix.PEAK_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
-        c[ix.PEAK_RATE, i] = c[ix.DIRECTION, i] * rate
-    i, rate, rises = (i_1, rate_1, rises_1)
-
-
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
     """Record a candidate for the greatest speed in the current step if it exceeds the record."""
     c = s.cells
@@ -1042,283 +1052,221 @@ def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, ra
         c[ix.PEAK_RATE] = np.where(here, np.where(faster, c[ix.DIRECTION] * rate, c[ix.PEAK_RATE]), c[ix.PEAK_RATE])
 
 
-def update_reach(lane: Lanes, i: Index) -> None:
+def update_reach(s: Lanes, here: Mask) -> None:
     """Record the current rotation if it is the greatest from the start."""
-    c = lane.cells
-    rotation = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
-    holds_1 = np.abs(rotation) > np.abs(c[ix.REACH_ROTATION, i])
-    i_1, rotation_1 = (i, rotation)
-    i, rotation = among(holds_1, i_1, rotation_1)
-    if i.size:
-        c[ix.REACH_ROTATION, i] = rotation
-        c[ix.REACH_TIME, i] = c[ix.TIME, i]
-    i, rotation = (i_1, rotation_1)
+    c = s.cells
+    rotation = c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X]
+    here = here & (np.abs(rotation) > np.abs(c[ix.REACH_ROTATION]))
+    c[ix.REACH_ROTATION] = np.where(here, rotation, c[ix.REACH_ROTATION])
+    c[ix.REACH_TIME] = np.where(here, c[ix.TIME], c[ix.REACH_TIME])
 
 
-def note_lift_off(lane: Lanes, i: Index) -> None:
+def note_lift_off(s: Lanes, here: Mask) -> None:
     """Log the loss of contact with the slip surface."""
-    c = lane.cells
-    note(lane, i, ix.NOTE_LIFTS)
-    holds_1 = np.isnan(c[ix.LIFT_TIME, i])
-    i_1 = i
-    i, = among(holds_1, i_1)
-    if i.size:
-        c[ix.LIFT_TIME, i] = c[ix.TIME, i]
-    i = i_1
-
-
-def advance_origin(lane: Lanes, i: Index) -> None:
-    """Reset the origin of rotation and slip to the current position, where another phase begins."""
-    c = lane.cells
-    c[ix.ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
-    c[ix.SLIP, i] = c[ix.SLIP, i] + c[ix.X, i]
-    c[ix.X, i] = 0.0
-
-
-def face(lane: Lanes, i: Index, side: Floats) -> None:
-    """Set the direction of travel at a standstill."""
-    c = lane.cells
-    c[ix.X, i] = 0.0
-    c[ix.OMEGA, i] = 0.0
-    c[ix.DIRECTION, i] = side
-    c[ix.LIFTED, i] = 0.0
-
-
-def start(lane: Lanes, i: Index) -> None:
-    """Start a lane with a velocity or at rest."""
-    c = lane.cells
-    c[ix.DIRECTION, i] = np.where(c[ix.OMEGA, i] < 0.0, -1.0, 1.0)
-    c[ix.OMEGA, i] = np.abs(c[ix.OMEGA, i])
-    c[ix.X, i] = 0.0
-    c[ix.LIFTED, i] = 0.0
-    c[ix.FACED, i] = 0.0
-    c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
-    c[ix.CLOCKED, i] = 0.0
-    c[ix.NEGLIGIBLE, i] = ROUNDING
-    if lane.timed:
-        find_negligible(lane, i)
-    find_pieces(lane, i)
-
-
-def start_moving(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Start slip in the current direction."""
-    c = lane.cells
-    c[ix.STATUS, i] = ix.MOVING
-    c[ix.PASSED, i] = ix.NOTHING
-    c[ix.PHASES, i] = c[ix.PHASES, i] + 1.0
-    c[ix.TURNS, i] = c[ix.TURNS, i] + np.where(c[ix.LAST_WAY, i] * c[ix.DIRECTION, i] < 0.0, 1.0, 0.0)
-    c[ix.LAST_WAY, i] = c[ix.DIRECTION, i]
-    note(lane, i, ix.NOTE_BEGINS)
-    holds_1 = c[ix.LIFTED, i] > 0.0
-    i_1, rate_1 = (i, rate)
-    i, rate = among(holds_1, i_1, rate_1)
-    if i.size:
-        note_lift_off(lane, i)
-    i, rate = (i_1, rate_1)
-    update_peak(lane, i, rate)
-    c[ix.PENDING, i] = ix.READY
-
-
-def stay(lane: Lanes, i: Index, status: Floats) -> None:
-    """Keep the lane at rest until its end."""
-    c = lane.cells
-    c[ix.STATUS, i] = status
-    c[ix.END_ROTATION, i] = c[ix.ROTATION, i]
-    c[ix.END_OMEGA, i] = 0.0
-    c[ix.END_RATE, i] = 0.0
-    c[ix.DIRECTION, i] = 0.0
-    c[ix.REST_SINCE, i] = np.where(c[ix.REST_SINCE, i] > c[ix.END_TIME, i], c[ix.END_TIME, i], c[ix.REST_SINCE, i])
-    c[ix.PENDING, i] = ix.READY
-    read_samples(lane, i, c[ix.TIME, i], INFINITY, 0, 0)
-
-
-def may_start(lane: Lanes, i: Index) -> Mask:
-    """Return whether a mass at rest may start in its direction. Shaking starts a one-way mass only down-slope."""
-    c = lane.cells
-    pull = c[lane.roles.driving_moment, i]
-    down_slope = (pull > 0.0) | (pull == 0.0) & (c[ix.DIRECTION, i] > 0.0)
-    return (c[ix.ONE_WAY, i] == 0.0) | down_slope
-
-
-def never_rests(lane: Lanes, i: Index) -> Mask:
-    """Return whether a mass swings for ever, because almost no force presses on it at its lowest point."""
-    c = lane.cells
-    load = c[lane.roles.normal_load, i]
-    most = np.hypot(load, c[lane.roles.normal_load_slope, i])
-    carried = c[lane.roles.normal0, i] + (most - load) <= ix.CARRIED * most
-    return (c[ix.FIRST_ONLY, i] == 1.0) | carried & np.logical_not(still_changes(lane, i))
-
-
-def stick(lane: Lanes, i: Index) -> None:
-    """Keep the mass at rest, until a force changes or for good."""
-    c = lane.cells
-    c[ix.PENDING, i] = ix.READY
-    holds_1 = np.logical_not(still_changes(lane, i))
-    i_1 = i
-    i, = among(holds_1, i_1)
-    if i.size:
-        stay(lane, i, ix.ARRESTED)
-    i, = among(np.logical_not(holds_1), i_1)
-    if not i.size:
-        return
-    c[ix.STATUS, i] = ix.RESTING
-    holds_2 = c[ix.LIFTED, i] > 0.0
-    i_2 = i
-    i, = among(holds_2, i_2)
-    if i.size:
-        note_lift_off(lane, i)
-    i = i_2
-    holds_3 = np.logical_not(may_start(lane, i))
-    i_3 = i
-    i, = among(holds_3, i_3)
-    if i.size:
-        c[ix.DIRECTION, i] = -c[ix.DIRECTION, i]
-        c[ix.PENDING, i] = ix.BEGIN_PHASE
-    i = i_3
-
-
-def resolve_stick_or_slip(lane: Lanes, i: Index) -> None:
-    """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
-    c = lane.cells
-    holds_1 = (c[ix.FIRST_ONLY, i] > 0.0) & (c[ix.PHASES, i] > 0.0) & never_rests(lane, i)
-    i_1 = i
-    i, = among(holds_1, i_1)
-    if i.size:
-        stay(lane, i, ix.STOPPED)
-    i, = among(np.logical_not(holds_1), i_1)
-    if not i.size:
-        return
-    may = may_start(lane, i)
-    holds_2 = c[ix.PENDING, i] == ix.REST
-    i_2, may_2 = (i, may)
-    i, may = among(holds_2, i_2, may_2)
-    if i.size:
-        holds_3 = may
-        i_3, may_3 = (i, may)
-        i, may = among(holds_3, i_3, may_3)
+    c = s.cells
+    if s.logged:
+        i = np.flatnonzero(here)
         if i.size:
-            stick(lane, i)
-        i, may = among(np.logical_not(holds_3), i_3, may_3)
-        if not i.size:
-            return
-        face(lane, i, -c[ix.DIRECTION, i])
-        c[ix.PENDING, i] = ix.RESOLVE
-    i, may = among(np.logical_not(holds_2), i_2, may_2)
-    if not i.size:
-        return
-    terms = np.abs(c[lane.roles.driving, i]) + c[lane.roles.resisting, i]
-    unsure = EPS * (terms + c[lane.roles.mu, i] * np.abs(c[lane.roles.normal0, i]))
-    of_weight = (c[lane.roles.driving, i] == c[lane.roles.driving_moment, i]) & (c[lane.roles.normal0,
-        i] == c[lane.roles.normal_load, i]) & (c[lane.roles.resisting, i] == 0.0)
-    unsure = np.where((c[ix.LIMIT_REST, i] * c[lane.roles.drive, i] != 0.0) & of_weight, c[lane.roles.drive_scale, i],
-        unsure)
-    holds_4 = may
-    i_4, may_4, unsure_4 = (i, may, unsure)
-    i, may, unsure = among(holds_4, i_4, may_4, unsure_4)
-    if i.size:
-        c[ix.CLOSE, i] = np.fmin(c[ix.CLOSE, i], np.abs(c[lane.roles.drive, i]) / np.fmax(unsure, CLOSEST))
-    i, may, unsure = (i_4, may_4, unsure_4)
-    holds_5 = may & (c[lane.roles.drive, i] > 0.0)
-    i_5, may_5 = (i, may)
-    i, may = among(holds_5, i_5, may_5)
-    if i.size:
-        start_moving(lane, i, c[lane.roles.drive, i])
-    i, may = among(np.logical_not(holds_5), i_5, may_5)
-    if not i.size:
-        return
-    c[ix.FACED, i] = c[ix.FACED, i] + 1.0
-    holds_6 = (c[ix.FACED, i] > 1.0) | may & (c[ix.ONE_WAY, i] > 0.0)
-    i_6, may_6 = (i, may)
-    i, may = among(holds_6, i_6, may_6)
-    if i.size:
-        stick(lane, i)
-    i, may = among(np.logical_not(holds_6), i_6, may_6)
-    if not i.size:
-        return
-    face(lane, i, -c[ix.DIRECTION, i])
+            note(s, i, ix.NOTE_LIFTS)
+    here = here & (c[ix.LIFT_TIME] != c[ix.LIFT_TIME])
+    c[ix.LIFT_TIME] = np.where(here, c[ix.TIME], c[ix.LIFT_TIME])
 
 
-def carry_net_moment(lane: Lanes, i: Index, net: Floats) -> None:
+def advance_origin(s: Lanes, here: Mask) -> None:
+    """Reset the origin of rotation and slip to the current position, where another phase begins."""
+    c = s.cells
+    c[ix.ROTATION] = np.where(here, c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X], c[ix.ROTATION])
+    c[ix.SLIP] = np.where(here, c[ix.SLIP] + c[ix.X], c[ix.SLIP])
+    c[ix.X] = np.where(here, 0.0, c[ix.X])
+
+
+def face(s: Lanes, here: Mask, side: Floats) -> None:
+    """Set the direction of travel at a standstill."""
+    c = s.cells
+    c[ix.X] = np.where(here, 0.0, c[ix.X])
+    c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
+    c[ix.DIRECTION] = np.where(here, side, c[ix.DIRECTION])
+    c[ix.LIFTED] = np.where(here, 0.0, c[ix.LIFTED])
+
+
+def start(s: Lanes, here: Mask) -> None:
+    """Start lanes with a velocity or at rest."""
+    c = s.cells
+    c[ix.DIRECTION] = np.where(here, np.where(c[ix.OMEGA] < 0.0, -1.0, 1.0), c[ix.DIRECTION])
+    c[ix.OMEGA] = np.where(here, np.abs(c[ix.OMEGA]), c[ix.OMEGA])
+    c[ix.X] = np.where(here, 0.0, c[ix.X])
+    c[ix.LIFTED] = np.where(here, 0.0, c[ix.LIFTED])
+    c[ix.FACED] = np.where(here, 0.0, c[ix.FACED])
+    c[ix.PENDING] = np.where(here, np.where(c[ix.OMEGA] > 0.0, float(ix.START_MOVING), float(ix.RESOLVE)),
+        c[ix.PENDING])
+    c[ix.CLOCKED] = np.where(here, 0.0, c[ix.CLOCKED])
+    c[ix.NEGLIGIBLE] = np.where(here, ROUNDING, c[ix.NEGLIGIBLE])
+    if s.timed:
+        i = np.flatnonzero(here)
+        if i.size:
+            find_negligible(s, i)
+    i = np.flatnonzero(here)
+    if i.size:
+        find_pieces(s, i)
+
+
+def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
+    """Start slip in the current direction."""
+    c = s.cells
+    c[ix.STATUS] = np.where(here, float(ix.MOVING), c[ix.STATUS])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
+    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0, 1.0, 0.0), c[ix.TURNS])
+    c[ix.LAST_WAY] = np.where(here, c[ix.DIRECTION], c[ix.LAST_WAY])
+    if s.logged:
+        i = np.flatnonzero(here)
+        if i.size:
+            note(s, i, ix.NOTE_BEGINS)
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+    keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
+    c[ix.PENDING] = np.where(here, float(ix.READY), c[ix.PENDING])
+
+
+def stay(s: Lanes, here: Mask, status: Floats) -> None:
+    """Keep lanes at rest until their end."""
+    c = s.cells
+    c[ix.STATUS] = np.where(here, status, c[ix.STATUS])
+    c[ix.END_ROTATION] = np.where(here, c[ix.ROTATION], c[ix.END_ROTATION])
+    c[ix.END_OMEGA] = np.where(here, 0.0, c[ix.END_OMEGA])
+    c[ix.END_RATE] = np.where(here, 0.0, c[ix.END_RATE])
+    c[ix.DIRECTION] = np.where(here, 0.0, c[ix.DIRECTION])
+    c[ix.REST_SINCE] = np.where(here, np.where(c[ix.REST_SINCE] > c[ix.END_TIME], c[ix.END_TIME], c[ix.REST_SINCE]),
+        c[ix.REST_SINCE])
+    c[ix.PENDING] = np.where(here, float(ix.READY), c[ix.PENDING])
+    if s.samples:
+        i = np.flatnonzero(here)
+        if i.size:
+            read_samples(s, i, c[ix.TIME, i], INFINITY, 0, 0)
+
+
+def may_start(s: Lanes) -> Mask:
+    """Return whether masses at rest may start in their direction. Shaking starts a one-way mass only down-slope."""
+    c = s.cells
+    pull = c[s.roles.driving_moment].copy()
+    down_slope = (pull > 0.0) | (pull == 0.0) & (c[ix.DIRECTION] > 0.0)
+    return (c[ix.ONE_WAY] == 0.0) | down_slope
+
+
+def never_rests(s: Lanes) -> Mask:
+    """Return whether masses swing for ever, because almost no force presses on them at their lowest point."""
+    c = s.cells
+    load = c[s.roles.normal_load].copy()
+    square = load * load + c[s.roles.normal_load_slope] * c[s.roles.normal_load_slope]
+    most = np.sqrt(square)
+    carried = c[s.roles.normal0] + (most - load) <= ix.CARRIED * most
+    return (c[ix.FIRST_ONLY] == 1.0) | carried & np.logical_not(still_changes(s))
+
+
+def stick(s: Lanes, here: Mask) -> None:
+    """Keep masses at rest, until a force changes or for good."""
+    c = s.cells
+    changes = still_changes(s)
+    stay(s, here & np.logical_not(changes), float(ix.ARRESTED))
+    here = here & changes
+    if np.any(here):
+        c[ix.STATUS] = np.where(here, float(ix.RESTING), c[ix.STATUS])
+        c[ix.PENDING] = np.where(here, float(ix.READY), c[ix.PENDING])
+        note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+        here = here & np.logical_not(may_start(s))
+        c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
+        c[ix.PENDING] = np.where(here, float(ix.BEGIN_PHASE), c[ix.PENDING])
+
+
+def rest_one_way(s: Lanes, here: Mask) -> None:
+    """Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start."""
+    c = s.cells
+    may = may_start(s)
+    stick(s, here & may)
+    here = here & np.logical_not(may)
+    face(s, here, -c[ix.DIRECTION])
+    c[ix.PENDING] = np.where(here, float(ix.RESOLVE), c[ix.PENDING])
+
+
+def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
+    """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
+    c = s.cells
+    terms = np.abs(c[s.roles.driving]) + c[s.roles.resisting]
+    unsure = EPS * (terms + c[s.roles.mu] * np.abs(c[s.roles.normal0]))
+    of_weight = (c[s.roles.driving] == c[s.roles.driving_moment]) & (c[s.roles.normal0] == c[s.roles.normal_load]) & (c[s.roles.resisting] == 0.0)
+    refined = (c[ix.LIMIT_REST] * c[s.roles.drive] != 0.0) & of_weight
+    unsure = np.maximum(np.where(refined, c[s.roles.drive_scale], unsure), CLOSEST)
+    may = here & may_start(s)
+    c[ix.CLOSE] = np.where(here, np.where(may, np.minimum(c[ix.CLOSE], np.abs(c[s.roles.drive]) / unsure), c[ix.CLOSE]),
+        c[ix.CLOSE])
+    starts = may & (c[s.roles.drive] > 0.0)
+    start_moving(s, starts, c[s.roles.drive])
+    here = here & np.logical_not(starts)
+    if np.any(here):
+        c[ix.FACED] = np.where(here, c[ix.FACED] + 1.0, c[ix.FACED])
+        sticks = here & ((c[ix.FACED] > 1.0) | may & (c[ix.ONE_WAY] > 0.0))
+        stick(s, sticks)
+        face(s, here & np.logical_not(sticks), -c[ix.DIRECTION])
+
+
+def resolve_standstill(s: Lanes, here: Mask) -> None:
+    """Decide whether masses at a standstill, or at the start, stop, stick or slip."""
+    c = s.cells
+    stops = here & (c[ix.FIRST_ONLY] > 0.0) & (c[ix.PHASES] > 0.0)
+    if np.any(stops):
+        stops = stops & never_rests(s)
+        stay(s, stops, float(ix.STOPPED))
+        here = here & np.logical_not(stops)
+    one_way = here & (c[ix.PENDING] == float(ix.REST))
+    if np.any(one_way):
+        rest_one_way(s, one_way)
+        here = here & np.logical_not(one_way)
+    resolve_stick_or_slip(s, here)
+
+
+def carry_net_moment(s: Lanes, here: Mask, net: Floats) -> None:
     """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
-    c = lane.cells
-    terms = np.abs(c[ix.RATE_BEFORE, i]) + np.abs(net - c[lane.roles.drive, i]) + np.abs(c[ix.DRIVE_BEFORE, i])
-    carried = c[ix.SCALE_BEFORE, i] + EPS * terms
-    holds_1 = carried < c[lane.roles.drive_scale, i]
-    i_1, net_1, carried_1 = (i, net, carried)
-    i, net, carried = among(holds_1, i_1, net_1, carried_1)
-    if i.size:
-        c[lane.roles.drive, i] = c[lane.roles.drive, i] + (c[ix.RATE_BEFORE, i] - net)
-        c[lane.roles.drive_scale, i] = carried
-    i, net, carried = (i_1, net_1, carried_1)
-    c[ix.PENDING, i] = ix.READY
+    c = s.cells
+    c[ix.PENDING] = np.where(here, float(ix.READY), c[ix.PENDING])
+    terms = np.abs(c[ix.RATE_BEFORE]) + np.abs(net - c[s.roles.drive]) + np.abs(c[ix.DRIVE_BEFORE])
+    carried = c[ix.SCALE_BEFORE] + EPS * terms
+    here = here & (carried < c[s.roles.drive_scale])
+    c[s.roles.drive] = np.where(here, c[s.roles.drive] + (c[ix.RATE_BEFORE] - net), c[s.roles.drive])
+    c[s.roles.drive_scale] = np.where(here, carried, c[s.roles.drive_scale])
 
 
-def resolve_pending(lane: Lanes, i: Index, net: Floats, force: Floats) -> None:
-    """Begin the phase for which the lane waits, from its net moment and normal force."""
-    c = lane.cells
-    holds_1 = c[ix.PENDING, i] == ix.ENTER_PHASE
-    i_1, net_1, force_1 = (i, net, force)
-    i, net, force = among(holds_1, i_1, net_1, force_1)
-    if i.size:
-        carry_net_moment(lane, i, net)
-    i, net, force = among(np.logical_not(holds_1), i_1, net_1, force_1)
-    if not i.size:
-        return
-    holds_2 = c[ix.PENDING, i] == ix.BEGIN_PHASE
-    i_2, net_2, force_2 = (i, net, force)
-    i, net, force = among(holds_2, i_2, net_2, force_2)
-    if i.size:
-        c[ix.PENDING, i] = ix.READY
-    i, net, force = among(np.logical_not(holds_2), i_2, net_2, force_2)
-    if not i.size:
-        return
-    lifts = np.where(c[ix.PENDING, i] == ix.START_MOVING, force < 0.0, c[lane.roles.normal0, i] <= 0.0)
-    holds_3 = lifts & (c[ix.LIFTED, i] == 0.0)
-    i_3, net_3, lifts_3 = (i, net, lifts)
-    i, net, lifts = among(holds_3, i_3, net_3, lifts_3)
-    if i.size:
-        c[ix.LIFTED, i] = 1.0
-    i, net, lifts = among(np.logical_not(holds_3), i_3, net_3, lifts_3)
-    if not i.size:
-        return
-    holds_4 = c[ix.PENDING, i] == ix.START_MOVING
-    i_4, net_4 = (i, net)
-    i, net = among(holds_4, i_4, net_4)
-    if i.size:
-        start_moving(lane, i, net)
-    i, net = among(np.logical_not(holds_4), i_4, net_4)
-    if not i.size:
-        return
-    holds_5 = c[ix.PENDING, i] == ix.START_AGAIN
-    i_5 = i
-    i, = among(holds_5, i_5)
-    if i.size:
-        c[lane.roles.drive, i] = np.where(c[ix.SUDDEN, i] > 0.0, c[lane.roles.drive, i], 0.0)
-        start_moving(lane, i, c[lane.roles.drive, i])
-    i, = among(np.logical_not(holds_5), i_5)
-    if not i.size:
-        return
-    resolve_stick_or_slip(lane, i)
+def resolve_pending(s: Lanes, waits: Mask, net: Floats, force: Floats) -> None:
+    """Begin the phases for which lanes wait, from their net moments and normal forces."""
+    c = s.cells
+    enters = waits & (c[ix.PENDING] == float(ix.ENTER_PHASE))
+    begins = waits & (c[ix.PENDING] == float(ix.BEGIN_PHASE))
+    moving = waits & (c[ix.PENDING] == float(ix.START_MOVING))
+    again = waits & (c[ix.PENDING] == float(ix.START_AGAIN))
+    decides = waits & np.logical_not(enters | begins | moving | again)
+    pressed = np.where(moving, np.where(force < 0.0, -1.0, 1.0), c[s.roles.normal0])
+    lifts = (moving | again | decides) & (pressed <= 0.0) & (c[ix.LIFTED] == 0.0)
+    c[ix.LIFTED] = np.where(lifts, 1.0, c[ix.LIFTED])
+    c[ix.PENDING] = np.where(begins, float(ix.READY), c[ix.PENDING])
+    if np.any(enters):
+        carry_net_moment(s, enters, net)
+    starts = (moving | again) & np.logical_not(lifts)
+    if np.any(starts):
+        level = again & starts & (c[ix.SUDDEN] <= 0.0)
+        c[s.roles.drive] = np.where(level, 0.0, c[s.roles.drive])
+        start_moving(s, starts, np.where(again, c[s.roles.drive], net))
+    decides = decides & np.logical_not(lifts)
+    if np.any(decides):
+        resolve_standstill(s, decides)
 
 
-def on_discontinuity(lane: Lanes, i: Index, force: Floats) -> None:
+def on_discontinuity(s: Lanes, here: Mask, force: Floats) -> None:
     """Decide about contact after a jump of forces. If contact changes, another phase begins."""
-    c = lane.cells
+    c = s.cells
     lifted = np.where(force < 0.0, 1.0, 0.0)
-    holds_1 = lifted > c[ix.LIFTED, i]
-    i_1, lifted_1 = (i, lifted)
-    i, lifted = among(holds_1, i_1, lifted_1)
-    if i.size:
-        note_lift_off(lane, i)
-    i, lifted = (i_1, lifted_1)
-    c[ix.PENDING, i] = np.where(c[ix.LIFTED, i] == lifted, ix.READY, ix.BEGIN_PHASE)
-    c[ix.LIFTED, i] = lifted
-    holds_2 = c[ix.PENDING, i] == ix.BEGIN_PHASE
-    i_2 = i
-    i, = among(holds_2, i_2)
-    if i.size:
-        advance_origin(lane, i)
-    i = i_2
+    same = c[ix.LIFTED] == lifted
+    note_lift_off(s, here & (lifted > c[ix.LIFTED]))
+    c[ix.PENDING] = np.where(here, np.where(same, float(ix.READY), float(ix.BEGIN_PHASE)), c[ix.PENDING])
+    c[ix.LIFTED] = np.where(here, lifted, c[ix.LIFTED])
+    advance_origin(s, here & np.logical_not(same))
 
 
 def begin_phases(s: Lanes) -> None:
@@ -1328,9 +1276,7 @@ def begin_phases(s: Lanes) -> None:
     if np.any(sudden):
         evaluate(s)
         force = normal_force(s)
-        i = np.flatnonzero(sudden)
-        if i.size:
-            on_discontinuity(s, i, force[i])
+        on_discontinuity(s, sudden, force)
     waits = c[ix.PENDING] != ix.READY
     while np.any(waits):
         i = np.flatnonzero(waits)
@@ -1341,9 +1287,7 @@ def begin_phases(s: Lanes) -> None:
             evaluate(s)
         force = normal_force(s)
         net = s.registers[s.roles.net][0].copy()
-        i = np.flatnonzero(waits)
-        if i.size:
-            resolve_pending(s, i, net[i], force[i])
+        resolve_pending(s, waits, net, force)
         waits = c[ix.PENDING] != ix.READY
 
 
@@ -1448,27 +1392,31 @@ def standstill(omega: Floats, net: Floats, rise: Floats) -> Floats:
     return over / under
 
 
-def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
-    """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
+def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
+    """Place a lane at the left end of a piece."""
     c = lane.cells
-    c[ix.X, i] = x
-    c[ix.OMEGA, i] = omega
-    c[ix.STATUS, i] = np.where(omega > 0.0, ix.MOVING, ix.RESTING)
-    c[ix.STEPS, i] = 0.0
-    c[ix.PASSED, i] = ix.NOTHING
-    holds_1 = omega == 0.0
-    i_1, piece_1, omega_1 = (i, piece, omega)
-    i, piece, omega = among(holds_1, i_1, piece_1, omega_1)
-    if i.size:
-        c[ix.TIME, i] = c[ix.REST_SINCE, i]
-        update_reach(lane, i)
-    i, piece, omega = (i_1, piece_1, omega_1)
-    advance_origin(lane, i)
     edge = break_of(lane, i, t, piece)
     now = edge / c[t.cells + ix.SCALE, i]
     stand_before(lane, i, t, piece, now)
     pass_break(lane, i, t)
-    c[ix.PENDING, i] = ix.BEGIN_PHASE
+
+
+def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
+    """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
+    c = s.cells
+    c[ix.X] = np.where(here, x, c[ix.X])
+    c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
+    c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    moves = omega > 0.0
+    c[ix.STATUS] = np.where(here, np.where(moves, float(ix.MOVING), float(ix.RESTING)), c[ix.STATUS])
+    c[ix.TIME] = np.where(here, np.where(moves, c[ix.TIME], c[ix.REST_SINCE]), c[ix.TIME])
+    update_reach(s, here & np.logical_not(moves))
+    advance_origin(s, here)
+    i = np.flatnonzero(here)
+    if i.size:
+        enter_at(s, i, t, np.full(i.size, piece))
+    c[ix.PENDING] = np.where(here, float(ix.BEGIN_PHASE), c[ix.PENDING])
 
 
 def count_starts(s: Lanes, here: Mask) -> None:
@@ -1609,9 +1557,8 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
-    i = np.flatnonzero(leaves)
-    if i.size:
-        end_slide(s, i, t, np.full(i.size, piece), x[i], omega[i])
+    if np.any(leaves):
+        end_slide(s, leaves, t, piece, x, omega)
     return on & inside
 
 
@@ -1681,53 +1628,49 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     return forward & np.logical_not(there)
 
 
-def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Begin another phase in motion: the lane enters another piece of a table, is lifted or lands."""
-    c = lane.cells
-    c[ix.RATE_BEFORE, i] = rate
-    c[ix.DRIVE_BEFORE, i] = c[lane.roles.drive, i]
-    c[ix.SCALE_BEFORE, i] = c[lane.roles.drive_scale, i]
-    advance_origin(lane, i)
-    c[ix.PENDING, i] = ix.ENTER_PHASE
+def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
+    """Begin another phase in motion: lanes enter another piece of a table, are lifted or land."""
+    c = s.cells
+    c[ix.RATE_BEFORE] = np.where(here, rate, c[ix.RATE_BEFORE])
+    c[ix.DRIVE_BEFORE] = np.where(here, c[s.roles.drive], c[ix.DRIVE_BEFORE])
+    c[ix.SCALE_BEFORE] = np.where(here, c[s.roles.drive_scale], c[ix.SCALE_BEFORE])
+    advance_origin(s, here)
+    c[ix.PENDING] = np.where(here, float(ix.ENTER_PHASE), c[ix.PENDING])
 
 
-def on_standstill(lane: Lanes, i: Index) -> None:
-    """Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion."""
-    c = lane.cells
-    advance_origin(lane, i)
-    update_reach(lane, i)
-    c[ix.REST_SINCE, i] = c[ix.TIME, i]
-    note(lane, i, ix.NOTE_STANDS)
-    c[ix.FACED, i] = 1.0
-    one_way = c[ix.ONE_WAY, i] > 0.0
-    face(lane, i, np.where(one_way, c[ix.DIRECTION, i], -c[ix.DIRECTION, i]))
-    c[ix.PENDING, i] = np.where(one_way, ix.REST, ix.RESOLVE)
+def on_standstill(s: Lanes, here: Mask) -> None:
+    """Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion."""
+    c = s.cells
+    advance_origin(s, here)
+    update_reach(s, here)
+    c[ix.REST_SINCE] = np.where(here, c[ix.TIME], c[ix.REST_SINCE])
+    if s.logged:
+        i = np.flatnonzero(here)
+        if i.size:
+            note(s, i, ix.NOTE_STANDS)
+    c[ix.FACED] = np.where(here, 1.0, c[ix.FACED])
+    one_way = c[ix.ONE_WAY] > 0.0
+    face(s, here, np.where(one_way, c[ix.DIRECTION], -c[ix.DIRECTION]))
+    c[ix.PENDING] = np.where(here, np.where(one_way, float(ix.REST), float(ix.RESOLVE)), c[ix.PENDING])
 
 
-def on_contact_change(lane: Lanes, i: Index, rate: Floats) -> None:
+def on_contact_change(s: Lanes, here: Mask, rate: Floats) -> None:
     """Change contact with the slip surface."""
-    c = lane.cells
-    c[ix.LIFTED, i] = 1.0 - c[ix.LIFTED, i]
-    holds_1 = c[ix.LIFTED, i] > 0.0
-    i_1, rate_1 = (i, rate)
-    i, rate = among(holds_1, i_1, rate_1)
-    if i.size:
-        note_lift_off(lane, i)
-    i, rate = (i_1, rate_1)
-    holds_2 = c[ix.LIFTED, i] == 0.0
-    i_2, rate_2 = (i, rate)
-    i, rate = among(holds_2, i_2, rate_2)
-    if i.size:
-        note(lane, i, ix.NOTE_LANDS)
-    i, rate = (i_2, rate_2)
-    enter_phase(lane, i, rate)
-    c[ix.PASSED, i] = ix.LIFT
+    c = s.cells
+    c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+    lands = here & (c[ix.LIFTED] == 0.0)
+    if s.logged:
+        i = np.flatnonzero(lands)
+        if i.size:
+            note(s, i, ix.NOTE_LANDS)
+    enter_phase(s, here, rate)
+    c[ix.PASSED] = np.where(here, float(ix.LIFT), c[ix.PASSED])
 
 
-def on_breakpoint(lane: Lanes, i: Index, t: Table, rate: Floats, upwards: Mask) -> None:
-    """Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece."""
+def on_breakpoint(lane: Lanes, i: Index, t: Table, upwards: Mask) -> None:
+    """Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece."""
     c = lane.cells
-    enter_phase(lane, i, rate)
     if t.kind == ix.OF_ROTATION:
         c[ix.ROTATION, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]) + np.where(c[ix.DIRECTION, i] > 0.0,
             1, 0))
@@ -1748,83 +1691,59 @@ def on_breakpoint(lane: Lanes, i: Index, t: Table, rate: Floats, upwards: Mask) 
         i, upwards = (i_1, upwards_1)
 
 
-def end_motion(lane: Lanes, i: Index, rate: Floats, status: Floats) -> None:
-    """End a moving lane at its end time or with an upright chord."""
-    c = lane.cells
-    c[ix.STATUS, i] = status
-    c[ix.END_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
-    c[ix.END_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
-    c[ix.END_RATE, i] = c[ix.DIRECTION, i] * rate
-    update_reach(lane, i)
-
-
-def on_limit(lane: Lanes, i: Index, rate: Floats) -> None:
-    """End the lane at its end time, or pass breaks of functions of time."""
-    c = lane.cells
-    holds_1 = c[ix.TIME, i] >= c[ix.END_TIME, i]
-    i_1, rate_1 = (i, rate)
-    i, rate = among(holds_1, i_1, rate_1)
-    if i.size:
-        end_motion(lane, i, rate, ix.ENDED)
-    i, rate = among(np.logical_not(holds_1), i_1, rate_1)
-    if not i.size:
-        return
-    pass_breaks(lane, i)
-
-
-def settle(lane: Lanes, i: Index, rate: Floats, at_limit: Mask, endless: Mask) -> None:
-    """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
-    c = lane.cells
-    holds_1 = endless
-    i_1, rate_1, at_limit_1, endless_1 = (i, rate, at_limit, endless)
-    i, rate, at_limit, endless = among(holds_1, i_1, rate_1, at_limit_1, endless_1)
-    if i.size:
-        c[ix.STATUS, i] = ix.TOO_LONG
-    i, rate, at_limit, endless = (i_1, rate_1, at_limit_1, endless_1)
-    holds_2 = at_limit
-    i_2, rate_2, at_limit_2 = (i, rate, at_limit)
-    i, rate, at_limit = among(holds_2, i_2, rate_2, at_limit_2)
-    if i.size:
-        on_limit(lane, i, rate)
-    i, rate, at_limit = (i_2, rate_2, at_limit_2)
-    holds_3 = c[ix.EVENT, i] == ix.EVENT_NONE
-    i_3, rate_3 = (i, rate)
-    i, rate = among(holds_3, i_3, rate_3)
-    i, rate = among(np.logical_not(holds_3), i_3, rate_3)
-    if not i.size:
-        return
-    holds_4 = c[ix.EVENT, i] == ix.EVENT_STANDSTILL
-    i_4, rate_4 = (i, rate)
-    i, rate = among(holds_4, i_4, rate_4)
-    if i.size:
-        on_standstill(lane, i)
-    i, rate = among(np.logical_not(holds_4), i_4, rate_4)
-    if not i.size:
-        return
-    holds_5 = c[ix.EVENT, i] == ix.EVENT_LIFT_OFF
-    i_5, rate_5 = (i, rate)
-    i, rate = among(holds_5, i_5, rate_5)
-    if i.size:
-        on_contact_change(lane, i, rate)
-    i, rate = among(np.logical_not(holds_5), i_5, rate_5)
-    if not i.size:
-        return
-    holds_6 = c[ix.EVENT, i] == ix.EVENT_CHORD_UPRIGHT
-    i_6, rate_6 = (i, rate)
-    i, rate = among(holds_6, i_6, rate_6)
-    if i.size:
-        end_motion(lane, i, rate, ix.UPRIGHT)
-    i, rate = among(np.logical_not(holds_6), i_6, rate_6)
-    if not i.size:
-        return
-    for t in lane.tables:
-        edge = ix.EVENT_BREAKPOINT + 2 * t.number
-        holds_7 = (c[ix.EVENT, i] == edge) | (c[ix.EVENT, i] == edge + 1)
-        i_7, rate_7 = (i, rate)
-        i, rate = among(holds_7, i_7, rate_7)
+def on_breakpoints(s: Lanes, here: Mask, rate: Floats) -> None:
+    """Pass edges of tables of slip, speed or rotation."""
+    c = s.cells
+    enter_phase(s, here, rate)
+    for t in s.tables:
+        upper = ix.EVENT_BREAKPOINT + 2 * t.number
+        lower = upper + 1
+        passes = here & ((c[ix.EVENT] == float(upper)) | (c[ix.EVENT] == float(lower)))
+        i = np.flatnonzero(passes)
         if i.size:
-            on_breakpoint(lane, i, t, rate, c[ix.EVENT, i] == edge)
-        i, rate = (i_7, rate_7)
+            on_breakpoint(s, i, t, c[ix.EVENT, i] == upper)
+
+
+def end_motion(s: Lanes, here: Mask, rate: Floats, status: Floats) -> None:
+    """End moving lanes at their end time or with an upright chord."""
+    c = s.cells
+    c[ix.STATUS] = np.where(here, status, c[ix.STATUS])
+    c[ix.END_ROTATION] = np.where(here, c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X], c[ix.END_ROTATION])
+    c[ix.END_OMEGA] = np.where(here, c[ix.DIRECTION] * c[ix.OMEGA], c[ix.END_OMEGA])
+    c[ix.END_RATE] = np.where(here, c[ix.DIRECTION] * rate, c[ix.END_RATE])
+    update_reach(s, here)
+
+
+def on_limit(s: Lanes, here: Mask, rate: Floats) -> None:
+    """End lanes at their end time, or pass breaks of functions of time."""
+    c = s.cells
+    ends = here & (c[ix.TIME] >= c[ix.END_TIME])
+    end_motion(s, ends, rate, float(ix.ENDED))
+    passes = here & np.logical_not(ends)
+    i = np.flatnonzero(passes)
+    if i.size:
+        pass_breaks(s, i)
+
+
+def settle(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
+    """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
+    c = s.cells
+    c[ix.STATUS] = np.where(here, np.where(endless, float(ix.TOO_LONG), c[ix.STATUS]), c[ix.STATUS])
+    limits = here & at_limit
+    if np.any(limits):
+        on_limit(s, limits, rate)
+    stands = here & (c[ix.EVENT] == float(ix.EVENT_STANDSTILL))
+    if np.any(stands):
+        on_standstill(s, stands)
+    lifts = here & (c[ix.EVENT] == float(ix.EVENT_LIFT_OFF))
+    if np.any(lifts):
+        on_contact_change(s, lifts, rate)
+    upright = here & (c[ix.EVENT] == float(ix.EVENT_CHORD_UPRIGHT))
+    if np.any(upright):
+        end_motion(s, upright, rate, float(ix.UPRIGHT))
+    passes = here & (c[ix.EVENT] >= float(ix.EVENT_BREAKPOINT))
+    if np.any(passes):
+        on_breakpoints(s, passes, rate)
 
 
 def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
@@ -1965,9 +1884,9 @@ def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) 
     others = enter_lines(s, at_limit & before_end)
     simple = (c[ix.EVENT] == float(ix.EVENT_NONE)) & np.logical_not(endless) & np.logical_not(others)
     settled = simple & (before_end | np.logical_not(at_limit))
-    i = np.flatnonzero(here & np.logical_not(settled))
-    if i.size:
-        settle(s, i, rate[i], at_limit[i], endless[i])
+    acts = here & np.logical_not(settled)
+    if np.any(acts):
+        settle(s, acts, rate, at_limit, endless)
 
 
 def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats, steady: Mask, at_limit: Mask, endless: Mask) -> None:
@@ -2435,9 +2354,14 @@ def end_of_swing(s: Lanes, e: Floats, sine: Floats, which: Mask) -> Floats:
     return np.where(which, 2.0 * FARTHEST, x)
 
 
-def peak_of_swing(s: Lanes, e: Floats, end: Floats, which: Mask) -> Floats:
-    """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
-    x = 0.5 * end
+def peak_of_cubic(rise: Floats, fall: Floats, end: Floats) -> Floats:
+    """Return the rotation of the greatest speed if E is a cubic with these slopes at both of its zeros."""
+    square = rise * rise + fall * (fall - rise)
+    return end * rise / (2.0 * rise - fall + np.sqrt(square))
+
+
+def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> Floats:
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on."""
     f = np.zeros((ix.STRIDE, e.shape[1]))
     low: Floats = 0.0
     high = end
@@ -2451,7 +2375,7 @@ def peak_of_swing(s: Lanes, e: Floats, end: Floats, which: Mask) -> Floats:
         following = inside_or_middle(following, low, high)
         change = np.abs(following - x)
         x = np.where(which, following, x)
-        which = which & (change > LAST_STEP * x)
+        which = which & (change > LAST_OF_NEWTON * x)
         count = count + 1
     return x
 
@@ -2465,56 +2389,105 @@ def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask
     return (start > 0.0) & (at_end > 0.0) & concave
 
 
-def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
-    """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
+def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k: int) -> None:
+    """Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end."""
     x = end * SINES[k]
     f = np.zeros((ix.STRIDE, e.shape[1]))
     functions(f, x, e[4])
     room = x * (end - x)
-    here = np.sqrt(room / energy(e, f))
+    near = np.sqrt(room / energy(e, f))
     reverse(f, e[4])
-    there = np.sqrt(room / energy(back, f))
-    return here + there
+    far = np.sqrt(room / energy(back, f))
+    both[k] = near + far
+    odd[k] = near - far
 
 
-def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tuple[Floats, Floats]:
-    """Return the duration of a phase, and the relative change by the last halving of intervals."""
-    ends = np.sqrt(end / e[0])
-    ends = ends + np.sqrt(end / back[0])
-    total = 0.125 * (ends + slowness(e, back, end, 0))
-    total = total + 0.25 * slowness(e, back, end, 1)
-    change: Floats = 1.0
-    changes = which
-    first = 2
-    while first < 16 and np.any(changes):
-        added: Floats = 0.0
-        for k in range(first, 2 * first - 1 + 1):
-            added = added + slowness(e, back, end, k)
-        added = added / float(2 * first)
-        relative = np.abs(added - total) / total
-        change = np.where(changes, relative, change)
-        total = np.where(changes, 0.5 * (total + added), total)
-        changes = which & (change > CONVERGED)
-        first = 2 * first
-    return (PI * total, change)
+def mean_of(both: Floats, pairs: int, by: int) -> Floats:
+    """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
+    total = 0.5 * (both[0] + both[PAIRS])
+    for k in range(1, pairs - 1 + 1):
+        total = total + both[k * by]
+    return total / float(2 * pairs)
 
 
-def time_of_peak(e: Floats, peak: Floats) -> Floats:
-    """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
+def angle_of(place: Floats, sine: Floats) -> Floats:
+    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine."""
+    z = place / np.sqrt(2.0 + 2.0 * sine)
+    square = z * z
     total: Floats = 0.0
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    for k in range(11 + 1):
-        functions(f, peak * PLACES[k], e[4])
-        total = total + WEIGHTS[k] * np.sqrt(f[0] / energy(e, f))
-    return 2.0 * np.sqrt(peak) * total
+    for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
+        total = total * square + ARCSINE[k]
+    return QUARTER + z * total
+
+
+def time_to(x: Floats, end: Floats, both: Floats, odd: Floats, pairs: int, by: int) -> Floats:
+    """Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes."""
+    place = (2.0 * x - end) / end
+    sine = 2.0 * np.sqrt(x * (end - x)) / end
+    total = 2.0 * mean_of(both, pairs, by) * angle_of(place, sine)
+    twice = -2.0 * place
+    previous: Floats = 0.0
+    waves: Floats = 0.0
+    for j in range(1, pairs + 1):
+        of_odd: Floats = 0.0
+        of_even: Floats = 0.0
+        for k in range(pairs + 1):
+            of_odd = of_odd + COSINES[(2 * j - 1) * (PAIRS + 1) + k * by] * odd[k * by]
+            of_even = of_even + COSINES[2 * j * (PAIRS + 1) + k * by] * both[k * by]
+        last: Floats = 0.5 if j == pairs else 1.0
+        following = twice * sine - previous
+        waves = waves + (sine * of_odd + following * (last * of_even))
+        sine = twice * following - sine
+        previous = following
+    return total + waves / float(pairs)
+
+
+def durations_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats, which: Mask) -> tuple[Floats,
+        Floats]:
+    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
+    both = np.zeros((ix.STRIDE, e.shape[1]))
+    odd = np.zeros((ix.STRIDE, e.shape[1]))
+    near = np.sqrt(end / e[0])
+    far = np.sqrt(end / back[0])
+    both[0] = near + far
+    odd[0] = near - far
+    for k in range(1, 4 + 1):
+        add_node(e, back, end, both, odd, 2 * k)
+    coarse = mean_of(both, 2, 4)
+    mean = mean_of(both, 4, 2)
+    before = time_to(peak, end, both, odd, 4, 2)
+    most: Floats = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
+    last = np.abs(mean - coarse) / mean
+    unsure = which & (last > most)
+    if np.any(unsure):
+        for k in range(1, 4 + 1):
+            add_node(e, back, end, both, odd, 2 * k - 1)
+        finer = mean_of(both, 8, 1)
+        last = np.where(unsure, np.abs(finer - mean) / finer, last)
+        mean = np.where(unsure, finer, mean)
+        later = time_to(peak, end, both, odd, 8, 1)
+        before = np.where(unsure, later, before)
+    return (before, np.where(last <= most, PI * mean, INFINITY))
 
 
 def times_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats, which: Mask) -> tuple[Floats, Floats]:
-    """Return the times from rest to the greatest speed and to the end, infinite if it is uncertain."""
+    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     if s.roles.loss_rate >= 0:
         return duration_of_softening(s, e, end, peak)
-    duration, change = duration_of_swing(e, back, end, which)
-    return (time_of_peak(e, peak), np.where(change <= CONVERGED, duration, INFINITY))
+    return durations_of_swing(s, e, back, end, peak, which)
+
+
+def rest(s: Lanes, here: Mask, rate: Floats, force: Floats) -> None:
+    """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back."""
+    c = s.cells
+    resistance = c[s.roles.resisting] + c[s.roles.mu] * force
+    driving = rate + resistance
+    terms = np.abs(driving) + resistance
+    excess = driving + resistance
+    back = (c[ix.ONE_WAY] == 0.0) & (c[ix.FIRST_ONLY] == 0.0)
+    here = here & back & (excess > CLEAR * terms)
+    c[ix.CLOSE] = np.where(here, np.minimum(c[ix.CLOSE], excess / (EPS * terms)), c[ix.CLOSE])
+    stick(s, here)
 
 
 def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak: Floats, before: Floats) -> None:
@@ -2528,9 +2501,7 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak:
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
     c[ix.STEPS] = np.where(here, c[ix.STEPS] + 1.0, c[ix.STEPS])
     c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
-    i = np.flatnonzero(here)
-    if i.size:
-        on_standstill(s, i)
+    on_standstill(s, here)
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
@@ -2553,19 +2524,25 @@ def swing(s: Lanes, which: Mask) -> Mask:
     q = e[4]
     end = end_of_swing(s, e, sine, fits)
     functions(f, np.minimum(end, FARTHEST), q)
+    peak = 0.5 * end
     if not softens:
         mirror(back, c[s.roles.drive], sine, c[s.roles.net_vers], q, f)
+        peak = peak_of_cubic(e[0], back[0], end)
         fits = fits & (back[0] > 0.0)
     fits = fits & (end < FARTHEST) & (q >= 0.0) & (q *
          end < FADED) & (c[s.roles.normal_square] >= 0.0) & stays_positive(c[s.roles.normal_load],
         c[s.roles.upright_sine], c[s.roles.upright_vers], f) & stays_positive(c[s.roles.normal0],
         c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):
-        peak = peak_of_swing(s, e, end, fits)
+        peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
         fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
         if np.any(fits):
+            sine_end = c[s.roles.normal_sine] * (f[0] - f[3])
+            force = c[s.roles.normal0] + (sine_end + c[s.roles.normal_vers] * f[2])
             finish(s, fits, e, end, duration, peak, before)
+            if not softens:
+                rest(s, fits, -0.5 * back[0], force)
     return fits
 
 
@@ -2614,72 +2591,63 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
         look_for_lift_off(s, here, top)
 
 
-def turn_back(lane: Lanes, i: Index) -> None:
+def turn_back(s: Lanes, here: Mask) -> None:
     """Reverse the direction at rest."""
-    c = lane.cells
-    c[ix.DIRECTION, i] = -c[ix.DIRECTION, i]
-    c[ix.PENDING, i] = ix.BEGIN_PHASE
+    c = s.cells
+    c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
+    c[ix.PENDING] = np.where(here, float(ix.BEGIN_PHASE), c[ix.PENDING])
 
 
-def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
+def change_contact(s: Lanes, here: Mask) -> None:
+    """Lift masses at rest, or let them land."""
+    c = s.cells
+    c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
+    c[ix.PASSED] = np.where(here, float(ix.LIFT), c[ix.PASSED])
+    c[ix.PENDING] = np.where(here, float(ix.BEGIN_PHASE), c[ix.PENDING])
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+
+
+def start_again(s: Lanes, here: Mask) -> None:
+    """Start slip from rest."""
+    c = s.cells
+    face(s, here, c[ix.START_DIRECTION])
+    c[ix.PENDING] = np.where(here, float(ix.START_AGAIN), c[ix.PENDING])
+
+
+def enter_pieces(lane: Lanes, i: Index) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
+    for t in lane.tables:
+        if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+            rest_through(lane, i, t)
+    pass_breaks(lane, i)
+
+
+def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
-    c = lane.cells
-    stretch = c[ix.STRETCH, i]
-    lifts = c[ix.LIFT_AHEAD, i] <= stretch
-    starts = c[ix.START_AHEAD, i] <= stretch
+    c = s.cells
+    stretch = c[ix.STRETCH].copy()
+    lifts = c[ix.LIFT_AHEAD] <= stretch
+    starts = c[ix.START_AHEAD] <= stretch
     breaks = (stretch >= room) & np.logical_not(starts) & np.logical_not(lifts)
-    until = np.where(breaks, limit, c[ix.TIME, i] + stretch)
+    until = np.where(breaks, limit, c[ix.TIME] + stretch)
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
-    if lane.samples:
-        read_samples(lane, i, c[ix.TIME, i], np.fmin(until, c[ix.END_TIME, i]), 0, 0)
-    rested = starts & (stretch > TOGETHER * until)
-    c[ix.STEPS, i] = np.where(breaks | rested, 0.0, c[ix.STEPS, i] + 1.0)
-    c[ix.PASSED, i] = ix.NOTHING
-    holds_1 = for_ever | (until >= c[ix.END_TIME, i])
-    i_1, lifts_1, starts_1, breaks_1, until_1, for_ever_1 = (i, lifts, starts, breaks, until, for_ever)
-    i, lifts, starts, breaks, until, for_ever = among(holds_1, i_1, lifts_1, starts_1, breaks_1, until_1, for_ever_1)
-    if i.size:
-        c[ix.TIME, i] = np.where(for_ever, c[ix.TIME, i], c[ix.END_TIME, i])
-        stay(lane, i, np.where(for_ever, ix.ARRESTED, ix.PAUSED))
-    i, lifts, starts, breaks, until, for_ever = among(np.logical_not(holds_1), i_1, lifts_1, starts_1, breaks_1,
-        until_1, for_ever_1)
-    if not i.size:
-        return
-    c[ix.TIME, i] = until
-    holds_2 = starts
-    i_2, lifts_2, starts_2, breaks_2 = (i, lifts, starts, breaks)
-    i, lifts, starts, breaks = among(holds_2, i_2, lifts_2, starts_2, breaks_2)
-    if i.size:
-        face(lane, i, c[ix.START_DIRECTION, i])
-        c[ix.PENDING, i] = ix.START_AGAIN
-    i, lifts, starts, breaks = among(np.logical_not(holds_2), i_2, lifts_2, starts_2, breaks_2)
-    if not i.size:
-        return
-    holds_3 = lifts
-    i_3, lifts_3, breaks_3 = (i, lifts, breaks)
-    i, lifts, breaks = among(holds_3, i_3, lifts_3, breaks_3)
-    if i.size:
-        c[ix.LIFTED, i] = 1.0 - c[ix.LIFTED, i]
-        c[ix.PASSED, i] = ix.LIFT
-        c[ix.PENDING, i] = ix.BEGIN_PHASE
-        holds_4 = c[ix.LIFTED, i] > 0.0
-        i_4, breaks_4 = (i, breaks)
-        i, breaks = among(holds_4, i_4, breaks_4)
+    if s.samples:
+        i = np.flatnonzero(here)
         if i.size:
-            note_lift_off(lane, i)
-        i, breaks = (i_4, breaks_4)
-    i, lifts, breaks = among(np.logical_not(holds_3), i_3, lifts_3, breaks_3)
-    if not i.size:
-        return
-    holds_5 = breaks
-    i_5, breaks_5 = (i, breaks)
-    i, breaks = among(holds_5, i_5, breaks_5)
+            read_samples(s, i, c[ix.TIME, i], np.fmin(until[i], c[ix.END_TIME, i]), 0, 0)
+    rested = starts & (stretch > TOGETHER * until)
+    c[ix.STEPS] = np.where(here, np.where(breaks | rested, 0.0, c[ix.STEPS] + 1.0), c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    ends = here & (for_ever | (until >= c[ix.END_TIME]))
+    c[ix.TIME] = np.where(here, np.where(for_ever, c[ix.TIME], np.minimum(until, c[ix.END_TIME])), c[ix.TIME])
+    stay(s, ends, np.where(for_ever, float(ix.ARRESTED), float(ix.PAUSED)))
+    here = here & np.logical_not(ends)
+    start_again(s, here & starts)
+    change_contact(s, here & lifts & np.logical_not(starts))
+    here = here & breaks
+    i = np.flatnonzero(here)
     if i.size:
-        for t in lane.tables:
-            if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
-                rest_through(lane, i, t)
-        pass_breaks(lane, i)
-    i, breaks = (i_5, breaks_5)
+        enter_pieces(s, i)
 
 
 def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
@@ -2687,9 +2655,7 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     c = s.cells
     both = here & (c[ix.ONE_WAY] == 0.0)
     if np.any(both):
-        i = np.flatnonzero(both)
-        if i.size:
-            turn_back(s, i)
+        turn_back(s, both)
         begin_phases(s)
         look_ahead(s, both, room)
     lifts = c[ix.LIFT_AHEAD] <= c[ix.START_AHEAD] * (1.0 + TOGETHER)
@@ -2699,9 +2665,7 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
         if t.kind == ix.OF_TIME:
             c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], s.highest,
                 c[ix.STRETCH]), c[t.cells + ix.INC])
-    i = np.flatnonzero(here)
-    if i.size:
-        leave_rest(s, i, limit[i], room[i])
+    leave_rest(s, here, limit, room)
 
 
 def rest_on(s: Lanes, here: Mask) -> None:
@@ -2764,8 +2728,8 @@ def advance(s: Lanes, here: Mask) -> None:
 
 def load(s: Lanes) -> None:
     """Start lanes that have not begun, and begin their pending phases."""
-    begun = np.flatnonzero(s.cells[ix.STATUS] == ix.START)
-    if begun.size:
+    begun = s.cells[ix.STATUS] == ix.START
+    if np.any(begun):
         start(s, begun)
     begin_phases(s)
 

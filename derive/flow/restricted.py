@@ -63,9 +63,7 @@ ENTRIES |= {
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
-    **dict.fromkeys(
-        ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "expm1", "sqrt", "hypot", "number"), ""
-    ),
+    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "expm1", "sqrt", "number"), ""),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at"), "V"),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
@@ -75,12 +73,11 @@ PRIMITIVES = {
     "tail": "S",
     "numbers": "A",
     "none_of": "M",
-    "isnan": "B",
 }
 
 
 # Constants that `one_lane` defines.
-GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS", "TO_PEAK", "FROM_PEAK", "NODES", "SHARES", "LAST_SHARES",
+GIVEN = ("EPS", "INFINITY", "SINES", "COSINES", "TO_PEAK", "FROM_PEAK", "NODES", "SHARES", "LAST_SHARES",
          "NEXT_SHARES")  # fmt: skip
 
 

@@ -725,7 +725,7 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     const int count = from[STATUS * job->count] == START ? job->made : job->cells;
     for (int i = 0; i < count; i++, from += job->count) c[i][k] = *from;
     b->column[k] = column, b->held |= 1u << k;
-    if (c[STATUS][k] == START) start(b, k);
+    if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
 
 /* Neighbours that have not begun take all lanes at once. */
@@ -739,7 +739,8 @@ static int load_neighbours(Batch *b, int64_t first)
         memcpy(b->c + i, from, sizeof(V));
         __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
     }
-    for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
+    for (int k = 0; k < LANES; k++) b->column[k] = first + k;
+    start(b, lanes(ALL));
     b->held = ALL;
     return 1;
 }

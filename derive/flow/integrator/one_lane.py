@@ -24,12 +24,15 @@ N = int  # a number that all lanes share
 EPS = 2.0**-52
 INFINITY = math.inf
 
-# Nodes of rules in `derive.flow.integrator.swing`: sin(u)^2 of the trapezoidal rule in u on [0, pi/4], halving by
-# halving, and squares of the positive nodes of Gauss's rule on [-1, 1], with their weights.
-_ORDER = (16, 8, *range(4, 16, 8), *range(2, 16, 4), *range(1, 16, 2))
+# Nodes of the trapezoidal rule in `derive.flow.integrator.swing`, sin(u)^2 for u in [0, pi/4], and coefficients of the
+# series of cosines from sums and differences over pairs of mirrored nodes, each divided by its number.
+SINES = tuple(float(mpmath.sin(mpmath.pi * k / 32) ** 2) for k in range(9))
+COSINES = tuple(
+    float(mpmath.cospi(mpmath.mpf(m * k) / 16) / max(m, 1) / (2 if k in (0, 8) else 1))
+    for m in range(17)
+    for k in range(9)
+)
 _gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
-SINES = tuple(float(mpmath.sin(mpmath.pi * k / 64) ** 2) for k in _ORDER)
-PLACES, WEIGHTS = zip(*sorted((float(x * x), float(weight)) for x, weight in _gauss(4, 120) if x > 0), strict=True)
 # Gauss's rules in `derive.flow.integrator.softening`, one after the other: nodes on [0, 1], weights on [-1, 1], and
 # weights of the last two coefficients of Legendre's series.
 TO_PEAK, FROM_PEAK = 24, 12
@@ -91,7 +94,7 @@ numbers = tail = generated
 greatest = least = integer = generated
 all_lanes = none_of = lanes_in = generated
 log2_of = power_of_two = generated
-sin = cos = log = hypot = isnan = generated
+sin = cos = log = generated
 break_of = jump_of = constant_of = coefficients_of = generated
 breaks_at = heights_at = slopes_at = jumps_at = generated
 prologue = operate = operate_later = generated

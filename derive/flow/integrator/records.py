@@ -128,22 +128,28 @@ def standstill(omega: V, net: V, rise: V) -> V:
     return over / under
 
 
-def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
-    """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
-    lane.x = x
-    lane.omega = omega
-    lane.status = where(omega > 0.0, Status.MOVING, Status.RESTING)
-    lane.steps = 0.0
-    lane.passed = Passed.NOTHING
-    if omega == 0.0:
-        lane.time = lane.rest_since
-        update_reach(lane)
-    advance_origin(lane)
+def enter_at(lane: Lane, t: T, piece: int) -> None:
+    """Place a lane at the left end of a piece."""
     edge = break_of(lane, t, piece)
     now = edge / t.scale
     stand_before(lane, t, piece, now)
     pass_break(lane, t)
-    lane.pending = Pending.BEGIN_PHASE
+
+
+def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
+    """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
+    s.x = x
+    s.omega = omega
+    s.steps = 0.0
+    s.passed = number(Passed.NOTHING)
+    moves = omega > 0.0
+    s.status = where(moves, number(Status.MOVING), number(Status.RESTING))
+    s.time = where(moves, s.time, s.rest_since)
+    update_reach(s, here and not moves)
+    advance_origin(s, here)
+    if here:
+        enter_at(s, t, piece)
+    s.pending = number(Pending.BEGIN_PHASE)
 
 
 def count_starts(s: Lanes, here: M) -> None:
@@ -286,8 +292,8 @@ def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, ome
     """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
     inside = passes(s, t, piece, before) and press > 0.0
     leaves = on and not inside
-    if leaves:
-        end_slide(s, t, piece, x, omega)
+    if any_lane(leaves):
+        end_slide(s, leaves, t, piece, x, omega)
     return on and inside
 
 

@@ -80,56 +80,65 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
         look_for_lift_off(s, here, top)
 
 
-def turn_back(lane: Lane) -> None:
+def turn_back(s: Lanes, here: M) -> None:
     """Reverse the direction at rest."""
-    lane.direction = -lane.direction
-    lane.pending = Pending.BEGIN_PHASE
+    s.direction = -s.direction
+    s.pending = number(Pending.BEGIN_PHASE)
 
 
-def leave_rest(lane: Lane, limit: float, room: float) -> None:
+def change_contact(s: Lanes, here: M) -> None:
+    """Lift masses at rest, or let them land."""
+    s.lifted = 1.0 - s.lifted
+    s.passed = number(Passed.LIFT)
+    s.pending = number(Pending.BEGIN_PHASE)
+    note_lift_off(s, here and s.lifted > 0.0)
+
+
+def start_again(s: Lanes, here: M) -> None:
+    """Start slip from rest."""
+    face(s, here, s.start_direction)
+    s.pending = number(Pending.START_AGAIN)
+
+
+def enter_pieces(lane: Lane) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
+    for t in lane.tables:
+        if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
+            rest_through(lane, t)
+    pass_breaks(lane)
+
+
+def leave_rest(s: Lanes, here: M, limit: V, room: V) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
-    stretch = lane.stretch
-    lifts = lane.lift_ahead <= stretch
-    starts = lane.start_ahead <= stretch
+    stretch = s.stretch
+    lifts = s.lift_ahead <= stretch
+    starts = s.start_ahead <= stretch
     breaks = stretch >= room and not starts and not lifts
-    until = where(breaks, limit, lane.time + stretch)
+    until = where(breaks, limit, s.time + stretch)
     for_ever = not starts and not (until < INFINITY)
-    if lane.samples:
-        read_samples(lane, lane.time, minimum(until, lane.end_time), 0, 0)
+    if s.samples and here:
+        read_samples(s, s.time, minimum(until, s.end_time), 0, 0)
     rested = (
         starts and stretch > TOGETHER * until
     )  # an immediate start after an arrest counts as a step: it may tremble
-    lane.steps = where(breaks or rested, 0.0, lane.steps + 1.0)
-    lane.passed = Passed.NOTHING
-    if for_ever or until >= lane.end_time:  # changes after the end time have no influence
-        lane.time = where(for_ever, lane.time, lane.end_time)
-        stay(lane, where(for_ever, Status.ARRESTED, Status.PAUSED))
-        return
-    lane.time = until
-    if starts:
-        face(lane, lane.start_direction)
-        lane.pending = Pending.START_AGAIN
-        return
-    if lifts:
-        lane.lifted = 1.0 - lane.lifted
-        lane.passed = Passed.LIFT
-        lane.pending = Pending.BEGIN_PHASE
-        if lane.lifted > 0.0:
-            note_lift_off(lane)
-        return
-    if breaks:
-        for t in lane.tables:
-            if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
-                rest_through(lane, t)
-        pass_breaks(lane)
+    s.steps = where(breaks or rested, 0.0, s.steps + 1.0)
+    s.passed = number(Passed.NOTHING)
+    ends = here and (for_ever or until >= s.end_time)  # changes after the end time have no influence
+    s.time = where(for_ever, s.time, minimum(until, s.end_time))
+    stay(s, ends, where(for_ever, number(Status.ARRESTED), number(Status.PAUSED)))
+    here = here and not ends
+    start_again(s, here and starts)
+    change_contact(s, here and lifts and not starts)
+    here = here and breaks
+    if here:
+        enter_pieces(s)
 
 
 def rest_to_change(s: Lanes, here: M, limit: V, room: V) -> None:
     """Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too."""
     both = here and s.one_way == 0.0
     if any_lane(both):
-        if both:
-            turn_back(s)
+        turn_back(s, both)
         begin_phases(s)
         look_ahead(s, both, room)
     lifts = s.lift_ahead <= s.start_ahead * (1.0 + TOGETHER)  # in this case the mass does not start
@@ -138,8 +147,7 @@ def rest_to_change(s: Lanes, here: M, limit: V, room: V) -> None:
     for t in s.tables:
         if t.kind == Kind.TIME:  # the same for both directions
             t.inc = t.inc + increment(t.series, s.highest, s.stretch)
-    if here:
-        leave_rest(s, limit, room)
+    leave_rest(s, here, limit, room)
 
 
 def rest_on(s: Lanes, here: M) -> None:

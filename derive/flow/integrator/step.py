@@ -47,41 +47,41 @@ FAR = 1e300  # unreachable bound
 # --- consequences of events ----------------------------------------------------------------------------------------
 
 
-def enter_phase(lane: Lane, rate: float) -> None:
-    """Begin another phase in motion: the lane enters another piece of a table, is lifted or lands."""
-    lane.rate_before = rate
-    lane.drive_before = lane.drive
-    lane.scale_before = lane.drive_scale
-    advance_origin(lane)
-    lane.pending = Pending.ENTER_PHASE
+def enter_phase(s: Lanes, here: M, rate: V) -> None:
+    """Begin another phase in motion: lanes enter another piece of a table, are lifted or land."""
+    s.rate_before = rate
+    s.drive_before = s.drive
+    s.scale_before = s.drive_scale
+    advance_origin(s, here)
+    s.pending = number(Pending.ENTER_PHASE)
 
 
-def on_standstill(lane: Lane) -> None:
-    """Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion."""
-    advance_origin(lane)
-    update_reach(lane)
-    lane.rest_since = lane.time
-    note(lane, Note.STANDS)
-    lane.faced = 1.0
-    one_way = lane.one_way > 0.0
-    face(lane, where(one_way, lane.direction, -lane.direction))
-    lane.pending = where(one_way, Pending.REST, Pending.RESOLVE)
+def on_standstill(s: Lanes, here: M) -> None:
+    """Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion."""
+    advance_origin(s, here)
+    update_reach(s, here)
+    s.rest_since = s.time
+    if s.logged and here:
+        note(s, Note.STANDS)
+    s.faced = 1.0
+    one_way = s.one_way > 0.0
+    face(s, here, where(one_way, s.direction, -s.direction))
+    s.pending = where(one_way, number(Pending.REST), number(Pending.RESOLVE))
 
 
-def on_contact_change(lane: Lane, rate: float) -> None:
+def on_contact_change(s: Lanes, here: M, rate: V) -> None:
     """Change contact with the slip surface."""
-    lane.lifted = 1.0 - lane.lifted
-    if lane.lifted > 0.0:
-        note_lift_off(lane)
-    if lane.lifted == 0.0:
-        note(lane, Note.LANDS)
-    enter_phase(lane, rate)
-    lane.passed = Passed.LIFT
+    s.lifted = 1.0 - s.lifted
+    note_lift_off(s, here and s.lifted > 0.0)
+    lands = here and s.lifted == 0.0
+    if s.logged and lands:
+        note(s, Note.LANDS)
+    enter_phase(s, here, rate)
+    s.passed = number(Passed.LIFT)
 
 
-def on_breakpoint(lane: Lane, t: T, rate: float, upwards: bool) -> None:
-    """Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece."""
-    enter_phase(lane, rate)
+def on_breakpoint(lane: Lane, t: T, upwards: bool) -> None:
+    """Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece."""
     if t.kind == Kind.ROTATION:
         lane.rotation = break_of(lane, t, integer(t.piece) + where(lane.direction > 0.0, 1, 0))
         return
@@ -96,44 +96,53 @@ def on_breakpoint(lane: Lane, t: T, rate: float, upwards: bool) -> None:
         lane.pending = Pending.READY
 
 
-def end_motion(lane: Lane, rate: float, status: float) -> None:
-    """End a moving lane at its end time or with an upright chord."""
-    lane.status = status
-    lane.end_rotation = lane.rotation + lane.direction * lane.x
-    lane.end_omega = lane.direction * lane.omega
-    lane.end_rate = lane.direction * rate
-    update_reach(lane)
+def on_breakpoints(s: Lanes, here: M, rate: V) -> None:
+    """Pass edges of tables of slip, speed or rotation."""
+    enter_phase(s, here, rate)
+    for t in s.tables:
+        upper: N = Event.BREAKPOINT + 2 * t.number
+        lower: N = upper + 1
+        passes = here and (s.event == number(upper) or s.event == number(lower))
+        if passes:
+            on_breakpoint(s, t, s.event == upper)
 
 
-def on_limit(lane: Lane, rate: float) -> None:
-    """End the lane at its end time, or pass breaks of functions of time."""
-    if lane.time >= lane.end_time:
-        end_motion(lane, rate, Status.ENDED)
-        return
-    pass_breaks(lane)
+def end_motion(s: Lanes, here: M, rate: V, status: V) -> None:
+    """End moving lanes at their end time or with an upright chord."""
+    s.status = status
+    s.end_rotation = s.rotation + s.direction * s.x
+    s.end_omega = s.direction * s.omega
+    s.end_rate = s.direction * rate
+    update_reach(s, here)
 
 
-def settle(lane: Lane, rate: float, at_limit: bool, endless: bool) -> None:
+def on_limit(s: Lanes, here: M, rate: V) -> None:
+    """End lanes at their end time, or pass breaks of functions of time."""
+    ends = here and s.time >= s.end_time
+    end_motion(s, ends, rate, number(Status.ENDED))
+    passes = here and not ends
+    if passes:
+        pass_breaks(s)
+
+
+def settle(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
     """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
-    if endless:
-        lane.status = Status.TOO_LONG
-    if at_limit:
-        on_limit(lane, rate)
-    if lane.event == Event.NONE:
-        return
-    if lane.event == Event.STANDSTILL:
-        on_standstill(lane)
-        return
-    if lane.event == Event.LIFT_OFF:
-        on_contact_change(lane, rate)
-        return
-    if lane.event == Event.CHORD_UPRIGHT:
-        end_motion(lane, rate, Status.UPRIGHT)
-        return
-    for t in lane.tables:
-        edge: N = Event.BREAKPOINT + 2 * t.number
-        if lane.event == edge or lane.event == edge + 1:
-            on_breakpoint(lane, t, rate, lane.event == edge)
+    s.status = where(endless, number(Status.TOO_LONG), s.status)
+    limits = here and at_limit
+    if any_lane(limits):
+        on_limit(s, limits, rate)
+    stands = here and s.event == number(Event.STANDSTILL)
+    if any_lane(stands):
+        on_standstill(s, stands)
+    lifts = here and s.event == number(Event.LIFT_OFF)
+    if any_lane(lifts):
+        on_contact_change(s, lifts, rate)
+    upright = here and s.event == number(Event.CHORD_UPRIGHT)
+    if any_lane(upright):
+        end_motion(s, upright, rate, number(Status.UPRIGHT))
+    passes = here and s.event >= number(Event.BREAKPOINT)
+    if any_lane(passes):
+        on_breakpoints(s, passes, rate)
 
 
 # --- one step ---------------------------------------------------------------------------------------------------------
@@ -278,8 +287,9 @@ def conclude(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
     others = enter_lines(s, at_limit and before_end)
     simple = s.event == number(Event.NONE) and not endless and not others
     settled = simple and (before_end or not at_limit)
-    if here and not settled:
-        settle(s, rate, at_limit, endless)
+    acts = here and not settled
+    if any_lane(acts):
+        settle(s, acts, rate, at_limit, endless)
 
 
 def arrive(s: Lanes, here: M, until: V, rate: V, steady: M, at_limit: M, endless: M) -> None:

@@ -283,10 +283,10 @@ def enter_lines(s: Lanes, here: M) -> M:
     return others
 
 
-def still_changes(lane: Lane) -> bool:
-    """Return whether a force will still change while the lane rests."""
-    changes: bool = False
-    for t in lane.tables:
+def still_changes(s: Lanes) -> M:
+    """Return whether a force will still change while lanes rest."""
+    changes = none_of(s)
+    for t in s.tables:
         if t.kind == Kind.TIME:
             changes = changes or t.upper < INFINITY
     return changes
