@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7356d3967756ff4f82f2644782aa62591bed76260ae24ace5a4fa4d9db4ad7b2
+# sha256 of the text below: a1cf394744f60e89f7247e625f707385c0a5957d7eb2781b05b457de1544abe9
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2735,7 +2735,12 @@ def load(s: Lanes) -> None:
 
 
 def integrate(
-    program: Program, tables: Sequence[Any], cells: Floats, samples: Any = None, log: Log | None = None
+    program: Program,
+    tables: Sequence[Any],
+    cells: Floats,
+    samples: Any = None,
+    log: Log | None = None,
+    shared: Any = (),
 ) -> None:
     """Integrate every lane until it rests, ends or fails.
 
@@ -2750,7 +2755,12 @@ def integrate(
         What to read off on the way.
     log : list, optional
         Takes the events of the first lane: kind, time, rotation, direction.
+    shared : ndarray, optional
+        (cells,), with which all lanes begin, except for those cells that are not a number here.
     """
+    if len(shared):
+        alike = shared == shared
+        cells[alike] = shared[alike, None]
     live = np.flatnonzero(cells[ix.STATUS] <= ix.RESTING)
     with np.errstate(all="ignore"):
         while live.size:

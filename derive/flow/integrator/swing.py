@@ -23,6 +23,7 @@ from derive.flow.integrator.one_lane import (
     S,
     V,
     any_lane,
+    down,
     minimum,
     new_series,
     number,
