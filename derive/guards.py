@@ -5,6 +5,7 @@ import keyword
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import fields
+from functools import cache
 from types import UnionType
 from typing import Any, NoReturn, get_args, get_origin
 
@@ -120,6 +121,7 @@ def check(every: Sequence[Declaration]) -> None:
                 refuse(e, "weight", f"{e.weight}, as of {weights[e.weight]}", "another weight")
 
 
+@cache
 def check_alone(e: Law | Effect) -> None:
     """Check the formulas of a law or an effect: functions, symbols, units, domains, degrees; raise `ProofError`."""
     unused = _check_law(e) if isinstance(e, Law) else _check_effect(e)

@@ -83,6 +83,14 @@ def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str
         assert end or found[ix.STEPS].sum() < expected[ix.STEPS].sum()
 
 
+@pytest.mark.parametrize("name", lanes.BACKENDS)
+def test_a_step_of_uncertain_duration_is_halved(name: str) -> None:
+    """Near the limit a second rest is close behind the start; steps in time would be twice as many."""
+    law: Any = {"law": "linear", "peak": np.array([0.3, 0.35]), "residual": 0.14, "length": 1.0}
+    problem = lanes.posed(replace(load("vaiont"), friction=law), 1e-9)
+    assert lanes.integrate(problem, slice(None), name)[ix.STEPS].tolist() == [2, 3]
+
+
 def test_estimates_see_the_error_of_series_in_the_rotation() -> None:
     """Water in polynomials of the rotation: a series may have small terms before a larger one, which all runs need."""
     cases = estimates.compared(2, seed=83)

@@ -6,7 +6,6 @@ compared with quadrature of the original double integrand in r and theta over th
 
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import mpmath
 import sympy as sp
@@ -116,7 +115,6 @@ class Derivation:
     moment: Moment
     amplitude: Expr  # closed form in alpha, positive
     direction: Expr  # 1, or cos(psi) or sin(psi) with a sign
-    operations: tuple[int, int]  # operation counts of the definition and of the closed form
 
     @property
     def closed(self) -> Expr:
@@ -124,41 +122,8 @@ class Derivation:
         return self.amplitude * self.direction
 
 
-_DERIVED: dict[Moment, Derivation] = {}
-
-
+@cache
 def derive(moment: Moment) -> Derivation:
-    """Return the derivation of a moment, which is made once."""
-    if moment not in _DERIVED:
-        _DERIVED[moment] = derivation(moment)
-    return _DERIVED[moment]
-
-
-def recorded(moment: Moment) -> dict[str, Any]:
-    """Return the derivation of a moment as plain data: SymPy's text of its forms, operation counts, and the difference.
-
-    The difference is from quadrature.
-    """
-    derived = derive(moment)
-    forms = {"amplitude": sp.srepr(derived.amplitude), "direction": sp.srepr(derived.direction)}
-    return forms | {"operations": derived.operations, "difference": compare(derived, 30)}
-
-
-def restore(moment: Moment, record: dict[str, Any]) -> None:
-    """Use a recorded derivation of a moment, the data of `recorded`, instead of a new one."""
-
-    def product(*factors: Expr) -> Expr:
-        number, *others = factors
-        of_a_sum = number.is_Rational and [x.is_Add for x in others] == [True]
-        return sp.Mul(*factors, evaluate=not of_a_sum)
-
-    amplitude, direction = (sp.sympify(record[x], {"Mul": product}) for x in ("amplitude", "direction"))
-    first, last = record["operations"]
-    restored = Derivation(moment, amplitude, direction, (first, last))
-    _DERIVED.setdefault(moment, restored)
-
-
-def derivation(moment: Moment) -> Derivation:
     """Return the derivation of a moment, with each step proved."""
     name = moment.name
     inner = antiderivative(moment.weight, r)
@@ -180,8 +145,7 @@ def derivation(moment: Moment) -> Derivation:
         amplitude = -amplitude
         direction = -direction
     prove_zero(amplitude * direction - closed, f"{name}: simplification")
-    operations = (int(count_ops(outer)), int(count_ops(amplitude)))
-    return Derivation(moment, amplitude, direction, operations)
+    return Derivation(moment, amplitude, direction)
 
 
 def shortest(expression: Expr) -> Expr:

@@ -4,7 +4,7 @@ The proof itself is the checker's (`derive.check.certify`), which reads the reco
 """
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from decimal import ROUND_CEILING, Context
 from itertools import groupby
 from operator import attrgetter, itemgetter
@@ -132,18 +132,15 @@ def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record
     return [proved[digest] for digest in by_digest]
 
 
-def of_ends(proved: Iterable[Record], certificate: Callable[..., Record] = losses.certificate) -> list[Record]:
-    """Return the records of the functions of both ends, from the records ``proved`` of their functions of alpha.
-
-    ``certificate`` computes a record from kernel, definition, tier, form and the record of the function of alpha.
-    """
+def of_ends(proved: Iterable[Record]) -> list[Record]:
+    """Return the records of the functions of both ends, from the records ``proved`` of their functions of alpha."""
     parts = {record["sha256"]: record for record in proved}
     certified = []
     for v in variants_of_ends():
         assert v.part
         part = plain(v.part)
         of_part = parts[part["sha256"]]
-        record = certificate(v.kernel, v.definition, v.tier, v.form, of_part)
+        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, of_part)
         record = record | {"bound": round_up(record["bound"])}
         check_goals(record)
         certified.append(seal(record))

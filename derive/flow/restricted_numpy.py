@@ -4,7 +4,7 @@ An ``if`` by lane selects the lanes where its condition is true from the index a
 """
 
 import ast
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from derive.flow.restricted import RestrictedFunction, Text
 from derive.flow.writer import TypedExpression, Writer
@@ -96,8 +96,9 @@ FORMS = {
     "while": "while {x}",
     "if": "if {x}",
     "pair": "return {a}, {b}",
-    "let_pair": "{a}, {b} = {x}",
+    **dict.fromkeys(("let_pair", "set_pair"), "{a}, {b} = {x}"),
     "masked": "np.where",
+    "of_mask": "i = np.flatnonzero({x})\nif i.size",
 }
 OF_LANE = {"F", "I", "B", "A"}
 
@@ -121,12 +122,7 @@ class NumPy(Writer):
         held = held or value.text.partition("[")[0] in (x for x, k in self.kinds.items() if k == "A")
         return f"{name}{declared} = {value.text}{'.copy()' if held else ''}"
 
-    def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of the statements ``body`` for each lane where ``mask``, a NumPy expression, is true."""
-        yield f"i = np.flatnonzero({mask})"
-        yield from self.block("if i.size", body)
-
-    def of_lane(self, test: TypedExpression, s: ast.If, leaves: bool) -> Iterator[str]:
+    def of_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane, which may return."""
         self.ifs += 1
         mark = self.ifs
@@ -134,6 +130,7 @@ class NumPy(Writer):
         before = [f"{x}_{mark}" for x in names]
         known = ", ".join(names)
         kept = ", ".join(before)
+        leaves = isinstance(s.body[-1], ast.Return)
         body = s.body[:-1] if leaves else s.body
         yield f"holds_{mark} = {test.text}"
         yield f"{kept} = {known}"
@@ -147,8 +144,11 @@ class NumPy(Writer):
         else:
             yield f"{known} = {kept}"
 
-    def while_of_lane(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
-        """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
+    def repeat(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
+        """Yield the lines of the loop ``s``, which continues in the lanes where ``test`` is true."""
+        if test.kind != "B":
+            yield from super().repeat(test, s)
+            return
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)

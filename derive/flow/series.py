@@ -15,7 +15,7 @@ from derive.flow.recurrences import CELLS, OPERATIONS, SCALAR, SERIES, SeriesOpe
 class _Sum(NamedTuple):
     """Sum in an operation's step: weight a[k] b[n - k] from k = first to last.
 
-    The weight is text and may be empty. In a symmetric sum the second half repeats the first.
+    The weight is text that ends with a product sign, or empty. In a symmetric sum the second half repeats the first.
     """
 
     total: Sum
@@ -58,14 +58,13 @@ NUMPY = _Target(
     "0.0",
     "",
     "{name} = _over({a}, {b}, n, {first}, {last})",
-    "k = np.arange(n + 1.0)[:, None]\n{name} = _over({weight} * {a}[: n + 1], {b}, n, {first}, {last})",
+    "k = np.arange(n + 1.0)[:, None]\n{name} = _over({weight}{a}[: n + 1], {b}, n, {first}, {last})",
     "{name} = 2.0 * _over({a}, {a}, n, {first}, (n - 1) // 2)\n{name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0",
     "",
 )
 # In C all sums of an operation are one loop, each in two parts.
 PARTS = "{name}_[2] = {{{{0}}}}"
-TERMS = "{name}_[j] += {a}[k] * {b}[n - k]"
-WEIGHTED_TERMS = "{name}_[j] += {weight} * {a}[k] * {b}[n - k]"
+TERMS = "{name}_[j] += {weight}{a}[k] * {b}[n - k]"
 CASE = """\
     case {code}: {{ /* {means} */
 {names}
@@ -101,7 +100,7 @@ def _sums(o: SeriesOperation) -> list[_Sum]:
         factor = ""
         if weight != 1:
             _, (text,) = _texts([weight], NUMPY.language)
-            factor = text if weight.is_Symbol else f"({text})"
+            factor = f"{text} * " if weight.is_Symbol else f"({text}) * "
         a = str(at_k.base)
         b = str(at_rest.base)
         symmetric = a == b and first == 0
@@ -148,8 +147,7 @@ def _newest(s: _Sum, target: _Target) -> Iterator[str]:
     if target.newest:
         for at_k, rest in (("0", "n"),) if s.symmetric else (("0", "n"), ("n", "0")):
             if at_k in (s.first, s.last):
-                weight = "2.0" if s.symmetric else re.sub(r"\bk\b", at_k, s.weight)
-                factor = f"{weight} * " if weight else ""
+                factor = "2.0 * " if s.symmetric else re.sub(r"\bk\b", at_k, s.weight)
                 yield target.newest.format(**s._asdict(), k=at_k, rest=rest, factor=factor)
 
 
@@ -174,7 +172,7 @@ def _loop(sums: Sequence[_Sum]) -> list[str]:
     if not sums:
         return []
     parts = (PARTS.format(**s._asdict()) for s in sums)
-    terms = ((WEIGHTED_TERMS if s.weight else TERMS).format(**s._asdict()) for s in sums)
+    terms = (TERMS.format(**s._asdict()) for s in sums)
     below = "(n + 1) / 2" if sums[0].symmetric else "n"
     return [f"V {', '.join(parts)};", f"OVER({below}, {'; '.join(terms)});"]
 

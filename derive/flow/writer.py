@@ -221,7 +221,7 @@ class Writer:
                     self.kinds[name] = "T" if what == "tables" else "Q"
                     yield from self.block(self.say(what, name), s.body)
                 case ast.While(test=test):
-                    yield from self._while(self.value(test), s)
+                    yield from self.repeat(self.value(test), s)
                 case ast.If(orelse=[]):
                     yield from self._if(s)
                 case ast.Return(value=None):
@@ -250,7 +250,8 @@ class Writer:
         """Yield the lines of an assignment."""
         match s:
             case ast.Assign(targets=[ast.Tuple(elts=[ast.Name(id=a), ast.Name(id=b)])], value=value):
-                yield from self.say("let_pair", self.value(value).text, a=a, b=b).split("\n")
+                form = "set_pair" if a in self.kinds else "let_pair"
+                yield from self.say(form, self.value(value).text, a=a, b=b).split("\n")
                 self.kinds |= {a: "V", b: "V"}
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 yield from self._let(name, self.value(value), s)
@@ -299,27 +300,20 @@ class Writer:
                 inner = ast.If(rest, s.body, [])
                 ast.copy_location(inner, s)
                 ast.fix_missing_locations(inner)
-                yield from self.block(self.say("if", bare(shared.text)), [inner])
+                yield from self.choose(shared, [inner])
                 return
         test = self.value(s.test)
         if test.kind not in ("N", "M", "B"):
             self.refuse(s, "an `if` is on a truth value")
-        if test.kind == "N":
-            head = self.say("if", bare(test.text))
-            yield from self.block(head, s.body)
-            return
-        yield from self._by_lane(test, s)
+        yield from self.choose(test, s.body) if test.kind == "N" else self._by_lane(test, s)
 
-    def _while(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
-        """Yield the lines of a loop.
+    def choose(self, test: TypedExpression, body: Sequence[ast.stmt]) -> Iterator[str]:
+        """Yield the lines of an ``if`` with these statements on ``test``, a truth value in the target language."""
+        yield from self.block(self.say("if", bare(test.text)), body)
 
-        If lanes decide separately, it continues in the lanes where its condition is true.
-        """
-        if test.kind == "B":
-            yield from self.while_of_lane(test, s)
-            return
-        head = self.say("while", bare(test.text))
-        yield from self.block(head, s.body)
+    def repeat(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
+        """Yield the lines of the loop ``s``, which continues in the lanes where ``test`` is true."""
+        yield from self.block(self.say("while", bare(test.text)), s.body)
 
     def _by_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that lanes decide separately."""
@@ -329,37 +323,25 @@ class Writer:
             names = ", ".join(sorted(shared))
             self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
         last = s.body[-1]
-        leaves = isinstance(last, ast.Return)
         if isinstance(last, ast.Return) and (test.kind == "M" or last.value):
             self.refuse(s, "only one lane returns early, and without a value")
         if test.kind == "M":
+            *before, head = self.say("of_mask", bare(test.text)).split("\n")
+            yield from before
             self.lane = True
-            yield from self.of_mask(bare(test.text), s.body)
+            yield from self.block(head, s.body)
             self.lane = False
             return
-        yield from self.of_lane(test, s, leaves)
+        yield from self.of_lane(test, s)
         for name in assigned:
             self.kinds.pop(name, None)
 
-    # Language-specific methods.
+    def of_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
+        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane."""
+        yield from self.choose(test, s.body)
 
     def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
-        raise NotImplementedError
-
-    def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of the statements ``body`` for each lane where ``mask``, a text, is true."""
-        raise NotImplementedError
-
-    def while_of_lane(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
-        """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
-        raise NotImplementedError
-
-    def of_lane(self, test: TypedExpression, s: ast.If, leaves: bool) -> Iterator[str]:
-        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane.
-
-        ``leaves`` if it returns.
-        """
         raise NotImplementedError
 
 

@@ -8,7 +8,6 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any
 
 from sympy import Expr, __version__
 
@@ -19,17 +18,17 @@ from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
 from derive.check.records import Record, promised, read_records
 from derive.code import emit
-from derive.declare.quantities import MOMENTS, QUOTIENTS
+from derive.declare.quantities import QUOTIENTS
 from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
-from derive.stages import RECORDS, Stages, digest_of, report_stage
+from derive.stages import RECORD, digest_of, stage
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
 MEND = "python -m derive"
 
 
-def flow_files(_: Stages) -> dict[str, str]:
+def flow_files() -> dict[str, str]:
     """Return the files that depend on `derive.flow` and the declared laws and effects, by name."""
     integrator = restricted.integrator()
     text = {"INTEGRATOR": restricted_c.c_functions(integrator), "PROCESSOR": emit.PROCESSOR}
@@ -47,28 +46,17 @@ def flow_files(_: Stages) -> dict[str, str]:
     return written | {browser.NAME: browser.browser_text(written["_flow.c"], FOLDER / browser.NAME)}
 
 
-def kernel_files(stages: Stages) -> dict[str, str]:
-    """Return all other files by name: the kernels are approximated and certified as far as no record serves."""
-    for moment in MOMENTS:
-        record = stages.records.get(f"{moment.name}, integrate")
-        if record:
-            integrate.restore(moment, record["outcome"])
-    compared = [shapes.agree(kernel) for kernel in shapes.kernels()]
-    report_stage("kernels", "definition", "", f"{sum(compared)} comparisons with the checker's")
-    stages.line("kernels", "search", search.complete, "new shapes: {}")
-    proved = stages.line("kernels", "certify", lambda: certificates.records(variants(), read_records()), "")
-
-    def certified(*arguments: Any) -> Record:
-        kernel, _, tier, form, _ = arguments
-        title = f"{kernel} {tier} {form}"
-        record: Record = stages.run(title, "certify", "derive.check.losses:certificate", *arguments, shown="")
-        return record
-
-    proved += stages.line("both ends", "certify", lambda: certificates.of_ends(proved, certified), "")
-    return stages.line("kernels", "emit", lambda: _kernel_texts(proved), "")
+def kernel_files() -> dict[str, str]:
+    """Return all other files by name: the kernels are approximated and certified as far as no certificate serves."""
+    kernels = shapes.kernels()
+    stage("kernels", "definition", lambda: sum(map(shapes.agree, kernels)), "{} comparisons with the checker's")
+    stage("kernels", "search", search.complete, "new shapes: {}")
+    proved = stage("kernels", "certify", lambda: certificates.records(variants(), read_records()), "")
+    proved += stage("both ends", "certify", lambda: certificates.of_ends(proved), "")
+    return stage("kernels", "emit", lambda: _kernel_texts(proved), "")
 
 
-def slope_files(_: Stages) -> dict[str, str]:
+def slope_files() -> dict[str, str]:
     """Return the file that depends on `derive.algebra.slopes`, by name."""
     return _written({"slopes.py": slopes.slopes_module()})
 
@@ -167,14 +155,14 @@ def _package(names: list[str]) -> str:
 
 
 def present_files(folder: Path = FOLDER) -> dict[str, str]:
-    """Return the text of each file; caches, binaries, records of stages and files of a killed build are left out."""
+    """Return the text of each file; caches, binaries, the record of a run and files of a killed build are left out."""
     return {
         str(path.relative_to(folder)): path.read_text(encoding="utf-8")
         for path in sorted(folder.rglob("*"))
         if path.is_file()
         and "__pycache__" not in path.parts
         and path.suffix not in (".so", ".pyd", ".dylib", ".o")
-        and path.name != RECORDS.name
+        and path.name != RECORD.name
     }
 
 
