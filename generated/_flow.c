@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "79fcf59f125f4b36d29462aeac63509c2ef0d50153aa3b9bc7db85deeba7f912"
+#define DIGEST "04e58acaac06d2619c9427c950475b51e13ef8a18bcc094e7fae8fef38265421"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -48,6 +48,7 @@ typedef struct {
     const Roles *role;
     Data data[MOST_TABLES];
     double *all; /* cells of all lanes, (cells, count); those from `begin` to `end` are integrated */
+    const double *shared; /* cells with which every lane starts; not a number where lanes have their own in `all` */
     int64_t count, begin, end, budget;
     const double *times; /* where states are read off: (samples, times_across), into (outputs, samples, count) */
     double *outputs; /* without times for the registers of lanes that are not integrated: (registers, count) */
@@ -232,13 +233,14 @@ static int table_fits(const Data *d, const Py_buffer *buffers, int64_t count)
            buffers[2].len == 8 * pieces;
 }
 
-static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
+static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level, shared)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
     "`program` are integers (see `slipcircle.core.integrator.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
     "across, sine, open). States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
-    "are written into `notes`, (rows, 4), and what has no room there is not written.\n\n"
+    "are written into `notes`, (rows, 4), and what has no room there is not written. A lane that has not begun takes its\n"
+    "cells from the column `shared`, unless it is empty, and only those that are not a number there from `cells`.\n\n"
     "With `outputs`, (registers, lanes), and no times nothing is integrated: all registers are evaluated where each lane is;\n"
     "with a budget a phase begins there first, in the direction that is set.";
 
@@ -246,12 +248,12 @@ static PyObject *integrate(PyObject *self, PyObject *args)
 {
     (void)self;
     Job job = {0};
-    Py_buffer program, cells, times, outputs, notes, held[3 * MOST_TABLES];
+    Py_buffer program, cells, times, outputs, notes, shared, held[3 * MOST_TABLES];
     PyObject *tables, *result = NULL;
     int level, views = 0;
     Py_ssize_t begin, end, budget;
-    if (!PyArg_ParseTuple(args, "y*O!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
-                          &times, &outputs, &notes, &level)) return NULL;
+    if (!PyArg_ParseTuple(args, "y*O!w*nnny*w*w*iy*", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
+                          &times, &outputs, &notes, &level, &shared)) return NULL;
     const int32_t *const code = program.buf;
     const int bad = read_program(&job, code, code + program.len / 4) || !program_fits(&job) ||
                     PyTuple_Size(tables) != job.tables;
@@ -270,7 +272,8 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     job.all = cells.buf, job.count = cells.len / 8 / job.cells;
     job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
-    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
+    job.shared = shared.len ? shared.buf : NULL;
+    int fits = job.count > 0 && (!shared.len || shared.len == 8 * job.cells) && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
     for (int t = 0; t < job.tables; t++) fits = fits && table_fits(job.data + t, held + 3 * t, job.count);
     if (fits && times.len) {
         job.times = times.buf, job.outputs = outputs.buf;
@@ -303,7 +306,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
 done:
     while (views--) PyBuffer_Release(held + views);
     PyBuffer_Release(&program), PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs);
-    PyBuffer_Release(&notes);
+    PyBuffer_Release(&notes), PyBuffer_Release(&shared);
     return result;
 }
 
@@ -1268,9 +1271,8 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 
 /* --- the text of derive/flow/integrator --- */
 
-static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
-static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
-static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
+static const double SINES[] = {0.0, 0.009607359798384776, 0.03806023374435662, 0.08426519384872735, 0.14644660940672624, 0.22221488349019888, 0.3086582838174551, 0.40245483899193585, 0.4999999999999999};
+static const double COSINES[] = {0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, 0.25, 0.46193976625564337, 0.3535533905932738, 0.1913417161825449, 0.0, -0.1913417161825449, -0.3535533905932738, -0.46193976625564337, -0.25, 0.16666666666666666, 0.2771565374341817, 0.12756114412169658, -0.06503010733870943, -0.23570226039551587, -0.3269284268010768, -0.30795984417042893, -0.18519007767320073, 0.0, 0.125, 0.1767766952966369, 0.0, -0.1767766952966369, -0.25, -0.1767766952966369, 0.0, 0.1767766952966369, 0.125, 0.1, 0.11111404660392044, -0.07653668647301795, -0.1961570560806461, -0.1414213562373095, 0.03901806440322565, 0.18477590650225734, 0.16629392246050906, 0.0, 0.08333333333333333, 0.06378057206084829, -0.11785113019775793, -0.15397992208521447, 0.0, 0.15397992208521447, 0.11785113019775793, -0.06378057206084829, -0.08333333333333333, 0.07142857142857142, 0.027870046002304038, -0.13198279035875524, -0.07936717614565746, 0.10101525445522108, 0.11878137318607788, -0.054669061766441394, -0.1401121829147472, 0.0, 0.0625, 0.0, -0.125, 0.0, 0.125, 0.0, -0.125, 0.0, 0.0625, 0.05555555555555555, -0.021676702446236474, -0.10265328139014297, 0.06173002589106691, 0.07856742013183862, -0.09238551247806058, -0.042520381373898866, 0.10897614226702561, 0.0, 0.05, -0.038268343236508975, -0.07071067811865475, 0.09238795325112867, 0.0, -0.09238795325112867, 0.07071067811865475, 0.038268343236508975, -0.05, 0.045454545454545456, -0.050506384819963834, -0.03478940294228089, 0.08916229821847549, -0.0642824346533225, -0.017735483819648026, 0.08398904841011698, -0.07558814657295866, 0.0, 0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, 0.041666666666666664, 0.038461538461538464, -0.06395920094634963, 0.029437187105006906, 0.015006947847394482, -0.05439282932204212, 0.07544502156947927, -0.07106765634702206, 0.04273617177073863, 0.0, 0.03571428571428571, -0.06599139517937762, 0.05050762722761054, -0.027334530883220697, 0.0, 0.027334530883220697, -0.05050762722761054, 0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783, -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0, 0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125};
 #define TO_PEAK 24
 #define FROM_PEAK 12
 static const double NODES[] = {0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596};
@@ -1317,8 +1319,15 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
+#define CLEAR 0x1.47ae147ae147bp-7
 #define MOST_CORRECTIONS 12
-#define CONVERGED 0x1.0000000000000p-22
+#define LAST_OF_NEWTON 0x1.0000000000000p-26
+#define PAIRS 8
+#define QUARTER 0x1.921fb54442d18p-1
+#define LAST_OF_ARCSINE 20
+static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306};
+#define LAST_OF_COARSE 0x1.0000000000000p-32
+#define LAST_OF_FINE 0x1.0000000000000p-42
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -1787,15 +1796,15 @@ INLINE M enter_lines(Batch *b, M here)
     return others;
 }
 
-/* Return whether a force will still change while the lane rests. */
-INLINE int still_changes(Batch *b, unsigned lane)
+/* Return whether a force will still change while lanes rest. */
+INLINE M still_changes(Batch *b)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int changes = 0;
+    M changes = (M){0};
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
-            changes = changes || (c[job->table[t].cell + UPPER][lane] < INFINITY);
+            changes = changes | (c[job->table[t].cell + UPPER] < INFINITY);
         }
     }
     return changes;
@@ -2118,21 +2127,6 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
     return power_of_two(lowest);
 }
 
-/* Record the current speed if it is the greatest. If peaks differ by rounding, the earliest is recorded, so that
- * every processor reports the same peak. A speed that has risen from a record at the lane's time is compared
- * exactly. */
-static void update_peak(Batch *b, unsigned lane, double rate)
-{
-    V *const c = b->c;
-    int rises = c[PEAK_TIME][lane] == c[TIME][lane];
-    if (c[OMEGA][lane] > ((rises ? 1.0 : (1.0 + TIE)) * fabs(c[PEAK_OMEGA][lane]))) {
-        c[PEAK_TIME][lane] = c[TIME][lane];
-        c[PEAK_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
-        c[PEAK_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
-        c[PEAK_RATE][lane] = c[DIRECTION][lane] * rate;
-    }
-}
-
 /* Record a candidate for the greatest speed in the current step if it exceeds the record. If the record is not at
  * the beginning of the step, the difference must exceed rounding. */
 INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
@@ -2149,230 +2143,253 @@ INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 }
 
 /* Record the current rotation if it is the greatest from the start. */
-static void update_reach(Batch *b, unsigned lane)
+INLINE void update_reach(Batch *b, M here)
 {
     V *const c = b->c;
-    double rotation = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
-    if (fabs(rotation) > fabs(c[REACH_ROTATION][lane])) {
-        c[REACH_ROTATION][lane] = rotation;
-        c[REACH_TIME][lane] = c[TIME][lane];
-    }
+    V rotation = c[ROTATION] + (c[DIRECTION] * c[X]);
+    here = here & (magnitude(rotation) > magnitude(c[REACH_ROTATION]));
+    c[REACH_ROTATION] = pick(here, rotation, c[REACH_ROTATION]);
+    c[REACH_TIME] = pick(here, c[TIME], c[REACH_TIME]);
 }
 
 /* Log the loss of contact with the slip surface. */
-static void note_lift_off(Batch *b, unsigned lane)
+INLINE void note_lift_off(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
-    note(b, lane, NOTE_LIFTS);
-    if (isnan(c[LIFT_TIME][lane])) {
-        c[LIFT_TIME][lane] = c[TIME][lane];
+    if (job->notes_room > 0) {
+        EACH(lane, bits(here)) {
+            note(b, lane, NOTE_LIFTS);
+        }
     }
+    here = here & (c[LIFT_TIME] != c[LIFT_TIME]);
+    c[LIFT_TIME] = pick(here, c[TIME], c[LIFT_TIME]);
 }
 
 /* Reset the origin of rotation and slip to the current position, where another phase begins. */
-static void advance_origin(Batch *b, unsigned lane)
+INLINE void advance_origin(Batch *b, M here)
 {
     V *const c = b->c;
-    c[ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
-    c[SLIP][lane] = c[SLIP][lane] + c[X][lane];
-    c[X][lane] = 0.0;
+    c[ROTATION] = pick(here, c[ROTATION] + (c[DIRECTION] * c[X]), c[ROTATION]);
+    c[SLIP] = pick(here, c[SLIP] + c[X], c[SLIP]);
+    c[X] = pick(here, broadcast(0.0), c[X]);
 }
 
 /* Set the direction of travel at a standstill. */
-static void face(Batch *b, unsigned lane, double side)
+INLINE void face(Batch *b, M here, V side)
 {
     V *const c = b->c;
-    c[X][lane] = 0.0;
-    c[OMEGA][lane] = 0.0;
-    c[DIRECTION][lane] = side;
-    c[LIFTED][lane] = 0.0;
+    c[X] = pick(here, broadcast(0.0), c[X]);
+    c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
+    c[DIRECTION] = pick(here, side, c[DIRECTION]);
+    c[LIFTED] = pick(here, broadcast(0.0), c[LIFTED]);
 }
 
-/* Start a lane with a velocity or at rest. */
-static void start(Batch *b, unsigned lane)
+/* Start lanes with a velocity or at rest. */
+INLINE void start(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[DIRECTION][lane] = (c[OMEGA][lane] < 0.0) ? (-1.0) : 1.0;
-    c[OMEGA][lane] = fabs(c[OMEGA][lane]);
-    c[X][lane] = 0.0;
-    c[LIFTED][lane] = 0.0;
-    c[FACED][lane] = 0.0;
-    c[PENDING][lane] = (c[OMEGA][lane] > 0.0) ? START_MOVING : RESOLVE;
-    c[CLOCKED][lane] = 0.0;
-    c[NEGLIGIBLE][lane] = ROUNDING;
+    c[DIRECTION] = pick(here, pick(c[OMEGA] < 0.0, broadcast(-1.0), broadcast(1.0)), c[DIRECTION]);
+    c[OMEGA] = pick(here, magnitude(c[OMEGA]), c[OMEGA]);
+    c[X] = pick(here, broadcast(0.0), c[X]);
+    c[LIFTED] = pick(here, broadcast(0.0), c[LIFTED]);
+    c[FACED] = pick(here, broadcast(0.0), c[FACED]);
+    c[PENDING] = pick(here, pick(c[OMEGA] > 0.0, broadcast((double)START_MOVING), broadcast((double)RESOLVE)), c[PENDING]);
+    c[CLOCKED] = pick(here, broadcast(0.0), c[CLOCKED]);
+    c[NEGLIGIBLE] = pick(here, broadcast(ROUNDING), c[NEGLIGIBLE]);
     if (job->timed) {
-        find_negligible(b, lane);
+        EACH(lane, bits(here)) {
+            find_negligible(b, lane);
+        }
     }
-    find_pieces(b, lane);
+    EACH(lane, bits(here)) {
+        find_pieces(b, lane);
+    }
 }
 
 /* Start slip in the current direction. */
-static void start_moving(Batch *b, unsigned lane, double rate)
-{
-    V *const c = b->c;
-    c[STATUS][lane] = MOVING;
-    c[PASSED][lane] = NOTHING;
-    c[PHASES][lane] = c[PHASES][lane] + 1.0;
-    c[TURNS][lane] = c[TURNS][lane] + (((c[LAST_WAY][lane] * c[DIRECTION][lane]) < 0.0) ? 1.0 : 0.0);
-    c[LAST_WAY][lane] = c[DIRECTION][lane];
-    note(b, lane, NOTE_BEGINS);
-    if (c[LIFTED][lane] > 0.0) {
-        note_lift_off(b, lane);
-    }
-    update_peak(b, lane, rate);
-    c[PENDING][lane] = READY;
-}
-
-/* Keep the lane at rest until its end. */
-static void stay(Batch *b, unsigned lane, double status)
-{
-    V *const c = b->c;
-    c[STATUS][lane] = status;
-    c[END_ROTATION][lane] = c[ROTATION][lane];
-    c[END_OMEGA][lane] = 0.0;
-    c[END_RATE][lane] = 0.0;
-    c[DIRECTION][lane] = 0.0;
-    c[REST_SINCE][lane] = (c[REST_SINCE][lane] > c[END_TIME][lane]) ? c[END_TIME][lane] : c[REST_SINCE][lane];
-    c[PENDING][lane] = READY;
-    read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
-}
-
-/* Return whether a mass at rest may start in its direction. Shaking starts a one-way mass only down-slope. */
-INLINE int may_start(Batch *b, unsigned lane)
+INLINE void start_moving(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double pull = c[job->role->driving_moment][lane];
-    int down_slope = (pull > 0.0) || ((pull == 0.0) && (c[DIRECTION][lane] > 0.0));
-    return (c[ONE_WAY][lane] == 0.0) || down_slope;
+    c[STATUS] = pick(here, broadcast((double)MOVING), c[STATUS]);
+    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
+    c[TURNS] = pick(here, c[TURNS] + pick((c[LAST_WAY] * c[DIRECTION]) < 0.0, broadcast(1.0), broadcast(0.0)), c[TURNS]);
+    c[LAST_WAY] = pick(here, c[DIRECTION], c[LAST_WAY]);
+    if (job->notes_room > 0) {
+        EACH(lane, bits(here)) {
+            note(b, lane, NOTE_BEGINS);
+        }
+    }
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
+    keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
+    c[PENDING] = pick(here, broadcast((double)READY), c[PENDING]);
 }
 
-/* Return whether a mass swings for ever, because almost no force presses on it at its lowest point. */
-INLINE int never_rests(Batch *b, unsigned lane)
+/* Keep lanes at rest until their end. */
+INLINE void stay(Batch *b, M here, V status)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double load = c[job->role->normal_load][lane];
-    double most = hypot(load, c[job->role->normal_load_slope][lane]);
-    int carried = (c[job->role->normal0][lane] + (most - load)) <= (CARRIED * most);
-    return (c[FIRST_ONLY][lane] == 1.0) || (carried && !still_changes(b, lane));
+    c[STATUS] = pick(here, status, c[STATUS]);
+    c[END_ROTATION] = pick(here, c[ROTATION], c[END_ROTATION]);
+    c[END_OMEGA] = pick(here, broadcast(0.0), c[END_OMEGA]);
+    c[END_RATE] = pick(here, broadcast(0.0), c[END_RATE]);
+    c[DIRECTION] = pick(here, broadcast(0.0), c[DIRECTION]);
+    c[REST_SINCE] = pick(here, pick(c[REST_SINCE] > c[END_TIME], c[END_TIME], c[REST_SINCE]), c[REST_SINCE]);
+    c[PENDING] = pick(here, broadcast((double)READY), c[PENDING]);
+    if (job->samples > 0) {
+        EACH(lane, bits(here)) {
+            read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
+        }
+    }
 }
 
-/* Keep the mass at rest, until a force changes or for good. */
-static void stick(Batch *b, unsigned lane)
+/* Return whether masses at rest may start in their direction. Shaking starts a one-way mass only down-slope. */
+INLINE M may_start(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V pull = c[job->role->driving_moment];
+    M down_slope = (pull > 0.0) | ((pull == 0.0) & (c[DIRECTION] > 0.0));
+    return (c[ONE_WAY] == 0.0) | down_slope;
+}
+
+/* Return whether masses swing for ever, because almost no force presses on them at their lowest point. */
+INLINE M never_rests(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V load = c[job->role->normal_load];
+    V square = (load * load) + (c[job->role->normal_load_slope] * c[job->role->normal_load_slope]);
+    V most = sqrt_of(square);
+    M carried = (c[job->role->normal0] + (most - load)) <= ((double)CARRIED * most);
+    return (c[FIRST_ONLY] == 1.0) | (carried & ~still_changes(b));
+}
+
+/* Keep masses at rest, until a force changes or for good. */
+INLINE void stick(Batch *b, M here)
 {
     V *const c = b->c;
-    c[PENDING][lane] = READY;
-    if (!still_changes(b, lane)) {
-        stay(b, lane, ARRESTED);
-        return;
+    M changes = still_changes(b);
+    stay(b, here & ~changes, broadcast((double)ARRESTED));
+    here = here & changes;
+    if (bits(here)) {
+        c[STATUS] = pick(here, broadcast((double)RESTING), c[STATUS]);
+        c[PENDING] = pick(here, broadcast((double)READY), c[PENDING]);
+        note_lift_off(b, here & (c[LIFTED] > 0.0));
+        here = here & ~may_start(b);
+        c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
+        c[PENDING] = pick(here, broadcast((double)BEGIN_PHASE), c[PENDING]);
     }
-    c[STATUS][lane] = RESTING;
-    if (c[LIFTED][lane] > 0.0) {
-        note_lift_off(b, lane);
-    }
-    if (!may_start(b, lane)) {
-        c[DIRECTION][lane] = -c[DIRECTION][lane];
-        c[PENDING][lane] = BEGIN_PHASE;
-    }
+}
+
+/* Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start. */
+INLINE void rest_one_way(Batch *b, M here)
+{
+    V *const c = b->c;
+    M may = may_start(b);
+    stick(b, here & may);
+    here = here & ~may;
+    face(b, here, -c[DIRECTION]);
+    c[PENDING] = pick(here, broadcast((double)RESOLVE), c[PENDING]);
 }
 
 /* Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick. */
-static void resolve_stick_or_slip(Batch *b, unsigned lane)
+INLINE void resolve_stick_or_slip(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    if ((c[FIRST_ONLY][lane] > 0.0) && (c[PHASES][lane] > 0.0) && never_rests(b, lane)) {
-        stay(b, lane, STOPPED);
-        return;
+    V terms = magnitude(c[job->role->driving]) + c[job->role->resisting];
+    V unsure = EPS * (terms + (c[job->role->mu] * magnitude(c[job->role->normal0])));
+    M of_weight = (c[job->role->driving] == c[job->role->driving_moment]) & (c[job->role->normal0] == c[job->role->normal_load]) & (c[job->role->resisting] == 0.0);
+    M refined = ((c[LIMIT_REST] * c[job->role->drive]) != 0.0) & of_weight;
+    unsure = maximum(pick(refined, c[job->role->drive_scale], unsure), broadcast(CLOSEST));
+    M may = here & may_start(b);
+    c[CLOSE] = pick(here, pick(may, minimum(c[CLOSE], magnitude(c[job->role->drive]) / unsure), c[CLOSE]), c[CLOSE]);
+    M starts = may & (c[job->role->drive] > 0.0);
+    start_moving(b, starts, c[job->role->drive]);
+    here = here & ~starts;
+    if (bits(here)) {
+        c[FACED] = pick(here, c[FACED] + 1.0, c[FACED]);
+        M sticks = here & ((c[FACED] > 1.0) | (may & (c[ONE_WAY] > 0.0)));
+        stick(b, sticks);
+        face(b, here & ~sticks, -c[DIRECTION]);
     }
-    int may = may_start(b, lane);
-    if (c[PENDING][lane] == REST) {
-        if (may) {
-            stick(b, lane);
-            return;
-        }
-        face(b, lane, -c[DIRECTION][lane]);
-        c[PENDING][lane] = RESOLVE;
-        return;
+}
+
+/* Decide whether masses at a standstill, or at the start, stop, stick or slip. */
+INLINE void resolve_standstill(Batch *b, M here)
+{
+    V *const c = b->c;
+    M stops = here & (c[FIRST_ONLY] > 0.0) & (c[PHASES] > 0.0);
+    if (bits(stops)) {
+        stops = stops & never_rests(b);
+        stay(b, stops, broadcast((double)STOPPED));
+        here = here & ~stops;
     }
-    double terms = fabs(c[job->role->driving][lane]) + c[job->role->resisting][lane];
-    double unsure = EPS * (terms + (c[job->role->mu][lane] * fabs(c[job->role->normal0][lane])));
-    int of_weight = (c[job->role->driving][lane] == c[job->role->driving_moment][lane]) && (c[job->role->normal0][lane] == c[job->role->normal_load][lane]) && (c[job->role->resisting][lane] == 0.0);
-    unsure = (((c[LIMIT_REST][lane] * c[job->role->drive][lane]) != 0.0) && of_weight) ? c[job->role->drive_scale][lane] : unsure;
-    if (may) {
-        c[CLOSE][lane] = fmin(c[CLOSE][lane], fabs(c[job->role->drive][lane]) / fmax(unsure, CLOSEST));
+    M one_way = here & (c[PENDING] == (double)REST);
+    if (bits(one_way)) {
+        rest_one_way(b, one_way);
+        here = here & ~one_way;
     }
-    if (may && (c[job->role->drive][lane] > 0.0)) {
-        start_moving(b, lane, c[job->role->drive][lane]);
-        return;
-    }
-    c[FACED][lane] = c[FACED][lane] + 1.0;
-    if ((c[FACED][lane] > 1.0) || (may && (c[ONE_WAY][lane] > 0.0))) {
-        stick(b, lane);
-        return;
-    }
-    face(b, lane, -c[DIRECTION][lane]);
+    resolve_stick_or_slip(b, here);
 }
 
 /* Begin a phase in motion with the drive computed anew or continued, whichever is more accurate. */
-static void carry_net_moment(Batch *b, unsigned lane, double net)
+INLINE void carry_net_moment(Batch *b, M here, V net)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double terms = (fabs(c[RATE_BEFORE][lane]) + fabs(net - c[job->role->drive][lane])) + fabs(c[DRIVE_BEFORE][lane]);
-    double carried = c[SCALE_BEFORE][lane] + (EPS * terms);
-    if (carried < c[job->role->drive_scale][lane]) {
-        c[job->role->drive][lane] = c[job->role->drive][lane] + (c[RATE_BEFORE][lane] - net);
-        c[job->role->drive_scale][lane] = carried;
-    }
-    c[PENDING][lane] = READY;
+    c[PENDING] = pick(here, broadcast((double)READY), c[PENDING]);
+    V terms = (magnitude(c[RATE_BEFORE]) + magnitude(net - c[job->role->drive])) + magnitude(c[DRIVE_BEFORE]);
+    V carried = c[SCALE_BEFORE] + (EPS * terms);
+    here = here & (carried < c[job->role->drive_scale]);
+    c[job->role->drive] = pick(here, c[job->role->drive] + (c[RATE_BEFORE] - net), c[job->role->drive]);
+    c[job->role->drive_scale] = pick(here, carried, c[job->role->drive_scale]);
 }
 
-/* Begin the phase for which the lane waits, from its net moment and normal force. */
-static void resolve_pending(Batch *b, unsigned lane, double net, double force)
+/* Begin the phases for which lanes wait, from their net moments and normal forces. */
+INLINE void resolve_pending(Batch *b, M waits, V net, V force)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    if (c[PENDING][lane] == ENTER_PHASE) {
-        carry_net_moment(b, lane, net);
-        return;
+    M enters = waits & (c[PENDING] == (double)ENTER_PHASE);
+    M begins = waits & (c[PENDING] == (double)BEGIN_PHASE);
+    M moving = waits & (c[PENDING] == (double)START_MOVING);
+    M again = waits & (c[PENDING] == (double)START_AGAIN);
+    M decides = waits & ~(enters | begins | moving | again);
+    V pressed = pick(moving, pick(force < 0.0, broadcast(-1.0), broadcast(1.0)), c[job->role->normal0]);
+    M lifts = (moving | again | decides) & (pressed <= 0.0) & (c[LIFTED] == 0.0);
+    c[LIFTED] = pick(lifts, broadcast(1.0), c[LIFTED]);
+    c[PENDING] = pick(begins, broadcast((double)READY), c[PENDING]);
+    if (bits(enters)) {
+        carry_net_moment(b, enters, net);
     }
-    if (c[PENDING][lane] == BEGIN_PHASE) {
-        c[PENDING][lane] = READY;
-        return;
+    M starts = (moving | again) & ~lifts;
+    if (bits(starts)) {
+        M level = again & starts & (c[SUDDEN] <= 0.0);
+        c[job->role->drive] = pick(level, broadcast(0.0), c[job->role->drive]);
+        start_moving(b, starts, pick(again, c[job->role->drive], net));
     }
-    int lifts = (c[PENDING][lane] == START_MOVING) ? (force < 0.0) : (c[job->role->normal0][lane] <= 0.0);
-    if (lifts && (c[LIFTED][lane] == 0.0)) {
-        c[LIFTED][lane] = 1.0;
-        return;
+    decides = decides & ~lifts;
+    if (bits(decides)) {
+        resolve_standstill(b, decides);
     }
-    if (c[PENDING][lane] == START_MOVING) {
-        start_moving(b, lane, net);
-        return;
-    }
-    if (c[PENDING][lane] == START_AGAIN) {
-        c[job->role->drive][lane] = (c[SUDDEN][lane] > 0.0) ? c[job->role->drive][lane] : 0.0;
-        start_moving(b, lane, c[job->role->drive][lane]);
-        return;
-    }
-    resolve_stick_or_slip(b, lane);
 }
 
 /* Decide about contact after a jump of forces. If contact changes, another phase begins. */
-static void on_discontinuity(Batch *b, unsigned lane, double force)
+INLINE void on_discontinuity(Batch *b, M here, V force)
 {
     V *const c = b->c;
-    double lifted = (force < 0.0) ? 1.0 : 0.0;
-    if (lifted > c[LIFTED][lane]) {
-        note_lift_off(b, lane);
-    }
-    c[PENDING][lane] = (c[LIFTED][lane] == lifted) ? READY : BEGIN_PHASE;
-    c[LIFTED][lane] = lifted;
-    if (c[PENDING][lane] == BEGIN_PHASE) {
-        advance_origin(b, lane);
-    }
+    V lifted = pick(force < 0.0, broadcast(1.0), broadcast(0.0));
+    M same = c[LIFTED] == lifted;
+    note_lift_off(b, here & (lifted > c[LIFTED]));
+    c[PENDING] = pick(here, pick(same, broadcast((double)READY), broadcast((double)BEGIN_PHASE)), c[PENDING]);
+    c[LIFTED] = pick(here, lifted, c[LIFTED]);
+    advance_origin(b, here & ~same);
 }
 
 /* Begin all pending phases, until every lane is ready for a step. */
@@ -2384,9 +2401,7 @@ static void begin_phases(Batch *b)
     if (bits(sudden)) {
         evaluate(b);
         V force = normal_force(b);
-        EACH(lane, bits(sudden)) {
-            on_discontinuity(b, lane, force[lane]);
-        }
+        on_discontinuity(b, sudden, force);
     }
     M waits = c[PENDING] != (double)READY;
     while (bits(waits)) {
@@ -2399,9 +2414,7 @@ static void begin_phases(Batch *b)
         }
         V force = normal_force(b);
         V net = (b->r + job->role->net)[0];
-        EACH(lane, bits(waits)) {
-            resolve_pending(b, lane, net[lane], force[lane]);
-        }
+        resolve_pending(b, waits, net, force);
         waits = c[PENDING] != (double)READY;
     }
 }
@@ -2513,26 +2526,34 @@ INLINE V standstill(V omega, V net, V rise)
     return over / under;
 }
 
-/* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
-static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, double omega)
+/* Place a lane at the left end of a piece. */
+static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[X][lane] = x;
-    c[OMEGA][lane] = omega;
-    c[STATUS][lane] = (omega > 0.0) ? MOVING : RESTING;
-    c[STEPS][lane] = 0.0;
-    c[PASSED][lane] = NOTHING;
-    if (omega == 0.0) {
-        c[TIME][lane] = c[REST_SINCE][lane];
-        update_reach(b, lane);
-    }
-    advance_origin(b, lane);
     double edge = break_of(b, lane, t, piece);
     double now = edge / c[job->table[t].cell + SCALE][lane];
     stand_before(b, lane, t, piece, now);
     pass_break(b, lane, t);
-    c[PENDING][lane] = BEGIN_PHASE;
+}
+
+/* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
+INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
+{
+    V *const c = b->c;
+    c[X] = pick(here, x, c[X]);
+    c[OMEGA] = pick(here, omega, c[OMEGA]);
+    c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
+    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    M moves = omega > 0.0;
+    c[STATUS] = pick(here, pick(moves, broadcast((double)MOVING), broadcast((double)RESTING)), c[STATUS]);
+    c[TIME] = pick(here, pick(moves, c[TIME], c[REST_SINCE]), c[TIME]);
+    update_reach(b, here & ~moves);
+    advance_origin(b, here);
+    EACH(lane, bits(here)) {
+        enter_at(b, lane, t, piece);
+    }
+    c[PENDING] = pick(here, broadcast((double)BEGIN_PHASE), c[PENDING]);
 }
 
 /* Count phases that begin down-slope. */
@@ -2699,8 +2720,8 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
 {
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
-    EACH(lane, bits(leaves)) {
-        end_slide(b, lane, t, piece, x[lane], omega[lane]);
+    if (bits(leaves)) {
+        end_slide(b, leaves, t, piece, x, omega);
     }
     return on & inside;
 }
@@ -2784,53 +2805,59 @@ static M slide_together(Batch *b, M here, int t)
     return forward & ~there;
 }
 
-/* Begin another phase in motion: the lane enters another piece of a table, is lifted or lands. */
-static void enter_phase(Batch *b, unsigned lane, double rate)
+/* Begin another phase in motion: lanes enter another piece of a table, are lifted or land. */
+INLINE void enter_phase(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[RATE_BEFORE][lane] = rate;
-    c[DRIVE_BEFORE][lane] = c[job->role->drive][lane];
-    c[SCALE_BEFORE][lane] = c[job->role->drive_scale][lane];
-    advance_origin(b, lane);
-    c[PENDING][lane] = ENTER_PHASE;
+    c[RATE_BEFORE] = pick(here, rate, c[RATE_BEFORE]);
+    c[DRIVE_BEFORE] = pick(here, c[job->role->drive], c[DRIVE_BEFORE]);
+    c[SCALE_BEFORE] = pick(here, c[job->role->drive_scale], c[SCALE_BEFORE]);
+    advance_origin(b, here);
+    c[PENDING] = pick(here, broadcast((double)ENTER_PHASE), c[PENDING]);
 }
 
-/* Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion. */
-static void on_standstill(Batch *b, unsigned lane)
+/* Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion. */
+INLINE void on_standstill(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
-    advance_origin(b, lane);
-    update_reach(b, lane);
-    c[REST_SINCE][lane] = c[TIME][lane];
-    note(b, lane, NOTE_STANDS);
-    c[FACED][lane] = 1.0;
-    int one_way = c[ONE_WAY][lane] > 0.0;
-    face(b, lane, one_way ? c[DIRECTION][lane] : (-c[DIRECTION][lane]));
-    c[PENDING][lane] = one_way ? REST : RESOLVE;
+    advance_origin(b, here);
+    update_reach(b, here);
+    c[REST_SINCE] = pick(here, c[TIME], c[REST_SINCE]);
+    if (job->notes_room > 0) {
+        EACH(lane, bits(here)) {
+            note(b, lane, NOTE_STANDS);
+        }
+    }
+    c[FACED] = pick(here, broadcast(1.0), c[FACED]);
+    M one_way = c[ONE_WAY] > 0.0;
+    face(b, here, pick(one_way, c[DIRECTION], -c[DIRECTION]));
+    c[PENDING] = pick(here, pick(one_way, broadcast((double)REST), broadcast((double)RESOLVE)), c[PENDING]);
 }
 
 /* Change contact with the slip surface. */
-static void on_contact_change(Batch *b, unsigned lane, double rate)
-{
-    V *const c = b->c;
-    c[LIFTED][lane] = 1.0 - c[LIFTED][lane];
-    if (c[LIFTED][lane] > 0.0) {
-        note_lift_off(b, lane);
-    }
-    if (c[LIFTED][lane] == 0.0) {
-        note(b, lane, NOTE_LANDS);
-    }
-    enter_phase(b, lane, rate);
-    c[PASSED][lane] = LIFT;
-}
-
-/* Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece. */
-static void on_breakpoint(Batch *b, unsigned lane, int t, double rate, int upwards)
+INLINE void on_contact_change(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    enter_phase(b, lane, rate);
+    c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
+    M lands = here & (c[LIFTED] == 0.0);
+    if (job->notes_room > 0) {
+        EACH(lane, bits(lands)) {
+            note(b, lane, NOTE_LANDS);
+        }
+    }
+    enter_phase(b, here, rate);
+    c[PASSED] = pick(here, broadcast((double)LIFT), c[PASSED]);
+}
+
+/* Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece. */
+static void on_breakpoint(Batch *b, unsigned lane, int t, int upwards)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
     if (job->table[t].kind == OF_ROTATION) {
         c[ROTATION][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane] + ((c[DIRECTION][lane] > 0.0) ? 1 : 0));
         return;
@@ -2851,59 +2878,69 @@ static void on_breakpoint(Batch *b, unsigned lane, int t, double rate, int upwar
     }
 }
 
-/* End a moving lane at its end time or with an upright chord. */
-static void end_motion(Batch *b, unsigned lane, double rate, double status)
-{
-    V *const c = b->c;
-    c[STATUS][lane] = status;
-    c[END_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
-    c[END_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
-    c[END_RATE][lane] = c[DIRECTION][lane] * rate;
-    update_reach(b, lane);
-}
-
-/* End the lane at its end time, or pass breaks of functions of time. */
-static void on_limit(Batch *b, unsigned lane, double rate)
-{
-    V *const c = b->c;
-    if (c[TIME][lane] >= c[END_TIME][lane]) {
-        end_motion(b, lane, rate, ENDED);
-        return;
-    }
-    pass_breaks(b, lane);
-}
-
-/* Apply the consequences of a step: an event, a break of a function of time, the end time, or another step. */
-static void settle(Batch *b, unsigned lane, double rate, int at_limit, int endless)
+/* Pass edges of tables of slip, speed or rotation. */
+INLINE void on_breakpoints(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    if (endless) {
-        c[STATUS][lane] = TOO_LONG;
-    }
-    if (at_limit) {
-        on_limit(b, lane, rate);
-    }
-    if (c[EVENT][lane] == EVENT_NONE) {
-        return;
-    }
-    if (c[EVENT][lane] == EVENT_STANDSTILL) {
-        on_standstill(b, lane);
-        return;
-    }
-    if (c[EVENT][lane] == EVENT_LIFT_OFF) {
-        on_contact_change(b, lane, rate);
-        return;
-    }
-    if (c[EVENT][lane] == EVENT_CHORD_UPRIGHT) {
-        end_motion(b, lane, rate, UPRIGHT);
-        return;
-    }
+    enter_phase(b, here, rate);
     for (int t = 0; t < job->tables; t++) {
-        int edge = EVENT_BREAKPOINT + (2 * t);
-        if ((c[EVENT][lane] == edge) || (c[EVENT][lane] == (edge + 1))) {
-            on_breakpoint(b, lane, t, rate, c[EVENT][lane] == edge);
+        int upper = EVENT_BREAKPOINT + (2 * t);
+        int lower = upper + 1;
+        M passes = here & ((c[EVENT] == (double)upper) | (c[EVENT] == (double)lower));
+        EACH(lane, bits(passes)) {
+            on_breakpoint(b, lane, t, c[EVENT][lane] == upper);
         }
+    }
+}
+
+/* End moving lanes at their end time or with an upright chord. */
+INLINE void end_motion(Batch *b, M here, V rate, V status)
+{
+    V *const c = b->c;
+    c[STATUS] = pick(here, status, c[STATUS]);
+    c[END_ROTATION] = pick(here, c[ROTATION] + (c[DIRECTION] * c[X]), c[END_ROTATION]);
+    c[END_OMEGA] = pick(here, c[DIRECTION] * c[OMEGA], c[END_OMEGA]);
+    c[END_RATE] = pick(here, c[DIRECTION] * rate, c[END_RATE]);
+    update_reach(b, here);
+}
+
+/* End lanes at their end time, or pass breaks of functions of time. */
+INLINE void on_limit(Batch *b, M here, V rate)
+{
+    V *const c = b->c;
+    M ends = here & (c[TIME] >= c[END_TIME]);
+    end_motion(b, ends, rate, broadcast((double)ENDED));
+    M passes = here & ~ends;
+    EACH(lane, bits(passes)) {
+        pass_breaks(b, lane);
+    }
+}
+
+/* Apply the consequences of a step: an event, a break of a function of time, the end time, or another step. */
+INLINE void settle(Batch *b, M here, V rate, M at_limit, M endless)
+{
+    V *const c = b->c;
+    c[STATUS] = pick(here, pick(endless, broadcast((double)TOO_LONG), c[STATUS]), c[STATUS]);
+    M limits = here & at_limit;
+    if (bits(limits)) {
+        on_limit(b, limits, rate);
+    }
+    M stands = here & (c[EVENT] == (double)EVENT_STANDSTILL);
+    if (bits(stands)) {
+        on_standstill(b, stands);
+    }
+    M lifts = here & (c[EVENT] == (double)EVENT_LIFT_OFF);
+    if (bits(lifts)) {
+        on_contact_change(b, lifts, rate);
+    }
+    M upright = here & (c[EVENT] == (double)EVENT_CHORD_UPRIGHT);
+    if (bits(upright)) {
+        end_motion(b, upright, rate, broadcast((double)UPRIGHT));
+    }
+    M passes = here & (c[EVENT] >= (double)EVENT_BREAKPOINT);
+    if (bits(passes)) {
+        on_breakpoints(b, passes, rate);
     }
 }
 
@@ -3085,8 +3122,9 @@ INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
     M others = enter_lines(b, at_limit & before_end);
     M simple = (c[EVENT] == (double)EVENT_NONE) & ~endless & ~others;
     M settled = simple & (before_end | ~at_limit);
-    EACH(lane, bits(here & ~settled)) {
-        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
+    M acts = here & ~settled;
+    if (bits(acts)) {
+        settle(b, acts, rate, at_limit, endless);
     }
 }
 
@@ -3634,10 +3672,16 @@ static V end_of_swing(Batch *b, V *e, V sine, M which)
     return pick(which, broadcast(2.0 * FARTHEST), x);
 }
 
-/* Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest. */
-static V peak_of_swing(Batch *b, V *e, V end, M which)
+/* Return the rotation of the greatest speed if E is a cubic with these slopes at both of its zeros. */
+INLINE V peak_of_cubic(V rise, V fall, V end)
 {
-    V x = 0.5 * end;
+    V square = (rise * rise) + (fall * (fall - rise));
+    return (end * rise) / (((2.0 * rise) - fall) + sqrt_of(square));
+}
+
+/* Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on. */
+static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
+{
     V f[STRIDE];
     V low = broadcast(0.0);
     V high = end;
@@ -3651,7 +3695,7 @@ static V peak_of_swing(Batch *b, V *e, V end, M which)
         following = inside_or_middle(following, low, high);
         V change = magnitude(following - x);
         x = pick(which, following, x);
-        which = which & (change > (LAST_STEP * x));
+        which = which & (change > (LAST_OF_NEWTON * x));
         count = count + 1;
     }
     return x;
@@ -3668,66 +3712,126 @@ INLINE M stays_positive(V start, V sine, V vers, V *f)
     return (start > 0.0) & (at_end > 0.0) & concave;
 }
 
-/* Return the integrand of the duration at a node and at its mirror image, which is the same node from the end. */
-INLINE V slowness(V *e, V *back, V end, int k)
+/* Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end. */
+INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 {
     V x = end * SINES[k];
     V f[STRIDE];
     functions(f, x, e[4]);
     V room = x * (end - x);
-    V here = sqrt_of(room / energy(e, f));
+    V near = sqrt_of(room / energy(e, f));
     reverse(f, e[4]);
-    V there = sqrt_of(room / energy(back, f));
-    return here + there;
+    V far = sqrt_of(room / energy(back, f));
+    both[k] = near + far;
+    odd[k] = near - far;
 }
 
-/* Return the duration of a phase, and the relative change by the last halving of intervals. */
-static Pair duration_of_swing(V *e, V *back, V end, M which)
+/* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
+INLINE V mean_of(V *both, int pairs, int by)
 {
-    V ends = sqrt_of(end / e[0]);
-    ends = ends + sqrt_of(end / back[0]);
-    V total = 0.125 * (ends + slowness(e, back, end, 0));
-    total = total + (0.25 * slowness(e, back, end, 1));
-    V change = broadcast(1.0);
-    M changes = which;
-    int first = 2;
-    while ((first < 16) && bits(changes)) {
-        V added = broadcast(0.0);
-        for (int k = first; k <= (2 * first) - 1; k++) {
-            added = added + slowness(e, back, end, k);
-        }
-        added = added / (double)(2 * first);
-        V relative = magnitude(added - total) / total;
-        change = pick(changes, relative, change);
-        total = pick(changes, 0.5 * (total + added), total);
-        changes = which & (change > CONVERGED);
-        first = 2 * first;
+    V total = 0.5 * (both[0] + both[PAIRS]);
+    for (int k = 1; k <= pairs - 1; k++) {
+        total = total + both[k * by];
     }
-    return (Pair){(PI * total), change};
+    return total / (double)(2 * pairs);
 }
 
-/* Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation. */
-INLINE V time_of_peak(V *e, V peak)
+/* Return u from -cos(2 u) and sin(2 u), by the series of the arcsine. */
+INLINE V angle_of(V place, V sine)
 {
+    V z = place / sqrt_of(2.0 + (2.0 * sine));
+    V square = z * z;
     V total = broadcast(0.0);
-    V f[STRIDE];
-    for (int k = 0; k <= 11; k++) {
-        functions(f, peak * PLACES[k], e[4]);
-        total = total + (WEIGHTS[k] * sqrt_of(f[0] / energy(e, f)));
+    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
+        total = (total * square) + ARCSINE[k];
     }
-    return (2.0 * sqrt_of(peak)) * total;
+    return QUARTER + (z * total);
 }
 
-/* Return the times from rest to the greatest speed and to the end, infinite if it is uncertain. */
-static Pair times_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
+/* Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes. Its
+ * even coefficients are sums of ``both``, and its odd coefficients sums of ``odd``. */
+INLINE V time_to(V x, V end, V *both, V *odd, int pairs, int by)
+{
+    V place = ((2.0 * x) - end) / end;
+    V sine = (2.0 * sqrt_of(x * (end - x))) / end;
+    V total = (2.0 * mean_of(both, pairs, by)) * angle_of(place, sine);
+    V twice = (-2.0) * place;
+    V previous = broadcast(0.0);
+    V waves = broadcast(0.0);
+    for (int j = 1; j <= pairs; j++) {
+        V of_odd = broadcast(0.0);
+        V of_even = broadcast(0.0);
+        for (int k = 0; k <= pairs; k++) {
+            of_odd = of_odd + (COSINES[(((2 * j) - 1) * (PAIRS + 1)) + (k * by)] * odd[k * by]);
+            of_even = of_even + (COSINES[((2 * j) * (PAIRS + 1)) + (k * by)] * both[k * by]);
+        }
+        V last = broadcast((j == pairs) ? 0.5 : 1.0);
+        V following = (twice * sine) - previous;
+        waves = waves + ((sine * of_odd) + (following * (last * of_even)));
+        sine = (twice * following) - sine;
+        previous = following;
+    }
+    return total + (waves / (double)pairs);
+}
+
+/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Halving the
+ * intervals shows the last coefficient of the series of cosines, which is larger than the relative error of the
+ * first time and the root of that of the second. */
+INLINE Pair durations_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
+{
+    const Job *const job = b->job;
+    V both[STRIDE];
+    V odd[STRIDE];
+    V near = sqrt_of(end / e[0]);
+    V far = sqrt_of(end / back[0]);
+    both[0] = near + far;
+    odd[0] = near - far;
+    for (int k = 1; k <= 4; k++) {
+        add_node(e, back, end, both, odd, 2 * k);
+    }
+    V coarse = mean_of(both, 2, 4);
+    V mean = mean_of(both, 4, 2);
+    V before = time_to(peak, end, both, odd, 4, 2);
+    V most = broadcast((job->order > FINEST) ? LAST_OF_FINE : LAST_OF_COARSE);
+    V last = magnitude(mean - coarse) / mean;
+    M unsure = which & (last > most);
+    if (bits(unsure)) {
+        for (int k = 1; k <= 4; k++) {
+            add_node(e, back, end, both, odd, (2 * k) - 1);
+        }
+        V finer = mean_of(both, 8, 1);
+        last = pick(unsure, magnitude(finer - mean) / finer, last);
+        mean = pick(unsure, finer, mean);
+        V later = time_to(peak, end, both, odd, 8, 1);
+        before = pick(unsure, later, before);
+    }
+    return (Pair){before, pick(last <= most, PI * mean, broadcast(INFINITY))};
+}
+
+/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. */
+INLINE Pair times_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
 {
     const Job *const job = b->job;
     if (SOFTENS(job->role)) {
         return duration_of_softening(b, e, end, peak);
     }
-    const Pair duration_change = duration_of_swing(e, back, end, which);
-    V duration = duration_change.one, change = duration_change.other;
-    return (Pair){time_of_peak(e, peak), pick(change <= CONVERGED, duration, broadcast(INFINITY))};
+    return durations_of_swing(b, e, back, end, peak, which);
+}
+
+/* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
+ * ``rate`` is the net moment in the direction in which they arrived, and ``force`` the normal force. */
+INLINE void rest(Batch *b, M here, V rate, V force)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V resistance = c[job->role->resisting] + (c[job->role->mu] * force);
+    V driving = rate + resistance;
+    V terms = magnitude(driving) + resistance;
+    V excess = driving + resistance;
+    M back = (c[ONE_WAY] == 0.0) & (c[FIRST_ONLY] == 0.0);
+    here = here & back & (excess > (CLEAR * terms));
+    c[CLOSE] = pick(here, minimum(c[CLOSE], excess / (EPS * terms)), c[CLOSE]);
+    stick(b, here);
 }
 
 /* Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``. */
@@ -3742,9 +3846,7 @@ INLINE void finish(Batch *b, M here, V *e, V end, V duration, V peak, V before)
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
     c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
-    EACH(lane, bits(here)) {
-        on_standstill(b, lane);
-    }
+    on_standstill(b, here);
 }
 
 /* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
@@ -3772,18 +3874,25 @@ static M swing(Batch *b, M which)
     V q = e[4];
     V end = end_of_swing(b, e, sine, fits);
     functions(f, minimum(end, broadcast(FARTHEST)), q);
+    V peak = 0.5 * end;
     if (!softens) {
         mirror(back, c[job->role->drive], sine, c[job->role->net_vers], q, f);
+        peak = peak_of_cubic(e[0], back[0], end);
         fits = fits & (back[0] > 0.0);
     }
     fits = fits & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (c[job->role->normal_square] >= 0.0) & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f) & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     if (bits(fits)) {
-        V peak = peak_of_swing(b, e, end, fits);
+        peak = peak_of_swing(b, e, peak, end, fits);
         const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);
         V before = before_duration.one, duration = before_duration.other;
         fits = fits & ((c[TIME] + duration) < c[END_TIME]);
         if (bits(fits)) {
+            V sine_end = c[job->role->normal_sine] * (f[0] - f[3]);
+            V force = c[job->role->normal0] + (sine_end + (c[job->role->normal_vers] * f[2]));
             finish(b, fits, e, end, duration, peak, before);
+            if (!softens) {
+                rest(b, fits, (-0.5) * back[0], force);
+            }
         }
     }
     return fits;
@@ -3844,57 +3953,71 @@ static void look_ahead(Batch *b, M here, V room)
 }
 
 /* Reverse the direction at rest. */
-static void turn_back(Batch *b, unsigned lane)
+INLINE void turn_back(Batch *b, M here)
 {
     V *const c = b->c;
-    c[DIRECTION][lane] = -c[DIRECTION][lane];
-    c[PENDING][lane] = BEGIN_PHASE;
+    c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
+    c[PENDING] = pick(here, broadcast((double)BEGIN_PHASE), c[PENDING]);
+}
+
+/* Lift masses at rest, or let them land. */
+INLINE void change_contact(Batch *b, M here)
+{
+    V *const c = b->c;
+    c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
+    c[PASSED] = pick(here, broadcast((double)LIFT), c[PASSED]);
+    c[PENDING] = pick(here, broadcast((double)BEGIN_PHASE), c[PENDING]);
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
+}
+
+/* Start slip from rest. */
+INLINE void start_again(Batch *b, M here)
+{
+    V *const c = b->c;
+    face(b, here, c[START_DIRECTION]);
+    c[PENDING] = pick(here, broadcast((double)START_AGAIN), c[PENDING]);
+}
+
+/* Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests. */
+static void enter_pieces(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    for (int t = 0; t < job->tables; t++) {
+        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
+            rest_through(b, lane, t);
+        }
+    }
+    pass_breaks(b, lane);
 }
 
 /* Advance to the first change: start of slip, change of contact, break or end. */
-static void leave_rest(Batch *b, unsigned lane, double limit, double room)
+INLINE void leave_rest(Batch *b, M here, V limit, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double stretch = c[STRETCH][lane];
-    int lifts = c[LIFT_AHEAD][lane] <= stretch;
-    int starts = c[START_AHEAD][lane] <= stretch;
-    int breaks = (stretch >= room) && !starts && !lifts;
-    double until = breaks ? limit : (c[TIME][lane] + stretch);
-    int for_ever = !starts && !(until < INFINITY);
+    V stretch = c[STRETCH];
+    M lifts = c[LIFT_AHEAD] <= stretch;
+    M starts = c[START_AHEAD] <= stretch;
+    M breaks = (stretch >= room) & ~starts & ~lifts;
+    V until = pick(breaks, limit, c[TIME] + stretch);
+    M for_ever = ~starts & ~(until < INFINITY);
     if (job->samples > 0) {
-        read_samples(b, lane, c[TIME][lane], fmin(until, c[END_TIME][lane]), 0, 0);
-    }
-    int rested = starts && (stretch > (TOGETHER * until));
-    c[STEPS][lane] = (breaks || rested) ? 0.0 : (c[STEPS][lane] + 1.0);
-    c[PASSED][lane] = NOTHING;
-    if (for_ever || (until >= c[END_TIME][lane])) {
-        c[TIME][lane] = for_ever ? c[TIME][lane] : c[END_TIME][lane];
-        stay(b, lane, for_ever ? ARRESTED : PAUSED);
-        return;
-    }
-    c[TIME][lane] = until;
-    if (starts) {
-        face(b, lane, c[START_DIRECTION][lane]);
-        c[PENDING][lane] = START_AGAIN;
-        return;
-    }
-    if (lifts) {
-        c[LIFTED][lane] = 1.0 - c[LIFTED][lane];
-        c[PASSED][lane] = LIFT;
-        c[PENDING][lane] = BEGIN_PHASE;
-        if (c[LIFTED][lane] > 0.0) {
-            note_lift_off(b, lane);
+        EACH(lane, bits(here)) {
+            read_samples(b, lane, c[TIME][lane], fmin(until[lane], c[END_TIME][lane]), 0, 0);
         }
-        return;
     }
-    if (breaks) {
-        for (int t = 0; t < job->tables; t++) {
-            if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
-                rest_through(b, lane, t);
-            }
-        }
-        pass_breaks(b, lane);
+    M rested = starts & (stretch > (TOGETHER * until));
+    c[STEPS] = pick(here, pick(breaks | rested, broadcast(0.0), c[STEPS] + 1.0), c[STEPS]);
+    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    M ends = here & (for_ever | (until >= c[END_TIME]));
+    c[TIME] = pick(here, pick(for_ever, c[TIME], minimum(until, c[END_TIME])), c[TIME]);
+    stay(b, ends, pick(for_ever, broadcast((double)ARRESTED), broadcast((double)PAUSED)));
+    here = here & ~ends;
+    start_again(b, here & starts);
+    change_contact(b, here & lifts & ~starts);
+    here = here & breaks;
+    EACH(lane, bits(here)) {
+        enter_pieces(b, lane);
     }
 }
 
@@ -3905,9 +4028,7 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
     V *const c = b->c;
     M both = here & (c[ONE_WAY] == 0.0);
     if (bits(both)) {
-        EACH(lane, bits(both)) {
-            turn_back(b, lane);
-        }
+        turn_back(b, both);
         begin_phases(b);
         look_ahead(b, both, room);
     }
@@ -3919,9 +4040,7 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
             c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STRETCH]), c[job->table[t].cell + INC]);
         }
     }
-    EACH(lane, bits(here)) {
-        leave_rest(b, lane, limit[lane], room[lane]);
-    }
+    leave_rest(b, here, limit, room);
 }
 
 /* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
@@ -3994,16 +4113,23 @@ static void advance(Batch *b, M here)
 }
 /* --- the queue --- */
 
+/* The cell with which a lane starts. */
+static double at_start(const Job *job, int i, int64_t column)
+{
+    return job->shared && !isnan(job->shared[i]) ? job->shared[i] : job->all[i * job->count + column];
+}
+
 /* A lane at its start has no numbers of a phase yet. */
 static void load_lane(Batch *b, unsigned k, int64_t column)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     const double *from = job->all + column;
-    const int count = from[STATUS * job->count] == START ? job->made : job->cells;
-    for (int i = 0; i < count; i++, from += job->count) c[i][k] = *from;
+    const int starts = from[STATUS * job->count] == START;
+    for (int i = 0; starts && i < job->made; i++) c[i][k] = at_start(job, i, column);
+    for (int i = 0; !starts && i < job->cells; i++, from += job->count) c[i][k] = *from;
     b->column[k] = column, b->held |= 1u << k;
-    if (c[STATUS][k] == START) start(b, k);
+    if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
 
 /* Neighbours that have not begun take all lanes at once. */
@@ -4014,10 +4140,15 @@ static int load_neighbours(Batch *b, int64_t first)
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
     const double *from = job->all + first;
     for (int i = 0; i < job->made; i++, from += job->count) {
+        if (job->shared && !isnan(job->shared[i])) {
+            b->c[i] = broadcast(job->shared[i]);
+            continue;
+        }
         memcpy(b->c + i, from, sizeof(V));
         __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
     }
-    for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
+    for (int k = 0; k < LANES; k++) b->column[k] = first + k;
+    start(b, lanes(ALL));
     b->held = ALL;
     return 1;
 }
@@ -4087,11 +4218,11 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         return 0;
     }
     for (int64_t k = job->begin; k < job->end; k++) {
-        const double order = job->all[ORDER * job->count + k];
+        const double order = at_start(job, ORDER, k);
         if (!(order >= 5.0 && order <= HIGHEST)) return -1;
         job->order = order > job->order ? (int)order : job->order;
     }
-    for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
+    for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
     const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
