@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "04e58acaac06d2619c9427c950475b51e13ef8a18bcc094e7fae8fef38265421"
+#define DIGEST "87f67b59d1438d14ffb1ca6a506e6a7982816ee80af395ba5b8ff7fc28caad2f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2304,7 +2304,8 @@ INLINE void resolve_stick_or_slip(Batch *b, M here)
     V *const c = b->c;
     V terms = magnitude(c[job->role->driving]) + c[job->role->resisting];
     V unsure = EPS * (terms + (c[job->role->mu] * magnitude(c[job->role->normal0])));
-    M of_weight = (c[job->role->driving] == c[job->role->driving_moment]) & (c[job->role->normal0] == c[job->role->normal_load]) & (c[job->role->resisting] == 0.0);
+    M of_weight = (c[job->role->driving] == c[job->role->driving_moment]) & (c[job->role->normal0] == c[job->role->normal_load]);
+    of_weight = of_weight & (c[job->role->resisting] == 0.0);
     M refined = ((c[LIMIT_REST] * c[job->role->drive]) != 0.0) & of_weight;
     unsure = maximum(pick(refined, c[job->role->drive_scale], unsure), broadcast(CLOSEST));
     M may = here & may_start(b);

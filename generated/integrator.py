@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a1cf394744f60e89f7247e625f707385c0a5957d7eb2781b05b457de1544abe9
+# sha256 of the text below: 26372e330c546870268a527ce6d72d1390c4142d65de86f1ca25531bf44cf630
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1192,7 +1192,8 @@ def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
     c = s.cells
     terms = np.abs(c[s.roles.driving]) + c[s.roles.resisting]
     unsure = EPS * (terms + c[s.roles.mu] * np.abs(c[s.roles.normal0]))
-    of_weight = (c[s.roles.driving] == c[s.roles.driving_moment]) & (c[s.roles.normal0] == c[s.roles.normal_load]) & (c[s.roles.resisting] == 0.0)
+    of_weight = (c[s.roles.driving] == c[s.roles.driving_moment]) & (c[s.roles.normal0] == c[s.roles.normal_load])
+    of_weight = of_weight & (c[s.roles.resisting] == 0.0)
     refined = (c[ix.LIMIT_REST] * c[s.roles.drive] != 0.0) & of_weight
     unsure = np.maximum(np.where(refined, c[s.roles.drive_scale], unsure), CLOSEST)
     may = here & may_start(s)

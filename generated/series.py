@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bd05c5d0fb819ab25c9548d2ec168c465757580907937ca060e557cfaad13931
+# sha256 of the text below: f99c6bcb5c9d1ff149d27982bd5be8b4853f5589434cfae285b790ec991d62ac
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "04e58acaac06d2619c9427c950475b51e13ef8a18bcc094e7fae8fef38265421"  # of the compiled integrator's source
+DIGEST = "87f67b59d1438d14ffb1ca6a506e6a7982816ee80af395ba5b8ff7fc28caad2f"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -163,7 +163,8 @@ def resolve_stick_or_slip(s: Lanes, here: M) -> None:
     """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
     terms = abs(s.driving) + s.resisting
     unsure = EPS * (terms + s.mu * abs(s.normal0))
-    of_weight = s.driving == s.driving_moment and s.normal0 == s.normal_load and s.resisting == 0.0
+    of_weight = s.driving == s.driving_moment and s.normal0 == s.normal_load
+    of_weight = of_weight and s.resisting == 0.0
     refined = s.limit_rest * s.drive != 0.0 and of_weight
     unsure = maximum(where(refined, s.drive_scale, unsure), CLOSEST)
     may = here and may_start(s)
