@@ -267,7 +267,7 @@ SWINGS += [(0.3, -0.45, -0.1, 0.8), (0.25, -0.45, -0.1, 0.3)]  # up to 0.9 and 1
 
 @pytest.mark.parametrize("numbers", SWINGS)
 @pytest.mark.parametrize(("order", "within"), [(30, 2e-14), (18, 1e-11)])
-def test_a_phase_keeps_its_digits(numbers: tuple[float, ...], order: int, within: float) -> None:
+def test_a_phase_keeps_its_digits(numbers: tuple[float, float, float, float], order: int, within: float) -> None:
     """A phase, with a tiny drive or of a long way, has its rotation and times by quadrature with thirty digits."""
     e, back = [0.0] * 5, [0.0] * 5
     s = SimpleNamespace(has=SimpleNamespace(loss_rate=False), highest=order)
