@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "87f67b59d1438d14ffb1ca6a506e6a7982816ee80af395ba5b8ff7fc28caad2f"
+#define DIGEST "2988bddc051426463b7b63b98579a42e3501d346d3526ad78413c25bab12f98f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3702,15 +3702,33 @@ static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
     return x;
 }
 
+/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
+INLINE V force_at(V start, V sine, V vers, V *f)
+{
+    V sine_there = sine * (f[0] - f[3]);
+    return start + (sine_there + (vers * f[2]));
+}
+
 /* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
  * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
 INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
-    V sine_end = sine * (f[0] - f[3]);
-    V at_end = start + (sine_end + (vers * f[2]));
+    V at_end = force_at(start, sine, vers, f);
     V cosine = 1.0 - f[2];
-    M concave = (vers <= 0.0) & ((vers * cosine) <= sine_end);
+    M concave = (vers <= 0.0) & ((vers * cosine) <= (sine * (f[0] - f[3])));
     return (start > 0.0) & (at_end > 0.0) & concave;
+}
+
+/* Return whether phases up to a rotation have the closed form, from the functions of E there. */
+INLINE M has_closed_form(Batch *b, V *f, V q)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V end = f[0];
+    M near = (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED);
+    M upright = stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
+    M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    return near & (c[job->role->normal_square] >= 0.0) & upright & pressed;
 }
 
 /* Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end. */
@@ -3820,12 +3838,12 @@ INLINE Pair times_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
 }
 
 /* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
- * ``rate`` is the net moment in the direction in which they arrived, and ``force`` the normal force. */
-INLINE void rest(Batch *b, M here, V rate, V force)
+ * ``rate`` is the net moment in the direction in which they arrived, and ``f`` has the functions of E there. */
+INLINE void rest(Batch *b, M here, V rate, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V resistance = c[job->role->resisting] + (c[job->role->mu] * force);
+    V resistance = c[job->role->resisting] + (c[job->role->mu] * force_at(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f));
     V driving = rate + resistance;
     V terms = magnitude(driving) + resistance;
     V excess = driving + resistance;
@@ -3881,19 +3899,15 @@ static M swing(Batch *b, M which)
         peak = peak_of_cubic(e[0], back[0], end);
         fits = fits & (back[0] > 0.0);
     }
-    fits = fits & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (c[job->role->normal_square] >= 0.0) & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f) & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    fits = fits & has_closed_form(b, f, q);
     if (bits(fits)) {
         peak = peak_of_swing(b, e, peak, end, fits);
         const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);
         V before = before_duration.one, duration = before_duration.other;
         fits = fits & ((c[TIME] + duration) < c[END_TIME]);
-        if (bits(fits)) {
-            V sine_end = c[job->role->normal_sine] * (f[0] - f[3]);
-            V force = c[job->role->normal0] + (sine_end + (c[job->role->normal_vers] * f[2]));
-            finish(b, fits, e, end, duration, peak, before);
-            if (!softens) {
-                rest(b, fits, (-0.5) * back[0], force);
-            }
+        finish(b, fits, e, end, duration, peak, before);
+        if (!softens) {
+            rest(b, fits, (-0.5) * back[0], f);
         }
     }
     return fits;

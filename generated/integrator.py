@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 26372e330c546870268a527ce6d72d1390c4142d65de86f1ca25531bf44cf630
+# sha256 of the text below: 6933fc010ffb2db0644199eaff45ac1166cf54fb126f908dffcb738ee575b90c
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2381,13 +2381,28 @@ def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> F
     return x
 
 
+def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
+
+
 def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
     """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
-    sine_end = sine * (f[0] - f[3])
-    at_end = start + (sine_end + vers * f[2])
+    at_end = force_at(start, sine, vers, f)
     cosine = 1.0 - f[2]
-    concave = (vers <= 0.0) & (vers * cosine <= sine_end)
+    concave = (vers <= 0.0) & (vers * cosine <= sine * (f[0] - f[3]))
     return (start > 0.0) & (at_end > 0.0) & concave
+
+
+def has_closed_form(s: Lanes, f: Floats, q: Floats) -> Mask:
+    """Return whether phases up to a rotation have the closed form, from the functions of E there."""
+    c = s.cells
+    end = f[0]
+    near = (end < FARTHEST) & (q >= 0.0) & (q * end < FADED)
+    upright = stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
+    pressed = stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    return near & (c[s.roles.normal_square] >= 0.0) & upright & pressed
 
 
 def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k: int) -> None:
@@ -2478,10 +2493,11 @@ def times_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats,
     return durations_of_swing(s, e, back, end, peak, which)
 
 
-def rest(s: Lanes, here: Mask, rate: Floats, force: Floats) -> None:
+def rest(s: Lanes, here: Mask, rate: Floats, f: Floats) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back."""
     c = s.cells
-    resistance = c[s.roles.resisting] + c[s.roles.mu] * force
+    resistance = c[s.roles.resisting] + c[s.roles.mu] * force_at(c[s.roles.normal0], c[s.roles.normal_sine],
+        c[s.roles.normal_vers], f)
     driving = rate + resistance
     terms = np.abs(driving) + resistance
     excess = driving + resistance
@@ -2530,20 +2546,14 @@ def swing(s: Lanes, which: Mask) -> Mask:
         mirror(back, c[s.roles.drive], sine, c[s.roles.net_vers], q, f)
         peak = peak_of_cubic(e[0], back[0], end)
         fits = fits & (back[0] > 0.0)
-    fits = fits & (end < FARTHEST) & (q >= 0.0) & (q *
-         end < FADED) & (c[s.roles.normal_square] >= 0.0) & stays_positive(c[s.roles.normal_load],
-        c[s.roles.upright_sine], c[s.roles.upright_vers], f) & stays_positive(c[s.roles.normal0],
-        c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    fits = fits & has_closed_form(s, f, q)
     if np.any(fits):
         peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
         fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
-        if np.any(fits):
-            sine_end = c[s.roles.normal_sine] * (f[0] - f[3])
-            force = c[s.roles.normal0] + (sine_end + c[s.roles.normal_vers] * f[2])
-            finish(s, fits, e, end, duration, peak, before)
-            if not softens:
-                rest(s, fits, -0.5 * back[0], force)
+        finish(s, fits, e, end, duration, peak, before)
+        if not softens:
+            rest(s, fits, -0.5 * back[0], f)
     return fits
 
 

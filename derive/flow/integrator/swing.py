@@ -110,16 +110,30 @@ def peak_of_swing(s: Lanes, e: S, x: V, end: V, which: M) -> V:
     return x
 
 
+def force_at(start: V, sine: V, vers: V, f: S) -> V:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
+
+
 def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
     """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn.
 
     A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
     """
-    sine_end = sine * (f[0] - f[3])
-    at_end = start + (sine_end + vers * f[2])
+    at_end = force_at(start, sine, vers, f)
     cosine = 1.0 - f[2]
-    concave = vers <= 0.0 and vers * cosine <= sine_end
+    concave = vers <= 0.0 and vers * cosine <= sine * (f[0] - f[3])
     return start > 0.0 and at_end > 0.0 and concave
+
+
+def has_closed_form(s: Lanes, f: S, q: V) -> M:
+    """Return whether phases up to a rotation have the closed form, from the functions of E there."""
+    end = f[0]
+    near = end < FARTHEST and q >= 0.0 and q * end < FADED
+    upright = stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
+    pressed = stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
+    return near and s.normal_square >= 0.0 and upright and pressed
 
 
 def add_node(e: S, back: S, end: V, both: S, odd: S, k: N) -> None:
@@ -216,12 +230,12 @@ def times_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tuple[
     return durations_of_swing(s, e, back, end, peak, which)
 
 
-def rest(s: Lanes, here: M, rate: V, force: V) -> None:
+def rest(s: Lanes, here: M, rate: V, f: S) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
 
-    ``rate`` is the net moment in the direction in which they arrived, and ``force`` the normal force.
+    ``rate`` is the net moment in the direction in which they arrived, and ``f`` has the functions of E there.
     """
-    resistance = s.resisting + s.mu * force
+    resistance = s.resisting + s.mu * force_at(s.normal0, s.normal_sine, s.normal_vers, f)
     driving = rate + resistance
     terms = abs(driving) + resistance
     excess = driving + resistance
@@ -268,23 +282,12 @@ def swing(s: Lanes, which: M) -> M:
         mirror(back, s.drive, sine, s.net_vers, q, f)
         peak = peak_of_cubic(e[0], back[0], end)
         fits = fits and back[0] > 0.0
-    fits = (
-        fits
-        and end < FARTHEST
-        and q >= 0.0
-        and q * end < FADED
-        and s.normal_square >= 0.0
-        and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
-        and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
-    )
+    fits = fits and has_closed_form(s, f, q)
     if any_lane(fits):
         peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
         fits = fits and s.time + duration < s.end_time
-        if any_lane(fits):
-            sine_end = s.normal_sine * (f[0] - f[3])
-            force = s.normal0 + (sine_end + s.normal_vers * f[2])
-            finish(s, fits, e, end, duration, peak, before)
-            if not softens:
-                rest(s, fits, -0.5 * back[0], force)
+        finish(s, fits, e, end, duration, peak, before)
+        if not softens:
+            rest(s, fits, -0.5 * back[0], f)
     return fits
