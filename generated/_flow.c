@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2988bddc051426463b7b63b98579a42e3501d346d3526ad78413c25bab12f98f"
+#define DIGEST "7f17d0d34dcb31418616def9d2b0780c15be8de241f4c45e3550d60fefc16e46"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1273,12 +1273,14 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 
 static const double SINES[] = {0.0, 0.009607359798384776, 0.03806023374435662, 0.08426519384872735, 0.14644660940672624, 0.22221488349019888, 0.3086582838174551, 0.40245483899193585, 0.4999999999999999};
 static const double COSINES[] = {0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, 0.25, 0.46193976625564337, 0.3535533905932738, 0.1913417161825449, 0.0, -0.1913417161825449, -0.3535533905932738, -0.46193976625564337, -0.25, 0.16666666666666666, 0.2771565374341817, 0.12756114412169658, -0.06503010733870943, -0.23570226039551587, -0.3269284268010768, -0.30795984417042893, -0.18519007767320073, 0.0, 0.125, 0.1767766952966369, 0.0, -0.1767766952966369, -0.25, -0.1767766952966369, 0.0, 0.1767766952966369, 0.125, 0.1, 0.11111404660392044, -0.07653668647301795, -0.1961570560806461, -0.1414213562373095, 0.03901806440322565, 0.18477590650225734, 0.16629392246050906, 0.0, 0.08333333333333333, 0.06378057206084829, -0.11785113019775793, -0.15397992208521447, 0.0, 0.15397992208521447, 0.11785113019775793, -0.06378057206084829, -0.08333333333333333, 0.07142857142857142, 0.027870046002304038, -0.13198279035875524, -0.07936717614565746, 0.10101525445522108, 0.11878137318607788, -0.054669061766441394, -0.1401121829147472, 0.0, 0.0625, 0.0, -0.125, 0.0, 0.125, 0.0, -0.125, 0.0, 0.0625, 0.05555555555555555, -0.021676702446236474, -0.10265328139014297, 0.06173002589106691, 0.07856742013183862, -0.09238551247806058, -0.042520381373898866, 0.10897614226702561, 0.0, 0.05, -0.038268343236508975, -0.07071067811865475, 0.09238795325112867, 0.0, -0.09238795325112867, 0.07071067811865475, 0.038268343236508975, -0.05, 0.045454545454545456, -0.050506384819963834, -0.03478940294228089, 0.08916229821847549, -0.0642824346533225, -0.017735483819648026, 0.08398904841011698, -0.07558814657295866, 0.0, 0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, 0.041666666666666664, 0.038461538461538464, -0.06395920094634963, 0.029437187105006906, 0.015006947847394482, -0.05439282932204212, 0.07544502156947927, -0.07106765634702206, 0.04273617177073863, 0.0, 0.03571428571428571, -0.06599139517937762, 0.05050762722761054, -0.027334530883220697, 0.0, 0.027334530883220697, -0.05050762722761054, 0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783, -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0, 0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125};
+static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306};
+#define LAST_OF_ARCSINE 20
 #define TO_PEAK 24
 #define FROM_PEAK 12
 static const double NODES[] = {0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596};
 static const double SHARES[] = {0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183};
-static const double LAST_SHARES[] = {-0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944, -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658, 1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313};
-static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719};
+static const double LAST_SHARES[] = {-0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794, -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313};
+static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define BEYOND 0x1.2000000000000p+0
@@ -1324,8 +1326,6 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define LAST_OF_NEWTON 0x1.0000000000000p-26
 #define PAIRS 8
 #define QUARTER 0x1.921fb54442d18p-1
-#define LAST_OF_ARCSINE 20
-static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306};
 #define LAST_OF_COARSE 0x1.0000000000000p-32
 #define LAST_OF_FINE 0x1.0000000000000p-42
 #define TOUCHES 0x1.0000000000000p+1
@@ -1460,14 +1460,16 @@ static V falling_root(V *p, int n, V t, V last, V slope, M here)
 {
     M touches = p[0] == 0.0;
     M positive = (p[0] > 0.0) | (touches & (p[1] > 0.0));
-    M falls = here & positive & ((last < 0.0) | ((p[1] < 0.0) & (slope > 0.0)));
+    M dips = (p[1] < 0.0) & (slope > 0.0);
+    M falls = here & positive & ((last < 0.0) | dips);
     V e[STRIDE];
     V root = broadcast(INFINITY);
     if (bits(falls)) {
         margin_of(e, p, n, broadcast(1.0), broadcast(0.0), touches);
         root = first_root(e, n, t, falls);
     }
-    M hump = here & (p[0] < 0.0) & (p[1] > 0.0) & (last < 0.0) & (slope < 0.0);
+    M rises = (p[0] < 0.0) & (p[1] > 0.0);
+    M hump = here & rises & (last < 0.0) & (slope < 0.0);
     if (bits(hump)) {
         differentiate(e, p, n);
         V top = bracketed_root(e, n - 1, broadcast(0.0), e[0], t, slope, hump);
@@ -1498,7 +1500,17 @@ INLINE double value_within(Batch *b, unsigned lane, int t, int64_t piece, double
     double terms[STRIDE];
     coefficients_of(b, lane, t, piece, terms);
     double change = terms[1] * local;
-    return c[job->table[t].cell + SCALED_BY][lane] * (job->data[t].sine ? (terms[0] * sin(change + terms[2])) : (terms[0] + change));
+    double line = terms[0] + change;
+    double value = job->data[t].sine ? (terms[0] * sin(change + terms[2])) : line;
+    return c[job->table[t].cell + SCALED_BY][lane] * value;
+}
+
+/* Return the distance of the current time from the left end of a piece, in the table's argument. */
+INLINE double since_break(Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    return (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece);
 }
 
 /* Return a function of time at the current time. */
@@ -1507,7 +1519,8 @@ INLINE double value_now(Batch *b, unsigned lane, int t)
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    return value_within(b, lane, t, piece, (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece));
+    double local = since_break(b, lane, t, piece);
+    return value_within(b, lane, t, piece, local);
 }
 
 /* Compute the series of a sine about the current time, as its increment since the phase began. */
@@ -1519,7 +1532,7 @@ static void expand_sine(Batch *b, unsigned lane, int t, int top)
     double terms[STRIDE];
     coefficients_of(b, lane, t, piece, terms);
     double rate = terms[1];
-    double angle = (rate * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece))) + terms[2];
+    double angle = (rate * since_break(b, lane, t, piece)) + terms[2];
     double size = terms[0] * c[job->table[t].cell + SCALED_BY][lane];
     double now = sin(angle);
     double slope = cos(angle);
@@ -1544,8 +1557,9 @@ INLINE double rise_to(Batch *b, unsigned lane, int t, double past)
     c[job->table[t].cell + RISE][lane] = slope * c[job->table[t].cell + SCALE][lane];
     if (job->data[t].sine) {
         double half = (0.5 * terms[1]) * past;
-        double angle = (terms[1] * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece))) + terms[2];
-        return (((2.0 * c[job->table[t].cell + SCALED_BY][lane]) * terms[0]) * sin(half)) * cos(angle + half);
+        double angle = (terms[1] * since_break(b, lane, t, piece)) + terms[2];
+        double change = (2.0 * sin(half)) * cos(angle + half);
+        return (c[job->table[t].cell + SCALED_BY][lane] * terms[0]) * change;
     }
     return slope * past;
 }
@@ -1555,14 +1569,16 @@ INLINE double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     int last = (int)job->data[t].pieces - 1;
-    return (piece < last) ? break_of(b, lane, t, (piece + 1) < last ? (piece + 1) : last) : INFINITY;
+    int64_t following = (piece + 1) < last ? (piece + 1) : last;
+    return (piece < last) ? break_of(b, lane, t, following) : INFINITY;
 }
 
 /* Return whether a piece ends below an argument, or at it if a break belongs to the piece above. */
 INLINE int ends_by(Batch *b, unsigned lane, int t, int64_t piece, double argument, int included)
 {
     double end = end_of_piece(b, lane, t, piece);
-    return (end < argument) || (included && (end == argument) && (end < INFINITY));
+    int ends_there = (end == argument) && (end < INFINITY);
+    return (end < argument) || (included && ends_there);
 }
 
 /* Return the piece that contains an argument, searched from a first piece on. */
@@ -1601,8 +1617,9 @@ static void begin_in_time(Batch *b, unsigned lane, int t)
     c[job->table[t].cell + WAY][lane] = fabs(c[job->table[t].cell + LOWER][lane]);
     if (c[job->table[t].cell + UPPER][lane] <= c[TIME][lane]) {
         double now = c[TIME][lane] * c[job->table[t].cell + SCALE][lane];
-        int64_t piece = piece_at(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], now * (1.0 + (2.0 * EPS)), 1);
-        if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
+        int64_t before = (int64_t)c[job->table[t].cell + PIECE][lane];
+        int64_t piece = piece_at(b, lane, t, before, now * (1.0 + (2.0 * EPS)), 1);
+        if (piece > before) {
             c[SCALE_BEFORE][lane] = INFINITY;
         }
         c[job->table[t].cell + PIECE][lane] = (double)piece;
@@ -1652,7 +1669,8 @@ static void begin_in_slip(Batch *b, unsigned lane, int t)
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double edge = break_of(b, lane, t, piece);
     double local = fmax((c[SLIP][lane] * c[job->table[t].cell + SCALE][lane]) - edge, 0.0);
-    c[job->table[t].cell + UPPER][lane] = fmax(((end_of_piece(b, lane, t, piece) - edge) - local) / c[job->table[t].cell + SCALE][lane], EPS * c[SLIP][lane]);
+    double ahead = (end_of_piece(b, lane, t, piece) - edge) - local;
+    c[job->table[t].cell + UPPER][lane] = fmax(ahead / c[job->table[t].cell + SCALE][lane], EPS * c[SLIP][lane]);
     develop(b, lane, t, local, c[job->table[t].cell + SCALE][lane]);
 }
 
@@ -2134,7 +2152,9 @@ INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
     V *const c = b->c;
     M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
     if (bits(faster)) {
-        faster = faster & ((c[PEAK_TIME] == c[TIME]) | (speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]))));
+        M begins = c[PEAK_TIME] == c[TIME];
+        M clearly = speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]));
+        faster = faster & (begins | clearly);
         c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
         c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
         c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);
@@ -2195,7 +2215,8 @@ INLINE void start(Batch *b, M here)
     c[X] = pick(here, broadcast(0.0), c[X]);
     c[LIFTED] = pick(here, broadcast(0.0), c[LIFTED]);
     c[FACED] = pick(here, broadcast(0.0), c[FACED]);
-    c[PENDING] = pick(here, pick(c[OMEGA] > 0.0, broadcast((double)START_MOVING), broadcast((double)RESOLVE)), c[PENDING]);
+    M moves = c[OMEGA] > 0.0;
+    c[PENDING] = pick(here, pick(moves, broadcast(START_MOVING), broadcast(RESOLVE)), c[PENDING]);
     c[CLOCKED] = pick(here, broadcast(0.0), c[CLOCKED]);
     c[NEGLIGIBLE] = pick(here, broadcast(ROUNDING), c[NEGLIGIBLE]);
     if (job->timed) {
@@ -2213,10 +2234,11 @@ INLINE void start_moving(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[STATUS] = pick(here, broadcast((double)MOVING), c[STATUS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    c[STATUS] = pick(here, broadcast(MOVING), c[STATUS]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
-    c[TURNS] = pick(here, c[TURNS] + pick((c[LAST_WAY] * c[DIRECTION]) < 0.0, broadcast(1.0), broadcast(0.0)), c[TURNS]);
+    M turns = (c[LAST_WAY] * c[DIRECTION]) < 0.0;
+    c[TURNS] = pick(here, c[TURNS] + pick(turns, broadcast(1.0), broadcast(0.0)), c[TURNS]);
     c[LAST_WAY] = pick(here, c[DIRECTION], c[LAST_WAY]);
     if (job->notes_room > 0) {
         EACH(lane, bits(here)) {
@@ -2225,7 +2247,7 @@ INLINE void start_moving(Batch *b, M here, V rate)
     }
     note_lift_off(b, here & (c[LIFTED] > 0.0));
     keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
-    c[PENDING] = pick(here, broadcast((double)READY), c[PENDING]);
+    c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
 }
 
 /* Keep lanes at rest until their end. */
@@ -2239,7 +2261,7 @@ INLINE void stay(Batch *b, M here, V status)
     c[END_RATE] = pick(here, broadcast(0.0), c[END_RATE]);
     c[DIRECTION] = pick(here, broadcast(0.0), c[DIRECTION]);
     c[REST_SINCE] = pick(here, pick(c[REST_SINCE] > c[END_TIME], c[END_TIME], c[REST_SINCE]), c[REST_SINCE]);
-    c[PENDING] = pick(here, broadcast((double)READY), c[PENDING]);
+    c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
     if (job->samples > 0) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
@@ -2263,9 +2285,11 @@ INLINE M never_rests(Batch *b)
     const Job *const job = b->job;
     V *const c = b->c;
     V load = c[job->role->normal_load];
-    V square = (load * load) + (c[job->role->normal_load_slope] * c[job->role->normal_load_slope]);
+    V slope = c[job->role->normal_load_slope];
+    V square = (load * load) + (slope * slope);
     V most = sqrt_of(square);
-    M carried = (c[job->role->normal0] + (most - load)) <= ((double)CARRIED * most);
+    V least = c[job->role->normal0] + (most - load);
+    M carried = least <= ((double)CARRIED * most);
     return (c[FIRST_ONLY] == 1.0) | (carried & ~still_changes(b));
 }
 
@@ -2274,15 +2298,15 @@ INLINE void stick(Batch *b, M here)
 {
     V *const c = b->c;
     M changes = still_changes(b);
-    stay(b, here & ~changes, broadcast((double)ARRESTED));
+    stay(b, here & ~changes, broadcast(ARRESTED));
     here = here & changes;
     if (bits(here)) {
-        c[STATUS] = pick(here, broadcast((double)RESTING), c[STATUS]);
-        c[PENDING] = pick(here, broadcast((double)READY), c[PENDING]);
+        c[STATUS] = pick(here, broadcast(RESTING), c[STATUS]);
+        c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
         note_lift_off(b, here & (c[LIFTED] > 0.0));
         here = here & ~may_start(b);
         c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
-        c[PENDING] = pick(here, broadcast((double)BEGIN_PHASE), c[PENDING]);
+        c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
     }
 }
 
@@ -2294,7 +2318,7 @@ INLINE void rest_one_way(Batch *b, M here)
     stick(b, here & may);
     here = here & ~may;
     face(b, here, -c[DIRECTION]);
-    c[PENDING] = pick(here, broadcast((double)RESOLVE), c[PENDING]);
+    c[PENDING] = pick(here, broadcast(RESOLVE), c[PENDING]);
 }
 
 /* Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick. */
@@ -2309,13 +2333,15 @@ INLINE void resolve_stick_or_slip(Batch *b, M here)
     M refined = ((c[LIMIT_REST] * c[job->role->drive]) != 0.0) & of_weight;
     unsure = maximum(pick(refined, c[job->role->drive_scale], unsure), broadcast(CLOSEST));
     M may = here & may_start(b);
-    c[CLOSE] = pick(here, pick(may, minimum(c[CLOSE], magnitude(c[job->role->drive]) / unsure), c[CLOSE]), c[CLOSE]);
+    V margin = magnitude(c[job->role->drive]) / unsure;
+    c[CLOSE] = pick(here, pick(may, minimum(c[CLOSE], margin), c[CLOSE]), c[CLOSE]);
     M starts = may & (c[job->role->drive] > 0.0);
     start_moving(b, starts, c[job->role->drive]);
     here = here & ~starts;
     if (bits(here)) {
         c[FACED] = pick(here, c[FACED] + 1.0, c[FACED]);
-        M sticks = here & ((c[FACED] > 1.0) | (may & (c[ONE_WAY] > 0.0)));
+        M stays_down = may & (c[ONE_WAY] > 0.0);
+        M sticks = here & ((c[FACED] > 1.0) | stays_down);
         stick(b, sticks);
         face(b, here & ~sticks, -c[DIRECTION]);
     }
@@ -2328,7 +2354,7 @@ INLINE void resolve_standstill(Batch *b, M here)
     M stops = here & (c[FIRST_ONLY] > 0.0) & (c[PHASES] > 0.0);
     if (bits(stops)) {
         stops = stops & never_rests(b);
-        stay(b, stops, broadcast((double)STOPPED));
+        stay(b, stops, broadcast(STOPPED));
         here = here & ~stops;
     }
     M one_way = here & (c[PENDING] == (double)REST);
@@ -2344,8 +2370,9 @@ INLINE void carry_net_moment(Batch *b, M here, V net)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[PENDING] = pick(here, broadcast((double)READY), c[PENDING]);
-    V terms = (magnitude(c[RATE_BEFORE]) + magnitude(net - c[job->role->drive])) + magnitude(c[DRIVE_BEFORE]);
+    c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
+    V change = net - c[job->role->drive];
+    V terms = (magnitude(c[RATE_BEFORE]) + magnitude(change)) + magnitude(c[DRIVE_BEFORE]);
     V carried = c[SCALE_BEFORE] + (EPS * terms);
     here = here & (carried < c[job->role->drive_scale]);
     c[job->role->drive] = pick(here, c[job->role->drive] + (c[RATE_BEFORE] - net), c[job->role->drive]);
@@ -2362,10 +2389,12 @@ INLINE void resolve_pending(Batch *b, M waits, V net, V force)
     M moving = waits & (c[PENDING] == (double)START_MOVING);
     M again = waits & (c[PENDING] == (double)START_AGAIN);
     M decides = waits & ~(enters | begins | moving | again);
-    V pressed = pick(moving, pick(force < 0.0, broadcast(-1.0), broadcast(1.0)), c[job->role->normal0]);
-    M lifts = (moving | again | decides) & (pressed <= 0.0) & (c[LIFTED] == 0.0);
+    M by_force = moving & (force < 0.0);
+    M at_rest = again | decides;
+    M by_load = at_rest & (c[job->role->normal0] <= 0.0);
+    M lifts = (by_force | by_load) & (c[LIFTED] == 0.0);
     c[LIFTED] = pick(lifts, broadcast(1.0), c[LIFTED]);
-    c[PENDING] = pick(begins, broadcast((double)READY), c[PENDING]);
+    c[PENDING] = pick(begins, broadcast(READY), c[PENDING]);
     if (bits(enters)) {
         carry_net_moment(b, enters, net);
     }
@@ -2388,7 +2417,7 @@ INLINE void on_discontinuity(Batch *b, M here, V force)
     V lifted = pick(force < 0.0, broadcast(1.0), broadcast(0.0));
     M same = c[LIFTED] == lifted;
     note_lift_off(b, here & (lifted > c[LIFTED]));
-    c[PENDING] = pick(here, pick(same, broadcast((double)READY), broadcast((double)BEGIN_PHASE)), c[PENDING]);
+    c[PENDING] = pick(here, pick(same, broadcast(READY), broadcast(BEGIN_PHASE)), c[PENDING]);
     c[LIFTED] = pick(here, lifted, c[LIFTED]);
     advance_origin(b, here & ~same);
 }
@@ -2447,9 +2476,11 @@ INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
     V now = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
     M level = c[job->table[t].cell + RISE] == 0.0;
     V way = (sign * p[1]) * c[job->table[t].cell + RISE];
-    V bound = pick(level, now, now - (((SURE * p[0]) * c[job->table[t].cell + RISE]) / p[1]));
+    V room = ((SURE * p[0]) * c[job->table[t].cell + RISE]) / p[1];
+    V bound = pick(level, now, now - room);
     M straight = (p[2] == 0.0) & (c[SERIES_ORDER] <= 4.0);
-    M sure = straight & ((sign * p[0]) > (ROUNDINGS * terms)) & (c[LIFTED] == 0.0);
+    V rounding = ROUNDINGS * terms;
+    M sure = straight & ((sign * p[0]) > rounding) & (c[LIFTED] == 0.0);
     c[QUIET_FROM] = pick(here, pick(level | (way > 0.0), maximum(bound, c[QUIET_FROM]), c[QUIET_FROM]), c[QUIET_FROM]);
     c[QUIET_TO] = pick(here, pick(level | (way < 0.0), minimum(bound, c[QUIET_TO]), c[QUIET_TO]), c[QUIET_TO]);
     c[QUIET_TO] = pick(here, pick(sure, c[QUIET_TO], broadcast(-INFINITY)), c[QUIET_TO]);
@@ -2520,7 +2551,8 @@ INLINE V standstill(V omega, V net, V rise)
 {
     V square = net * net;
     V decrease = (2.0 * rise) * omega;
-    V root = sqrt_of(maximum(square - decrease, broadcast(0.0)));
+    V left = maximum(square - decrease, broadcast(0.0));
+    V root = sqrt_of(left);
     M falls = net <= 0.0;
     V over = pick(falls, 2.0 * omega, net + root);
     V under = pick(falls, root - net, 0.0 - rise);
@@ -2545,16 +2577,16 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
     c[X] = pick(here, x, c[X]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     M moves = omega > 0.0;
-    c[STATUS] = pick(here, pick(moves, broadcast((double)MOVING), broadcast((double)RESTING)), c[STATUS]);
+    c[STATUS] = pick(here, pick(moves, broadcast(MOVING), broadcast(RESTING)), c[STATUS]);
     c[TIME] = pick(here, pick(moves, c[TIME], c[REST_SINCE]), c[TIME]);
     update_reach(b, here & ~moves);
     advance_origin(b, here);
     EACH(lane, bits(here)) {
         enter_at(b, lane, t, piece);
     }
-    c[PENDING] = pick(here, broadcast((double)BEGIN_PHASE), c[PENDING]);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
 /* Count phases that begin down-slope. */
@@ -2597,7 +2629,8 @@ INLINE Pair turn(Batch *b, M here, V now, V length, V share, V omega, V net, V a
     V behind = path(span, nothing, push, rise);
     V further = pick(starts, behind, broadcast(0.0));
     V before = path(stop, omega, net, rise);
-    return (Pair){end, (before + further)};
+    V way = before + further;
+    return (Pair){end, way};
 }
 
 /* Pass a piece in which lanes start, stop, or have their greatest or lowest speed. Return the speed at its end and
@@ -2815,7 +2848,7 @@ INLINE void enter_phase(Batch *b, M here, V rate)
     c[DRIVE_BEFORE] = pick(here, c[job->role->drive], c[DRIVE_BEFORE]);
     c[SCALE_BEFORE] = pick(here, c[job->role->drive_scale], c[SCALE_BEFORE]);
     advance_origin(b, here);
-    c[PENDING] = pick(here, broadcast((double)ENTER_PHASE), c[PENDING]);
+    c[PENDING] = pick(here, broadcast(ENTER_PHASE), c[PENDING]);
 }
 
 /* Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion. */
@@ -2834,7 +2867,7 @@ INLINE void on_standstill(Batch *b, M here)
     c[FACED] = pick(here, broadcast(1.0), c[FACED]);
     M one_way = c[ONE_WAY] > 0.0;
     face(b, here, pick(one_way, c[DIRECTION], -c[DIRECTION]));
-    c[PENDING] = pick(here, pick(one_way, broadcast((double)REST), broadcast((double)RESOLVE)), c[PENDING]);
+    c[PENDING] = pick(here, pick(one_way, broadcast(REST), broadcast(RESOLVE)), c[PENDING]);
 }
 
 /* Change contact with the slip surface. */
@@ -2851,7 +2884,7 @@ INLINE void on_contact_change(Batch *b, M here, V rate)
         }
     }
     enter_phase(b, here, rate);
-    c[PASSED] = pick(here, broadcast((double)LIFT), c[PASSED]);
+    c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
 }
 
 /* Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece. */
@@ -2860,7 +2893,8 @@ static void on_breakpoint(Batch *b, unsigned lane, int t, int upwards)
     const Job *const job = b->job;
     V *const c = b->c;
     if (job->table[t].kind == OF_ROTATION) {
-        c[ROTATION][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane] + ((c[DIRECTION][lane] > 0.0) ? 1 : 0));
+        int64_t ahead = (c[DIRECTION][lane] > 0.0) ? 1 : 0;
+        c[ROTATION][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane] + ahead);
         return;
     }
     if (job->table[t].kind == OF_SPEED) {
@@ -2911,7 +2945,7 @@ INLINE void on_limit(Batch *b, M here, V rate)
 {
     V *const c = b->c;
     M ends = here & (c[TIME] >= c[END_TIME]);
-    end_motion(b, ends, rate, broadcast((double)ENDED));
+    end_motion(b, ends, rate, broadcast(ENDED));
     M passes = here & ~ends;
     EACH(lane, bits(passes)) {
         pass_breaks(b, lane);
@@ -2922,7 +2956,7 @@ INLINE void on_limit(Batch *b, M here, V rate)
 INLINE void settle(Batch *b, M here, V rate, M at_limit, M endless)
 {
     V *const c = b->c;
-    c[STATUS] = pick(here, pick(endless, broadcast((double)TOO_LONG), c[STATUS]), c[STATUS]);
+    c[STATUS] = pick(here, pick(endless, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
     M limits = here & at_limit;
     if (bits(limits)) {
         on_limit(b, limits, rate);
@@ -2937,7 +2971,7 @@ INLINE void settle(Batch *b, M here, V rate, M at_limit, M endless)
     }
     M upright = here & (c[EVENT] == (double)EVENT_CHORD_UPRIGHT);
     if (bits(upright)) {
-        end_motion(b, upright, rate, broadcast((double)UPRIGHT));
+        end_motion(b, upright, rate, broadcast(UPRIGHT));
     }
     M passes = here & (c[EVENT] >= (double)EVENT_BREAKPOINT);
     if (bits(passes)) {
@@ -2980,7 +3014,8 @@ static void find_standstill(Batch *b, M here, int top)
     M from_rest = omega[0] == 0.0;
     M decelerates = net[0] < 0.0;
     M falls_from_rest = from_rest & (decelerates | ((net[0] == 0.0) & (net[1] <= 0.0)));
-    M asked = here & ((last <= 0.0) | (decelerates & (slope > 0.0)) | falls_from_rest);
+    M dips = decelerates & (slope > 0.0);
+    M asked = here & ((last <= 0.0) | dips | falls_from_rest);
     if (bits(asked)) {
         V e[STRIDE];
         margin_of(e, omega, top, broadcast(1.0), broadcast(0.0), from_rest);
@@ -2988,7 +3023,8 @@ static void find_standstill(Batch *b, M here, int top)
         margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
         V at = first_root(e, top, c[STEP], asked);
         M vanishes = from_rest & (e[0] == 0.0) & (last == 0.0);
-        consider(b, here, pick(asked & ((e[0] < 0.0) | vanishes), broadcast(0.0), at), EVENT_STANDSTILL);
+        M at_once = asked & ((e[0] < 0.0) | vanishes);
+        consider(b, here, pick(at_once, broadcast(0.0), at), EVENT_STANDSTILL);
     }
 }
 
@@ -3014,9 +3050,11 @@ static void find_edges(Batch *b, M here, int t, int top)
     int event = EVENT_BREAKPOINT + (2 * t);
     if (job->table[t].kind == OF_SPEED) {
         V *omega = b->r + job->role->omega;
-        find_crossing(b, ends, omega, top, broadcast(-1.0), upper, c[PASSED] == (double)SLOWER, event);
+        M slower = c[PASSED] == (double)SLOWER;
+        find_crossing(b, ends, omega, top, broadcast(-1.0), upper, slower, event);
         M varies = here & (c[job->table[t].cell + LOWER] > 0.0);
-        find_crossing(b, varies, omega, top, broadcast(1.0), -c[job->table[t].cell + LOWER], c[PASSED] == (double)FASTER, event + 1);
+        M faster = c[PASSED] == (double)FASTER;
+        find_crossing(b, varies, omega, top, broadcast(1.0), -c[job->table[t].cell + LOWER], faster, event + 1);
         return;
     }
     find_crossing(b, ends, b->r + job->role->x, top, broadcast(-1.0), upper, (M){0}, event);
@@ -3029,14 +3067,15 @@ static void find_events(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[EVENT] = pick(here, broadcast((double)EVENT_NONE), c[EVENT]);
+    c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     find_standstill(b, here, top);
     if (job->role->upright >= 0) {
         find_crossing(b, here, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
     }
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind != OF_TIME) {
-            int known = (t > 0) && (job->table[t].kind == OF_ROTATION) && (job->table[t - 1].kind == OF_ROTATION);
+            int follows = (t > 0) && (job->table[t].kind == OF_ROTATION);
+            int known = follows && (job->table[t - 1].kind == OF_ROTATION);
             if (known) {
                 known = !bits(here & (minimum(c[job->table[t].cell + UPPER], broadcast(FAR)) != c[job->table[t - 1].cell + UPPER]));
             }
@@ -3047,7 +3086,8 @@ static void find_events(Batch *b, M here, int top)
     }
     if (job->role->normal >= 0) {
         V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
-        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), c[PASSED] == (double)LIFT, EVENT_LIFT_OFF);
+        M passed = c[PASSED] == (double)LIFT;
+        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
     }
 }
 
@@ -3092,7 +3132,8 @@ INLINE M is_endless(Batch *b, M here, V room)
     V *const c = b->c;
     M endless = (M){0};
     if (job->autonomous) {
-        M settled = ((b->r + job->role->net)[0] * c[STEP]) >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
+        V change = (b->r + job->role->net)[0] * c[STEP];
+        M settled = change >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
         M uneventful = c[EVENT] == (double)EVENT_NONE;
         endless = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
     }
@@ -3120,7 +3161,8 @@ INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
 {
     V *const c = b->c;
     M before_end = c[TIME] < c[END_TIME];
-    M others = enter_lines(b, at_limit & before_end);
+    M breaks = at_limit & before_end;
+    M others = enter_lines(b, breaks);
     M simple = (c[EVENT] == (double)EVENT_NONE) & ~endless & ~others;
     M settled = simple & (before_end | ~at_limit);
     M acts = here & ~settled;
@@ -3135,8 +3177,8 @@ INLINE void arrive(Batch *b, M here, V until, V rate, M steady, M at_limit, M en
     V *const c = b->c;
     keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
-    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast(STIFF_STEP), broadcast(1.0))), c[STEPS]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     conclude(b, here, rate, at_limit, endless);
 }
 
@@ -3167,7 +3209,8 @@ static void make_step(Batch *b, M here)
             read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
         }
     }
-    M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
+    V change = magnitude(net[0]) * step;
+    M steady = (change < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
     advance_states(b, here, top);
     rate = per_time(b, rate, c[OMEGA]);
     arrive(b, here, until, rate, steady, at_limit, endless);
@@ -3373,7 +3416,7 @@ static void turn_on(Batch *b, M here)
     M unsure = here & ~((before + after) < INFINITY);
     while (bits(unsure) && (count < MOST_HALVINGS)) {
         c[STEP] = pick(here, pick(unsure, 0.5 * c[STEP], c[STEP]), c[STEP]);
-        c[EVENT] = pick(here, pick(unsure, broadcast((double)EVENT_NONE), c[EVENT]), c[EVENT]);
+        c[EVENT] = pick(here, pick(unsure, broadcast(EVENT_NONE), c[EVENT]), c[EVENT]);
         peak = greatest_speed(b, here, top);
         const Pair before_after = times_of_step(b, here, top, peak);
         before = before_after.one, after = before_after.other;
@@ -3477,7 +3520,8 @@ INLINE V bend_of(V *e, V *f)
     V sine = f[0] - f[3];
     V cosine = 1.0 - f[2];
     V lost = f[0] - (e[4] * f[1]);
-    V faded_part = e[1] * (1.0 - (e[4] * lost));
+    V kept = 1.0 - (e[4] * lost);
+    V faded_part = e[1] * kept;
     V turned_part = (e[2] * cosine) + (e[3] * sine);
     return faded_part + turned_part;
 }
@@ -3489,8 +3533,10 @@ INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
     V cosine = 1.0 - f[2];
     V change = (sine * sine_end) + (vers * f[2]);
     V at_end = drive + change;
-    V sine_back = (sine * cosine) + (vers * sine_end);
-    V vers_back = (sine * sine_end) - (vers * cosine);
+    V turned_sine = vers * sine_end;
+    V turned_vers = vers * cosine;
+    V sine_back = (sine * cosine) + turned_sine;
+    V vers_back = (sine * sine_end) - turned_vers;
     factors(back, -at_end, sine_back, vers_back, -q);
 }
 
@@ -3715,7 +3761,8 @@ INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
     V at_end = force_at(start, sine, vers, f);
     V cosine = 1.0 - f[2];
-    M concave = (vers <= 0.0) & ((vers * cosine) <= (sine * (f[0] - f[3])));
+    V change = sine * (f[0] - f[3]);
+    M concave = (vers <= 0.0) & ((vers * cosine) <= change);
     return (start > 0.0) & (at_end > 0.0) & concave;
 }
 
@@ -3771,8 +3818,9 @@ INLINE V angle_of(V place, V sine)
  * even coefficients are sums of ``both``, and its odd coefficients sums of ``odd``. */
 INLINE V time_to(V x, V end, V *both, V *odd, int pairs, int by)
 {
-    V place = ((2.0 * x) - end) / end;
-    V sine = (2.0 * sqrt_of(x * (end - x))) / end;
+    V left = end - x;
+    V place = (x - left) / end;
+    V sine = (2.0 * sqrt_of(x * left)) / end;
     V total = (2.0 * mean_of(both, pairs, by)) * angle_of(place, sine);
     V twice = (-2.0) * place;
     V previous = broadcast(0.0);
@@ -3780,9 +3828,12 @@ INLINE V time_to(V x, V end, V *both, V *odd, int pairs, int by)
     for (int j = 1; j <= pairs; j++) {
         V of_odd = broadcast(0.0);
         V of_even = broadcast(0.0);
+        int even_row = (2 * j) * (PAIRS + 1);
+        int odd_row = even_row - (PAIRS + 1);
         for (int k = 0; k <= pairs; k++) {
-            of_odd = of_odd + (COSINES[(((2 * j) - 1) * (PAIRS + 1)) + (k * by)] * odd[k * by]);
-            of_even = of_even + (COSINES[((2 * j) * (PAIRS + 1)) + (k * by)] * both[k * by]);
+            int node = k * by;
+            of_odd = of_odd + (COSINES[odd_row + node] * odd[node]);
+            of_even = of_even + (COSINES[even_row + node] * both[node]);
         }
         V last = broadcast((j == pairs) ? 0.5 : 1.0);
         V following = (twice * sine) - previous;
@@ -3819,7 +3870,8 @@ INLINE Pair durations_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
             add_node(e, back, end, both, odd, (2 * k) - 1);
         }
         V finer = mean_of(both, 8, 1);
-        last = pick(unsure, magnitude(finer - mean) / finer, last);
+        V change = magnitude(finer - mean) / finer;
+        last = pick(unsure, change, last);
         mean = pick(unsure, finer, mean);
         V later = time_to(peak, end, both, odd, 8, 1);
         before = pick(unsure, later, before);
@@ -3843,13 +3895,16 @@ INLINE void rest(Batch *b, M here, V rate, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V resistance = c[job->role->resisting] + (c[job->role->mu] * force_at(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f));
+    V force = force_at(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    V resistance = c[job->role->resisting] + (c[job->role->mu] * force);
     V driving = rate + resistance;
     V terms = magnitude(driving) + resistance;
     V excess = driving + resistance;
-    M back = (c[ONE_WAY] == 0.0) & (c[FIRST_ONLY] == 0.0);
-    here = here & back & (excess > (CLEAR * terms));
-    c[CLOSE] = pick(here, minimum(c[CLOSE], excess / (EPS * terms)), c[CLOSE]);
+    M free = (c[ONE_WAY] == 0.0) & (c[FIRST_ONLY] == 0.0);
+    M clear = excess > (CLEAR * terms);
+    here = here & free & clear;
+    V margin = excess / (EPS * terms);
+    c[CLOSE] = pick(here, minimum(c[CLOSE], margin), c[CLOSE]);
     stick(b, here);
 }
 
@@ -3859,12 +3914,14 @@ INLINE void finish(Batch *b, M here, V *e, V end, V duration, V peak, V before)
     V *const c = b->c;
     V f[STRIDE];
     evaluate_at(b, e, f, peak);
-    keep_faster(b, here, sqrt_of(f[5]), c[TIME] + before, peak, 0.5 * f[6]);
+    V speed = sqrt_of(f[5]);
+    V then = c[TIME] + before;
+    keep_faster(b, here, speed, then, peak, 0.5 * f[6]);
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
     c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     on_standstill(b, here);
 }
 
@@ -3873,7 +3930,8 @@ static M swing(Batch *b, M which)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M fits = which & (c[X] == 0.0) & (c[OMEGA] == 0.0) & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
+    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
+    M fits = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
     if (!bits(fits)) {
         return fits;
     }
@@ -3952,11 +4010,13 @@ static void look_ahead(Batch *b, M here, V room)
     V e[STRIDE];
     margin_of(e, net, top - 1, broadcast(-1.0), broadcast(0.0), touches);
     V at = broadcast(INFINITY);
-    M asked = here & ~jumps & may_cross(net, top - 1, c[STRETCH], broadcast(-1.0), broadcast(0.0), touches);
+    M crosses = may_cross(net, top - 1, c[STRETCH], broadcast(-1.0), broadcast(0.0), touches);
+    M asked = here & ~jumps & crosses;
     if (bits(asked)) {
         at = first_root(e, top - 1, c[STRETCH], asked);
     }
-    at = pick(jumps | (touches & (e[0] < 0.0)), broadcast(0.0), at);
+    M rises = touches & (e[0] < 0.0);
+    at = pick(jumps | rises, broadcast(0.0), at);
     M sooner = at < c[START_AHEAD];
     c[START_AHEAD] = pick(here, pick(sooner, at, c[START_AHEAD]), c[START_AHEAD]);
     c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
@@ -3972,7 +4032,7 @@ INLINE void turn_back(Batch *b, M here)
 {
     V *const c = b->c;
     c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
-    c[PENDING] = pick(here, broadcast((double)BEGIN_PHASE), c[PENDING]);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
 /* Lift masses at rest, or let them land. */
@@ -3980,8 +4040,8 @@ INLINE void change_contact(Batch *b, M here)
 {
     V *const c = b->c;
     c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
-    c[PASSED] = pick(here, broadcast((double)LIFT), c[PASSED]);
-    c[PENDING] = pick(here, broadcast((double)BEGIN_PHASE), c[PENDING]);
+    c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
     note_lift_off(b, here & (c[LIFTED] > 0.0));
 }
 
@@ -3990,7 +4050,7 @@ INLINE void start_again(Batch *b, M here)
 {
     V *const c = b->c;
     face(b, here, c[START_DIRECTION]);
-    c[PENDING] = pick(here, broadcast((double)START_AGAIN), c[PENDING]);
+    c[PENDING] = pick(here, broadcast(START_AGAIN), c[PENDING]);
 }
 
 /* Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests. */
@@ -4021,12 +4081,13 @@ INLINE void leave_rest(Batch *b, M here, V limit, V room)
             read_samples(b, lane, c[TIME][lane], fmin(until[lane], c[END_TIME][lane]), 0, 0);
         }
     }
-    M rested = starts & (stretch > (TOGETHER * until));
+    V least = TOGETHER * until;
+    M rested = starts & (stretch > least);
     c[STEPS] = pick(here, pick(breaks | rested, broadcast(0.0), c[STEPS] + 1.0), c[STEPS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     M ends = here & (for_ever | (until >= c[END_TIME]));
     c[TIME] = pick(here, pick(for_ever, c[TIME], minimum(until, c[END_TIME])), c[TIME]);
-    stay(b, ends, pick(for_ever, broadcast((double)ARRESTED), broadcast((double)PAUSED)));
+    stay(b, ends, pick(for_ever, broadcast(ARRESTED), broadcast(PAUSED)));
     here = here & ~ends;
     start_again(b, here & starts);
     change_contact(b, here & lifts & ~starts);
@@ -4075,7 +4136,8 @@ static void rest_on(Batch *b, M here)
     look_ahead(b, here, room);
     M later = (M){0};
     for (int t = 0; t < job->tables; t++) {
-        int exact = (job->autonomous == 2) && (job->timed == 1) && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        int alone = (job->autonomous == 2) && (job->timed == 1);
+        int exact = alone && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
         if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
             later = slide_together(b, here, t);
         }
@@ -4089,14 +4151,15 @@ INLINE void stop_endless(Batch *b, M here)
     const Job *const job = b->job;
     V *const c = b->c;
     M going = c[STATUS] <= (double)RESTING;
-    V most = pick(c[OMEGA] > 0.0, broadcast((double)MOST_STEPS), broadcast((double)(2 * MOST_STEPS)));
+    V most = pick(c[OMEGA] > 0.0, broadcast(MOST_STEPS), broadcast((double)(2 * MOST_STEPS)));
     M too_long = c[STEPS] > most;
     if (!job->timed) {
         too_long = too_long | (c[TURNS] > (double)MOST_TURNS);
     }
     V total = ((c[TIME] + c[X]) + c[OMEGA]) + c[ROTATION];
-    c[STATUS] = pick(here, pick(going & too_long, broadcast((double)TOO_LONG), c[STATUS]), c[STATUS]);
-    c[STATUS] = pick(here, pick(going & ((total - total) != 0.0), broadcast((double)FAILED), c[STATUS]), c[STATUS]);
+    M overflows = going & ((total - total) != 0.0);
+    c[STATUS] = pick(here, pick(going & too_long, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
+    c[STATUS] = pick(here, pick(overflows, broadcast(FAILED), c[STATUS]), c[STATUS]);
 }
 
 /* Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest. The cost of

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6933fc010ffb2db0644199eaff45ac1166cf54fb126f908dffcb738ee575b90c
+# sha256 of the text below: dcc9fe8d0bdccddc86deb0404725a2934504c3a6479f94bd98cd2489475cfa15
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -289,6 +289,11 @@ COSINES = (0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304,
     0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783,
     -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0,
     0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125)
+ARCSINE = (1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092,
+    0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815,
+    0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096,
+    0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306)
+LAST_OF_ARCSINE = 20
 TO_PEAK = 24
 FROM_PEAK = 12
 NODES = (0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853,
@@ -307,19 +312,19 @@ SHARES = (0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929
     0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277,
     0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843,
     0.04717533638651183)
-LAST_SHARES = (-0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993,
-    -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932,
-    0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022,
-    -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339,
-    0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944,
-    -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658,
-    1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439,
+LAST_SHARES = (-0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993,
+    -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393,
+    0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022,
+    -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034,
+    0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794,
+    -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577,
+    1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439,
     -0.3787454113112651, 0.11253711127058313)
-NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017,
-    -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826,
-    0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826,
-    0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017,
-    -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719,
+NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017,
+    -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826,
+    0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826,
+    0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017,
+    -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719,
     -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808,
     -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008,
     0.2108819967832719)
@@ -373,11 +378,6 @@ MOST_CORRECTIONS = 12
 LAST_OF_NEWTON = 1.4901161193847656e-08
 PAIRS = 8
 QUARTER = 0.7853981633974483
-LAST_OF_ARCSINE = 20
-ARCSINE = (1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092,
-    0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815,
-    0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096,
-    0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306)
 LAST_OF_COARSE = 2.3283064365386963e-10
 LAST_OF_FINE = 2.2737367544323206e-13
 TOUCHES = 2.0
@@ -487,13 +487,15 @@ def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here
     """Return the zero in (0, t] at which polynomials become negative, possibly beyond a maximum, otherwise infinity."""
     touches = p[0] == 0.0
     positive = (p[0] > 0.0) | touches & (p[1] > 0.0)
-    falls = here & positive & ((last < 0.0) | (p[1] < 0.0) & (slope > 0.0))
+    dips = (p[1] < 0.0) & (slope > 0.0)
+    falls = here & positive & ((last < 0.0) | dips)
     e = np.zeros((ix.STRIDE, p.shape[1]))
     root: Floats = INFINITY
     if np.any(falls):
         margin_of(e, p, n, 1.0, 0.0, touches)
         root = first_root(e, n, t, falls)
-    hump = here & (p[0] < 0.0) & (p[1] > 0.0) & (last < 0.0) & (slope < 0.0)
+    rises = (p[0] < 0.0) & (p[1] > 0.0)
+    hump = here & rises & (last < 0.0) & (slope < 0.0)
     if np.any(hump):
         differentiate(e, p, n)
         top = bracketed_root(e, n - 1, 0.0, e[0], t, slope, hump)
@@ -517,14 +519,23 @@ def value_within(lane: Lanes, i: Index, t: Table, piece: Index, local: Floats) -
     terms = np.zeros((lane.terms, i.size))
     coefficients_of(lane, i, t, piece, terms)
     change = terms[1] * local
-    return c[t.cells + ix.SCALED_BY, i] * (terms[0] * np.sin(change + terms[2]) if t.sine else terms[0] + change)
+    line = terms[0] + change
+    value = terms[0] * np.sin(change + terms[2]) if t.sine else line
+    return c[t.cells + ix.SCALED_BY, i] * value
+
+
+def since_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
+    """Return the distance of the current time from the left end of a piece, in the table's argument."""
+    c = lane.cells
+    return c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)
 
 
 def value_now(lane: Lanes, i: Index, t: Table) -> Floats:
     """Return a function of time at the current time."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
-    return value_within(lane, i, t, piece, c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece))
+    local = since_break(lane, i, t, piece)
+    return value_within(lane, i, t, piece, local)
 
 
 def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
@@ -534,7 +545,7 @@ def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
     terms = np.zeros((lane.terms, i.size))
     coefficients_of(lane, i, t, piece, terms)
     rate = terms[1].copy()
-    angle = rate * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)) + terms[2]
+    angle = rate * since_break(lane, i, t, piece) + terms[2]
     size = terms[0] * c[t.cells + ix.SCALED_BY, i]
     now = np.sin(angle)
     slope = np.cos(angle)
@@ -556,21 +567,24 @@ def rise_to(lane: Lanes, i: Index, t: Table, past: Floats) -> Floats:
     c[t.cells + ix.RISE, i] = slope * c[t.cells + ix.SCALE, i]
     if t.sine:
         half = 0.5 * terms[1] * past
-        angle = terms[1] * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)) + terms[2]
-        return 2.0 * c[t.cells + ix.SCALED_BY, i] * terms[0] * np.sin(half) * np.cos(angle + half)
+        angle = terms[1] * since_break(lane, i, t, piece) + terms[2]
+        change = 2.0 * np.sin(half) * np.cos(angle + half)
+        return c[t.cells + ix.SCALED_BY, i] * terms[0] * change
     return slope * past
 
 
 def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
     """Return the end of a piece in the table's argument, infinity for the last piece."""
     last = t.pieces - 1
-    return np.where(piece < last, break_of(lane, i, t, np.fmin(piece + 1, last)), INFINITY)
+    following = np.fmin(piece + 1, last)
+    return np.where(piece < last, break_of(lane, i, t, following), INFINITY)
 
 
 def ends_by(lane: Lanes, i: Index, t: Table, piece: Index, argument: Floats, included: Mask) -> Mask:
     """Return whether a piece ends below an argument, or at it if a break belongs to the piece above."""
     end = end_of_piece(lane, i, t, piece)
-    return (end < argument) | included & (end == argument) & (end < INFINITY)
+    ends_there = (end == argument) & (end < INFINITY)
+    return (end < argument) | included & ends_there
 
 
 def piece_at(lane: Lanes, i: Index, t: Table, first: Index, argument: Floats, included: Mask) -> Index:
@@ -612,13 +626,14 @@ def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
     i, = among(holds_1, i_1)
     if i.size:
         now = c[ix.TIME, i] * c[t.cells + ix.SCALE, i]
-        piece = piece_at(lane, i, t, integer(c[t.cells + ix.PIECE, i]), now * (1.0 + 2.0 * EPS), np.full(i.size, True))
-        holds_2 = piece > integer(c[t.cells + ix.PIECE, i])
-        i_2, now_2, piece_2 = (i, now, piece)
-        i, now, piece = among(holds_2, i_2, now_2, piece_2)
+        before = integer(c[t.cells + ix.PIECE, i])
+        piece = piece_at(lane, i, t, before, now * (1.0 + 2.0 * EPS), np.full(i.size, True))
+        holds_2 = piece > before
+        i_2, now_2, before_2, piece_2 = (i, now, before, piece)
+        i, now, before, piece = among(holds_2, i_2, now_2, before_2, piece_2)
         if i.size:
             c[ix.SCALE_BEFORE, i] = INFINITY
-        i, now, piece = (i_2, now_2, piece_2)
+        i, now, before, piece = (i_2, now_2, before_2, piece_2)
         c[t.cells + ix.PIECE, i] = piece
         c[t.cells + ix.WAY, i] = 0.0
         c[t.cells + ix.VALUE, i] = value_now(lane, i, t)
@@ -659,8 +674,8 @@ def begin_in_slip(lane: Lanes, i: Index, t: Table) -> None:
     piece = integer(c[t.cells + ix.PIECE, i])
     edge = break_of(lane, i, t, piece)
     local = np.fmax(c[ix.SLIP, i] * c[t.cells + ix.SCALE, i] - edge, 0.0)
-    c[t.cells + ix.UPPER, i] = np.fmax((end_of_piece(lane, i, t, piece) - edge - local) / c[t.cells + ix.SCALE, i],
-        EPS * c[ix.SLIP, i])
+    ahead = end_of_piece(lane, i, t, piece) - edge - local
+    c[t.cells + ix.UPPER, i] = np.fmax(ahead / c[t.cells + ix.SCALE, i], EPS * c[ix.SLIP, i])
     develop(lane, i, t, local, c[t.cells + ix.SCALE, i])
 
 
@@ -1044,7 +1059,9 @@ def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, ra
     c = s.cells
     faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(faster):
-        faster = faster & ((c[ix.PEAK_TIME] == c[ix.TIME]) | (speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])))
+        begins = c[ix.PEAK_TIME] == c[ix.TIME]
+        clearly = speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])
+        faster = faster & (begins | clearly)
         c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
         c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
         c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,
@@ -1097,8 +1114,8 @@ def start(s: Lanes, here: Mask) -> None:
     c[ix.X] = np.where(here, 0.0, c[ix.X])
     c[ix.LIFTED] = np.where(here, 0.0, c[ix.LIFTED])
     c[ix.FACED] = np.where(here, 0.0, c[ix.FACED])
-    c[ix.PENDING] = np.where(here, np.where(c[ix.OMEGA] > 0.0, float(ix.START_MOVING), float(ix.RESOLVE)),
-        c[ix.PENDING])
+    moves = c[ix.OMEGA] > 0.0
+    c[ix.PENDING] = np.where(here, np.where(moves, ix.START_MOVING, ix.RESOLVE), c[ix.PENDING])
     c[ix.CLOCKED] = np.where(here, 0.0, c[ix.CLOCKED])
     c[ix.NEGLIGIBLE] = np.where(here, ROUNDING, c[ix.NEGLIGIBLE])
     if s.timed:
@@ -1113,10 +1130,11 @@ def start(s: Lanes, here: Mask) -> None:
 def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
     """Start slip in the current direction."""
     c = s.cells
-    c[ix.STATUS] = np.where(here, float(ix.MOVING), c[ix.STATUS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    c[ix.STATUS] = np.where(here, ix.MOVING, c[ix.STATUS])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
-    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0, 1.0, 0.0), c[ix.TURNS])
+    turns = c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0
+    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(turns, 1.0, 0.0), c[ix.TURNS])
     c[ix.LAST_WAY] = np.where(here, c[ix.DIRECTION], c[ix.LAST_WAY])
     if s.logged:
         i = np.flatnonzero(here)
@@ -1124,7 +1142,7 @@ def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
             note(s, i, ix.NOTE_BEGINS)
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
     keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
-    c[ix.PENDING] = np.where(here, float(ix.READY), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
 
 
 def stay(s: Lanes, here: Mask, status: Floats) -> None:
@@ -1137,7 +1155,7 @@ def stay(s: Lanes, here: Mask, status: Floats) -> None:
     c[ix.DIRECTION] = np.where(here, 0.0, c[ix.DIRECTION])
     c[ix.REST_SINCE] = np.where(here, np.where(c[ix.REST_SINCE] > c[ix.END_TIME], c[ix.END_TIME], c[ix.REST_SINCE]),
         c[ix.REST_SINCE])
-    c[ix.PENDING] = np.where(here, float(ix.READY), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
     if s.samples:
         i = np.flatnonzero(here)
         if i.size:
@@ -1156,9 +1174,11 @@ def never_rests(s: Lanes) -> Mask:
     """Return whether masses swing for ever, because almost no force presses on them at their lowest point."""
     c = s.cells
     load = c[s.roles.normal_load].copy()
-    square = load * load + c[s.roles.normal_load_slope] * c[s.roles.normal_load_slope]
+    slope = c[s.roles.normal_load_slope].copy()
+    square = load * load + slope * slope
     most = np.sqrt(square)
-    carried = c[s.roles.normal0] + (most - load) <= ix.CARRIED * most
+    least = c[s.roles.normal0] + (most - load)
+    carried = least <= ix.CARRIED * most
     return (c[ix.FIRST_ONLY] == 1.0) | carried & np.logical_not(still_changes(s))
 
 
@@ -1166,15 +1186,15 @@ def stick(s: Lanes, here: Mask) -> None:
     """Keep masses at rest, until a force changes or for good."""
     c = s.cells
     changes = still_changes(s)
-    stay(s, here & np.logical_not(changes), float(ix.ARRESTED))
+    stay(s, here & np.logical_not(changes), ix.ARRESTED)
     here = here & changes
     if np.any(here):
-        c[ix.STATUS] = np.where(here, float(ix.RESTING), c[ix.STATUS])
-        c[ix.PENDING] = np.where(here, float(ix.READY), c[ix.PENDING])
+        c[ix.STATUS] = np.where(here, ix.RESTING, c[ix.STATUS])
+        c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
         note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
         here = here & np.logical_not(may_start(s))
         c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
-        c[ix.PENDING] = np.where(here, float(ix.BEGIN_PHASE), c[ix.PENDING])
+        c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
 def rest_one_way(s: Lanes, here: Mask) -> None:
@@ -1184,7 +1204,7 @@ def rest_one_way(s: Lanes, here: Mask) -> None:
     stick(s, here & may)
     here = here & np.logical_not(may)
     face(s, here, -c[ix.DIRECTION])
-    c[ix.PENDING] = np.where(here, float(ix.RESOLVE), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, ix.RESOLVE, c[ix.PENDING])
 
 
 def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
@@ -1197,14 +1217,15 @@ def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
     refined = (c[ix.LIMIT_REST] * c[s.roles.drive] != 0.0) & of_weight
     unsure = np.maximum(np.where(refined, c[s.roles.drive_scale], unsure), CLOSEST)
     may = here & may_start(s)
-    c[ix.CLOSE] = np.where(here, np.where(may, np.minimum(c[ix.CLOSE], np.abs(c[s.roles.drive]) / unsure), c[ix.CLOSE]),
-        c[ix.CLOSE])
+    margin = np.abs(c[s.roles.drive]) / unsure
+    c[ix.CLOSE] = np.where(here, np.where(may, np.minimum(c[ix.CLOSE], margin), c[ix.CLOSE]), c[ix.CLOSE])
     starts = may & (c[s.roles.drive] > 0.0)
     start_moving(s, starts, c[s.roles.drive])
     here = here & np.logical_not(starts)
     if np.any(here):
         c[ix.FACED] = np.where(here, c[ix.FACED] + 1.0, c[ix.FACED])
-        sticks = here & ((c[ix.FACED] > 1.0) | may & (c[ix.ONE_WAY] > 0.0))
+        stays_down = may & (c[ix.ONE_WAY] > 0.0)
+        sticks = here & ((c[ix.FACED] > 1.0) | stays_down)
         stick(s, sticks)
         face(s, here & np.logical_not(sticks), -c[ix.DIRECTION])
 
@@ -1215,9 +1236,9 @@ def resolve_standstill(s: Lanes, here: Mask) -> None:
     stops = here & (c[ix.FIRST_ONLY] > 0.0) & (c[ix.PHASES] > 0.0)
     if np.any(stops):
         stops = stops & never_rests(s)
-        stay(s, stops, float(ix.STOPPED))
+        stay(s, stops, ix.STOPPED)
         here = here & np.logical_not(stops)
-    one_way = here & (c[ix.PENDING] == float(ix.REST))
+    one_way = here & (c[ix.PENDING] == ix.REST)
     if np.any(one_way):
         rest_one_way(s, one_way)
         here = here & np.logical_not(one_way)
@@ -1227,8 +1248,9 @@ def resolve_standstill(s: Lanes, here: Mask) -> None:
 def carry_net_moment(s: Lanes, here: Mask, net: Floats) -> None:
     """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
     c = s.cells
-    c[ix.PENDING] = np.where(here, float(ix.READY), c[ix.PENDING])
-    terms = np.abs(c[ix.RATE_BEFORE]) + np.abs(net - c[s.roles.drive]) + np.abs(c[ix.DRIVE_BEFORE])
+    c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
+    change = net - c[s.roles.drive]
+    terms = np.abs(c[ix.RATE_BEFORE]) + np.abs(change) + np.abs(c[ix.DRIVE_BEFORE])
     carried = c[ix.SCALE_BEFORE] + EPS * terms
     here = here & (carried < c[s.roles.drive_scale])
     c[s.roles.drive] = np.where(here, c[s.roles.drive] + (c[ix.RATE_BEFORE] - net), c[s.roles.drive])
@@ -1238,15 +1260,17 @@ def carry_net_moment(s: Lanes, here: Mask, net: Floats) -> None:
 def resolve_pending(s: Lanes, waits: Mask, net: Floats, force: Floats) -> None:
     """Begin the phases for which lanes wait, from their net moments and normal forces."""
     c = s.cells
-    enters = waits & (c[ix.PENDING] == float(ix.ENTER_PHASE))
-    begins = waits & (c[ix.PENDING] == float(ix.BEGIN_PHASE))
-    moving = waits & (c[ix.PENDING] == float(ix.START_MOVING))
-    again = waits & (c[ix.PENDING] == float(ix.START_AGAIN))
+    enters = waits & (c[ix.PENDING] == ix.ENTER_PHASE)
+    begins = waits & (c[ix.PENDING] == ix.BEGIN_PHASE)
+    moving = waits & (c[ix.PENDING] == ix.START_MOVING)
+    again = waits & (c[ix.PENDING] == ix.START_AGAIN)
     decides = waits & np.logical_not(enters | begins | moving | again)
-    pressed = np.where(moving, np.where(force < 0.0, -1.0, 1.0), c[s.roles.normal0])
-    lifts = (moving | again | decides) & (pressed <= 0.0) & (c[ix.LIFTED] == 0.0)
+    by_force = moving & (force < 0.0)
+    at_rest = again | decides
+    by_load = at_rest & (c[s.roles.normal0] <= 0.0)
+    lifts = (by_force | by_load) & (c[ix.LIFTED] == 0.0)
     c[ix.LIFTED] = np.where(lifts, 1.0, c[ix.LIFTED])
-    c[ix.PENDING] = np.where(begins, float(ix.READY), c[ix.PENDING])
+    c[ix.PENDING] = np.where(begins, ix.READY, c[ix.PENDING])
     if np.any(enters):
         carry_net_moment(s, enters, net)
     starts = (moving | again) & np.logical_not(lifts)
@@ -1265,7 +1289,7 @@ def on_discontinuity(s: Lanes, here: Mask, force: Floats) -> None:
     lifted = np.where(force < 0.0, 1.0, 0.0)
     same = c[ix.LIFTED] == lifted
     note_lift_off(s, here & (lifted > c[ix.LIFTED]))
-    c[ix.PENDING] = np.where(here, np.where(same, float(ix.READY), float(ix.BEGIN_PHASE)), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, np.where(same, ix.READY, ix.BEGIN_PHASE), c[ix.PENDING])
     c[ix.LIFTED] = np.where(here, lifted, c[ix.LIFTED])
     advance_origin(s, here & np.logical_not(same))
 
@@ -1314,9 +1338,11 @@ def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: F
     now = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
     level = c[t.cells + ix.RISE] == 0.0
     way = sign * p[1] * c[t.cells + ix.RISE]
-    bound = np.where(level, now, now - SURE * p[0] * c[t.cells + ix.RISE] / p[1])
+    room = SURE * p[0] * c[t.cells + ix.RISE] / p[1]
+    bound = np.where(level, now, now - room)
     straight = (p[2] == 0.0) & (c[ix.SERIES_ORDER] <= 4.0)
-    sure = straight & (sign * p[0] > ROUNDINGS * terms) & (c[ix.LIFTED] == 0.0)
+    rounding = ROUNDINGS * terms
+    sure = straight & (sign * p[0] > rounding) & (c[ix.LIFTED] == 0.0)
     c[ix.QUIET_FROM] = np.where(here, np.where(level | (way > 0.0), np.maximum(bound, c[ix.QUIET_FROM]),
         c[ix.QUIET_FROM]), c[ix.QUIET_FROM])
     c[ix.QUIET_TO] = np.where(here, np.where(level | (way < 0.0), np.minimum(bound, c[ix.QUIET_TO]), c[ix.QUIET_TO]),
@@ -1386,7 +1412,8 @@ def standstill(omega: Floats, net: Floats, rise: Floats) -> Floats:
     """Return the first time at which a falling speed is zero."""
     square = net * net
     decrease = 2.0 * rise * omega
-    root = np.sqrt(np.maximum(square - decrease, 0.0))
+    left = np.maximum(square - decrease, 0.0)
+    root = np.sqrt(left)
     falls = net <= 0.0
     over = np.where(falls, 2.0 * omega, net + root)
     under = np.where(falls, root - net, 0.0 - rise)
@@ -1408,16 +1435,16 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floa
     c[ix.X] = np.where(here, x, c[ix.X])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
     c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     moves = omega > 0.0
-    c[ix.STATUS] = np.where(here, np.where(moves, float(ix.MOVING), float(ix.RESTING)), c[ix.STATUS])
+    c[ix.STATUS] = np.where(here, np.where(moves, ix.MOVING, ix.RESTING), c[ix.STATUS])
     c[ix.TIME] = np.where(here, np.where(moves, c[ix.TIME], c[ix.REST_SINCE]), c[ix.TIME])
     update_reach(s, here & np.logical_not(moves))
     advance_origin(s, here)
     i = np.flatnonzero(here)
     if i.size:
         enter_at(s, i, t, np.full(i.size, piece))
-    c[ix.PENDING] = np.where(here, float(ix.BEGIN_PHASE), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
 def count_starts(s: Lanes, here: Mask) -> None:
@@ -1457,7 +1484,8 @@ def turn(s: Lanes, here: Mask, now: Floats, length: Floats, share: Floats, omega
     behind = path(span, nothing, push, rise)
     further = np.where(starts, behind, 0.0)
     before = path(stop, omega, net, rise)
-    return (end, before + further)
+    way = before + further
+    return (end, way)
 
 
 def pass_change(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
@@ -1636,7 +1664,7 @@ def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
     c[ix.DRIVE_BEFORE] = np.where(here, c[s.roles.drive], c[ix.DRIVE_BEFORE])
     c[ix.SCALE_BEFORE] = np.where(here, c[s.roles.drive_scale], c[ix.SCALE_BEFORE])
     advance_origin(s, here)
-    c[ix.PENDING] = np.where(here, float(ix.ENTER_PHASE), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, ix.ENTER_PHASE, c[ix.PENDING])
 
 
 def on_standstill(s: Lanes, here: Mask) -> None:
@@ -1652,7 +1680,7 @@ def on_standstill(s: Lanes, here: Mask) -> None:
     c[ix.FACED] = np.where(here, 1.0, c[ix.FACED])
     one_way = c[ix.ONE_WAY] > 0.0
     face(s, here, np.where(one_way, c[ix.DIRECTION], -c[ix.DIRECTION]))
-    c[ix.PENDING] = np.where(here, np.where(one_way, float(ix.REST), float(ix.RESOLVE)), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, np.where(one_way, ix.REST, ix.RESOLVE), c[ix.PENDING])
 
 
 def on_contact_change(s: Lanes, here: Mask, rate: Floats) -> None:
@@ -1666,15 +1694,15 @@ def on_contact_change(s: Lanes, here: Mask, rate: Floats) -> None:
         if i.size:
             note(s, i, ix.NOTE_LANDS)
     enter_phase(s, here, rate)
-    c[ix.PASSED] = np.where(here, float(ix.LIFT), c[ix.PASSED])
+    c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
 
 
 def on_breakpoint(lane: Lanes, i: Index, t: Table, upwards: Mask) -> None:
     """Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece."""
     c = lane.cells
     if t.kind == ix.OF_ROTATION:
-        c[ix.ROTATION, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]) + np.where(c[ix.DIRECTION, i] > 0.0,
-            1, 0))
+        ahead = np.where(c[ix.DIRECTION, i] > 0.0, 1, 0)
+        c[ix.ROTATION, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]) + ahead)
         return
     if t.kind == ix.OF_SPEED:
         c[ix.OMEGA, i] = np.where(upwards, c[t.cells + ix.UPPER, i], c[t.cells + ix.LOWER, i])
@@ -1719,7 +1747,7 @@ def on_limit(s: Lanes, here: Mask, rate: Floats) -> None:
     """End lanes at their end time, or pass breaks of functions of time."""
     c = s.cells
     ends = here & (c[ix.TIME] >= c[ix.END_TIME])
-    end_motion(s, ends, rate, float(ix.ENDED))
+    end_motion(s, ends, rate, ix.ENDED)
     passes = here & np.logical_not(ends)
     i = np.flatnonzero(passes)
     if i.size:
@@ -1729,20 +1757,20 @@ def on_limit(s: Lanes, here: Mask, rate: Floats) -> None:
 def settle(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
     """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
     c = s.cells
-    c[ix.STATUS] = np.where(here, np.where(endless, float(ix.TOO_LONG), c[ix.STATUS]), c[ix.STATUS])
+    c[ix.STATUS] = np.where(here, np.where(endless, ix.TOO_LONG, c[ix.STATUS]), c[ix.STATUS])
     limits = here & at_limit
     if np.any(limits):
         on_limit(s, limits, rate)
-    stands = here & (c[ix.EVENT] == float(ix.EVENT_STANDSTILL))
+    stands = here & (c[ix.EVENT] == ix.EVENT_STANDSTILL)
     if np.any(stands):
         on_standstill(s, stands)
-    lifts = here & (c[ix.EVENT] == float(ix.EVENT_LIFT_OFF))
+    lifts = here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF)
     if np.any(lifts):
         on_contact_change(s, lifts, rate)
-    upright = here & (c[ix.EVENT] == float(ix.EVENT_CHORD_UPRIGHT))
+    upright = here & (c[ix.EVENT] == ix.EVENT_CHORD_UPRIGHT)
     if np.any(upright):
-        end_motion(s, upright, rate, float(ix.UPRIGHT))
-    passes = here & (c[ix.EVENT] >= float(ix.EVENT_BREAKPOINT))
+        end_motion(s, upright, rate, ix.UPRIGHT)
+    passes = here & (c[ix.EVENT] >= ix.EVENT_BREAKPOINT)
     if np.any(passes):
         on_breakpoints(s, passes, rate)
 
@@ -1773,7 +1801,8 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest & (decelerates | (net[0] == 0.0) & (net[1] <= 0.0))
-    asked = here & ((last <= 0.0) | decelerates & (slope > 0.0) | falls_from_rest)
+    dips = decelerates & (slope > 0.0)
+    asked = here & ((last <= 0.0) | dips | falls_from_rest)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
         margin_of(e, omega, top, 1.0, 0.0, from_rest)
@@ -1781,7 +1810,8 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
         margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
         at = first_root(e, top, c[ix.STEP], asked)
         vanishes = from_rest & (e[0] == 0.0) & (last == 0.0)
-        consider(s, here, np.where(asked & ((e[0] < 0.0) | vanishes), 0.0, at), ix.EVENT_STANDSTILL)
+        at_once = asked & ((e[0] < 0.0) | vanishes)
+        consider(s, here, np.where(at_once, 0.0, at), ix.EVENT_STANDSTILL)
 
 
 def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constant: Floats, passed: Mask,
@@ -1803,9 +1833,11 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
     event = ix.EVENT_BREAKPOINT + 2 * t.number
     if t.kind == ix.OF_SPEED:
         omega = s.registers[s.roles.omega]
-        find_crossing(s, ends, omega, top, -1.0, upper, c[ix.PASSED] == ix.SLOWER, event)
+        slower = c[ix.PASSED] == ix.SLOWER
+        find_crossing(s, ends, omega, top, -1.0, upper, slower, event)
         varies = here & (c[t.cells + ix.LOWER] > 0.0)
-        find_crossing(s, varies, omega, top, 1.0, -c[t.cells + ix.LOWER], c[ix.PASSED] == ix.FASTER, event + 1)
+        faster = c[ix.PASSED] == ix.FASTER
+        find_crossing(s, varies, omega, top, 1.0, -c[t.cells + ix.LOWER], faster, event + 1)
         return
     find_crossing(s, ends, s.registers[s.roles.x], top, -1.0, upper, none_of(s), event)
 
@@ -1813,21 +1845,22 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
 def find_events(s: Lanes, here: Mask, top: int) -> None:
     """Find the first event of the step. Of simultaneous events the last one in the order of the search is used."""
     c = s.cells
-    c[ix.EVENT] = np.where(here, float(ix.EVENT_NONE), c[ix.EVENT])
+    c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     find_standstill(s, here, top)
     if s.roles.upright >= 0:
         find_crossing(s, here, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
     for t in s.tables:
         if t.kind != ix.OF_TIME:
-            known = t.number > 0 and t.kind == ix.OF_ROTATION and (t.before.kind == ix.OF_ROTATION)
+            follows = t.number > 0 and t.kind == ix.OF_ROTATION
+            known = follows and t.before.kind == ix.OF_ROTATION
             if known:
                 known = not np.any(here & (np.minimum(c[t.cells + ix.UPPER], FAR) != c[t.before.cells + ix.UPPER]))
             if not known:
                 find_edges(s, here, t, top)
     if s.roles.normal >= 0:
         sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
-        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, c[ix.PASSED] == ix.LIFT,
-            ix.EVENT_LIFT_OFF)
+        passed = c[ix.PASSED] == ix.LIFT
+        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
 
 
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
@@ -1859,8 +1892,9 @@ def is_endless(s: Lanes, here: Mask, room: Floats) -> Mask:
     c = s.cells
     endless = none_of(s)
     if s.autonomous:
-        settled = s.registers[s.roles.net][0] * c[ix.STEP] >= -ix.SETTLED * s.registers[s.roles.omega][0]
-        uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+        change = s.registers[s.roles.net][0] * c[ix.STEP]
+        settled = change >= -ix.SETTLED * s.registers[s.roles.omega][0]
+        uneventful = c[ix.EVENT] == ix.EVENT_NONE
         endless = here & uneventful & settled & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
     return endless
 
@@ -1882,8 +1916,9 @@ def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) 
     """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
     c = s.cells
     before_end = c[ix.TIME] < c[ix.END_TIME]
-    others = enter_lines(s, at_limit & before_end)
-    simple = (c[ix.EVENT] == float(ix.EVENT_NONE)) & np.logical_not(endless) & np.logical_not(others)
+    breaks = at_limit & before_end
+    others = enter_lines(s, breaks)
+    simple = (c[ix.EVENT] == ix.EVENT_NONE) & np.logical_not(endless) & np.logical_not(others)
     settled = simple & (before_end | np.logical_not(at_limit))
     acts = here & np.logical_not(settled)
     if np.any(acts):
@@ -1895,9 +1930,9 @@ def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats, steady: Mask, at_l
     c = s.cells
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
-    c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
+    c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, ix.STIFF_STEP, 1.0)),
         c[ix.STEPS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     conclude(s, here, rate, at_limit, endless)
 
 
@@ -1910,7 +1945,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
-    uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+    uneventful = c[ix.EVENT] == ix.EVENT_NONE
     endless = is_endless(s, here, room)
     c[ix.STEP] = np.where(here, np.where(endless, 0.0, c[ix.STEP]), c[ix.STEP])
     step = c[ix.STEP].copy()
@@ -1924,7 +1959,8 @@ def make_step(s: Lanes, here: Mask) -> None:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
-    steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
+    change = np.abs(net[0]) * step
+    steady = (change < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
     advance_states(s, here, top)
     rate = per_time(s, rate, c[ix.OMEGA])
     arrive(s, here, until, rate, steady, at_limit, endless)
@@ -1988,7 +2024,7 @@ def expand_about_end(s: Lanes, p: Floats, n: int) -> None:
     for first in range(n - 1 + 1):
         for j in range(n - 1, first - 1, -1):
             p[j] = p[j] + c[ix.STEP] * p[j + 1]
-    stands = c[ix.EVENT] == float(ix.EVENT_STANDSTILL)
+    stands = c[ix.EVENT] == ix.EVENT_STANDSTILL
     p[0] = np.where(stands, 0.0, p[0])
 
 
@@ -2069,7 +2105,7 @@ def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until
         slope = value(net, top - 1, there)
         keep_faster(s, peaks, speed, c[ix.TIME] + before, c[ix.X] + there, slope)
     change = np.abs(net[0]) * step
-    uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+    uneventful = c[ix.EVENT] == ix.EVENT_NONE
     steady = (change < ix.STIFF_CHANGE * e[0]) & uneventful
     c[ix.X] = np.where(here, c[ix.X] + step, c[ix.X])
     square = e[0] + increment(e, top, step)
@@ -2094,7 +2130,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
     unsure = here & np.logical_not(before + after < INFINITY)
     while np.any(unsure) and count < MOST_HALVINGS:
         c[ix.STEP] = np.where(here, np.where(unsure, 0.5 * c[ix.STEP], c[ix.STEP]), c[ix.STEP])
-        c[ix.EVENT] = np.where(here, np.where(unsure, float(ix.EVENT_NONE), c[ix.EVENT]), c[ix.EVENT])
+        c[ix.EVENT] = np.where(here, np.where(unsure, ix.EVENT_NONE, c[ix.EVENT]), c[ix.EVENT])
         peak = greatest_speed(s, here, top)
         before, after = times_of_step(s, here, top, peak)
         unsure = here & np.logical_not(before + after < INFINITY)
@@ -2183,7 +2219,8 @@ def bend_of(e: Floats, f: Floats) -> Floats:
     sine = f[0] - f[3]
     cosine = 1.0 - f[2]
     lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * (1.0 - e[4] * lost)
+    kept = 1.0 - e[4] * lost
+    faded_part = e[1] * kept
     turned_part = e[2] * cosine + e[3] * sine
     return faded_part + turned_part
 
@@ -2194,8 +2231,10 @@ def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f
     cosine = 1.0 - f[2]
     change = sine * sine_end + vers * f[2]
     at_end = drive + change
-    sine_back = sine * cosine + vers * sine_end
-    vers_back = sine * sine_end - vers * cosine
+    turned_sine = vers * sine_end
+    turned_vers = vers * cosine
+    sine_back = sine * cosine + turned_sine
+    vers_back = sine * sine_end - turned_vers
     factors(back, -at_end, sine_back, vers_back, -q)
 
 
@@ -2391,7 +2430,8 @@ def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask
     """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
     at_end = force_at(start, sine, vers, f)
     cosine = 1.0 - f[2]
-    concave = (vers <= 0.0) & (vers * cosine <= sine * (f[0] - f[3]))
+    change = sine * (f[0] - f[3])
+    concave = (vers <= 0.0) & (vers * cosine <= change)
     return (start > 0.0) & (at_end > 0.0) & concave
 
 
@@ -2438,8 +2478,9 @@ def angle_of(place: Floats, sine: Floats) -> Floats:
 
 def time_to(x: Floats, end: Floats, both: Floats, odd: Floats, pairs: int, by: int) -> Floats:
     """Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes."""
-    place = (2.0 * x - end) / end
-    sine = 2.0 * np.sqrt(x * (end - x)) / end
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * np.sqrt(x * left) / end
     total = 2.0 * mean_of(both, pairs, by) * angle_of(place, sine)
     twice = -2.0 * place
     previous: Floats = 0.0
@@ -2447,9 +2488,12 @@ def time_to(x: Floats, end: Floats, both: Floats, odd: Floats, pairs: int, by: i
     for j in range(1, pairs + 1):
         of_odd: Floats = 0.0
         of_even: Floats = 0.0
+        even_row = 2 * j * (PAIRS + 1)
+        odd_row = even_row - (PAIRS + 1)
         for k in range(pairs + 1):
-            of_odd = of_odd + COSINES[(2 * j - 1) * (PAIRS + 1) + k * by] * odd[k * by]
-            of_even = of_even + COSINES[2 * j * (PAIRS + 1) + k * by] * both[k * by]
+            node = k * by
+            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
+            of_even = of_even + COSINES[even_row + node] * both[node]
         last: Floats = 0.5 if j == pairs else 1.0
         following = twice * sine - previous
         waves = waves + (sine * of_odd + following * (last * of_even))
@@ -2479,7 +2523,8 @@ def durations_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Flo
         for k in range(1, 4 + 1):
             add_node(e, back, end, both, odd, 2 * k - 1)
         finer = mean_of(both, 8, 1)
-        last = np.where(unsure, np.abs(finer - mean) / finer, last)
+        change = np.abs(finer - mean) / finer
+        last = np.where(unsure, change, last)
         mean = np.where(unsure, finer, mean)
         later = time_to(peak, end, both, odd, 8, 1)
         before = np.where(unsure, later, before)
@@ -2496,14 +2541,16 @@ def times_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats,
 def rest(s: Lanes, here: Mask, rate: Floats, f: Floats) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back."""
     c = s.cells
-    resistance = c[s.roles.resisting] + c[s.roles.mu] * force_at(c[s.roles.normal0], c[s.roles.normal_sine],
-        c[s.roles.normal_vers], f)
+    force = force_at(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    resistance = c[s.roles.resisting] + c[s.roles.mu] * force
     driving = rate + resistance
     terms = np.abs(driving) + resistance
     excess = driving + resistance
-    back = (c[ix.ONE_WAY] == 0.0) & (c[ix.FIRST_ONLY] == 0.0)
-    here = here & back & (excess > CLEAR * terms)
-    c[ix.CLOSE] = np.where(here, np.minimum(c[ix.CLOSE], excess / (EPS * terms)), c[ix.CLOSE])
+    free = (c[ix.ONE_WAY] == 0.0) & (c[ix.FIRST_ONLY] == 0.0)
+    clear = excess > CLEAR * terms
+    here = here & free & clear
+    margin = excess / (EPS * terms)
+    c[ix.CLOSE] = np.where(here, np.minimum(c[ix.CLOSE], margin), c[ix.CLOSE])
     stick(s, here)
 
 
@@ -2512,19 +2559,22 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak:
     c = s.cells
     f = np.zeros((ix.STRIDE, e.shape[1]))
     evaluate_at(s, e, f, peak)
-    keep_faster(s, here, np.sqrt(f[5]), c[ix.TIME] + before, peak, 0.5 * f[6])
+    speed = np.sqrt(f[5])
+    then = c[ix.TIME] + before
+    keep_faster(s, here, speed, then, peak, 0.5 * f[6])
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
     c[ix.STEPS] = np.where(here, c[ix.STEPS] + 1.0, c[ix.STEPS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     on_standstill(s, here)
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
     c = s.cells
-    fits = which & (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0) & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
+    fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
     if not np.any(fits):
         return fits
     softens = s.roles.loss_rate >= 0
@@ -2562,7 +2612,7 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
     c = s.cells
     normal = s.registers[s.roles.normal]
     sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
-    passed = c[ix.PASSED] == float(ix.LIFT)
+    passed = c[ix.PASSED] == ix.LIFT
     asked = here & may_cross(normal, top - 1, c[ix.STRETCH], sign, 0.0, passed)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
@@ -2588,10 +2638,12 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     margin_of(e, net, top - 1, -1.0, 0.0, touches)
     at: Floats = INFINITY
-    asked = here & np.logical_not(jumps) & may_cross(net, top - 1, c[ix.STRETCH], -1.0, 0.0, touches)
+    crosses = may_cross(net, top - 1, c[ix.STRETCH], -1.0, 0.0, touches)
+    asked = here & np.logical_not(jumps) & crosses
     if np.any(asked):
         at = first_root(e, top - 1, c[ix.STRETCH], asked)
-    at = np.where(jumps | touches & (e[0] < 0.0), 0.0, at)
+    rises = touches & (e[0] < 0.0)
+    at = np.where(jumps | rises, 0.0, at)
     sooner = at < c[ix.START_AHEAD]
     c[ix.START_AHEAD] = np.where(here, np.where(sooner, at, c[ix.START_AHEAD]), c[ix.START_AHEAD])
     c[ix.START_DIRECTION] = np.where(here, np.where(sooner, c[ix.DIRECTION], c[ix.START_DIRECTION]),
@@ -2606,15 +2658,15 @@ def turn_back(s: Lanes, here: Mask) -> None:
     """Reverse the direction at rest."""
     c = s.cells
     c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
-    c[ix.PENDING] = np.where(here, float(ix.BEGIN_PHASE), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
 def change_contact(s: Lanes, here: Mask) -> None:
     """Lift masses at rest, or let them land."""
     c = s.cells
     c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
-    c[ix.PASSED] = np.where(here, float(ix.LIFT), c[ix.PASSED])
-    c[ix.PENDING] = np.where(here, float(ix.BEGIN_PHASE), c[ix.PENDING])
+    c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
 
 
@@ -2622,7 +2674,7 @@ def start_again(s: Lanes, here: Mask) -> None:
     """Start slip from rest."""
     c = s.cells
     face(s, here, c[ix.START_DIRECTION])
-    c[ix.PENDING] = np.where(here, float(ix.START_AGAIN), c[ix.PENDING])
+    c[ix.PENDING] = np.where(here, ix.START_AGAIN, c[ix.PENDING])
 
 
 def enter_pieces(lane: Lanes, i: Index) -> None:
@@ -2646,12 +2698,13 @@ def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], np.fmin(until[i], c[ix.END_TIME, i]), 0, 0)
-    rested = starts & (stretch > TOGETHER * until)
+    least = TOGETHER * until
+    rested = starts & (stretch > least)
     c[ix.STEPS] = np.where(here, np.where(breaks | rested, 0.0, c[ix.STEPS] + 1.0), c[ix.STEPS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     ends = here & (for_ever | (until >= c[ix.END_TIME]))
     c[ix.TIME] = np.where(here, np.where(for_ever, c[ix.TIME], np.minimum(until, c[ix.END_TIME])), c[ix.TIME])
-    stay(s, ends, np.where(for_ever, float(ix.ARRESTED), float(ix.PAUSED)))
+    stay(s, ends, np.where(for_ever, ix.ARRESTED, ix.PAUSED))
     here = here & np.logical_not(ends)
     start_again(s, here & starts)
     change_contact(s, here & lifts & np.logical_not(starts))
@@ -2694,31 +2747,32 @@ def rest_on(s: Lanes, here: Mask) -> None:
     look_ahead(s, here, room)
     later = none_of(s)
     for t in s.tables:
-        exact = s.autonomous == 2 and s.timed == 1 and (not s.samples) and (not s.logged) and (t.terms == 2)
+        alone = s.autonomous == 2 and s.timed == 1
+        exact = alone and (not s.samples) and (not s.logged) and (t.terms == 2)
         if exact and t.kind == ix.OF_TIME and (not t.sine):
             later = slide_together(s, here, t)
-    rest_to_change(s, here & (c[ix.PENDING] == float(ix.READY)) & np.logical_not(later), limit, room)
+    rest_to_change(s, here & (c[ix.PENDING] == ix.READY) & np.logical_not(later), limit, room)
 
 
 def stop_endless(s: Lanes, here: Mask) -> None:
     """Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow."""
     c = s.cells
-    going = c[ix.STATUS] <= float(ix.RESTING)
-    most = np.where(c[ix.OMEGA] > 0.0, float(ix.MOST_STEPS), float(2 * ix.MOST_STEPS))
+    going = c[ix.STATUS] <= ix.RESTING
+    most = np.where(c[ix.OMEGA] > 0.0, ix.MOST_STEPS, float(2 * ix.MOST_STEPS))
     too_long = c[ix.STEPS] > most
     if not s.timed:
-        too_long = too_long | (c[ix.TURNS] > float(ix.MOST_TURNS))
+        too_long = too_long | (c[ix.TURNS] > ix.MOST_TURNS)
     total = c[ix.TIME] + c[ix.X] + c[ix.OMEGA] + c[ix.ROTATION]
-    c[ix.STATUS] = np.where(here, np.where(going & too_long, float(ix.TOO_LONG), c[ix.STATUS]), c[ix.STATUS])
-    c[ix.STATUS] = np.where(here, np.where(going & (total - total != 0.0), float(ix.FAILED), c[ix.STATUS]),
-        c[ix.STATUS])
+    overflows = going & (total - total != 0.0)
+    c[ix.STATUS] = np.where(here, np.where(going & too_long, ix.TOO_LONG, c[ix.STATUS]), c[ix.STATUS])
+    c[ix.STATUS] = np.where(here, np.where(overflows, ix.FAILED, c[ix.STATUS]), c[ix.STATUS])
 
 
 def advance(s: Lanes, here: Mask) -> None:
     """Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest."""
     c = s.cells
-    moving = here & (c[ix.STATUS] == float(ix.MOVING))
-    resting = here & (c[ix.STATUS] == float(ix.RESTING))
+    moving = here & (c[ix.STATUS] == ix.MOVING)
+    resting = here & (c[ix.STATUS] == ix.RESTING)
     if s.roles.net_sine >= 0 and (not s.samples):
         moving = moving & np.logical_not(swing(s, moving))
     if s.by_rotation and (not s.samples):

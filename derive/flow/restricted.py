@@ -77,8 +77,20 @@ PRIMITIVES = {
 
 
 # Constants that `one_lane` defines.
-GIVEN = ("EPS", "INFINITY", "SINES", "COSINES", "TO_PEAK", "FROM_PEAK", "NODES", "SHARES", "LAST_SHARES",
-         "NEXT_SHARES")  # fmt: skip
+GIVEN = (
+    "EPS",
+    "INFINITY",
+    "SINES",
+    "COSINES",
+    "ARCSINE",
+    "LAST_OF_ARCSINE",
+    "TO_PEAK",
+    "FROM_PEAK",
+    "NODES",
+    "SHARES",
+    "LAST_SHARES",
+    "NEXT_SHARES",
+)
 
 
 class GrammarError(Exception):

@@ -93,7 +93,8 @@ def bend_of(e: S, f: S) -> V:
     sine = f[0] - f[3]
     cosine = 1.0 - f[2]
     lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * (1.0 - e[4] * lost)
+    kept = 1.0 - e[4] * lost
+    faded_part = e[1] * kept
     turned_part = e[2] * cosine + e[3] * sine
     return faded_part + turned_part
 
@@ -104,8 +105,10 @@ def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
     cosine = 1.0 - f[2]
     change = sine * sine_end + vers * f[2]
     at_end = drive + change
-    sine_back = sine * cosine + vers * sine_end
-    vers_back = sine * sine_end - vers * cosine
+    turned_sine = vers * sine_end
+    turned_vers = vers * cosine
+    sine_back = sine * cosine + turned_sine
+    vers_back = sine * sine_end - turned_vers
     factors(back, -at_end, sine_back, vers_back, -q)
 
 

@@ -19,7 +19,6 @@ from derive.flow.integrator.one_lane import (
     maximum,
     minimum,
     note,
-    number,
     prologue,
     read_samples,
     sqrt,
@@ -39,7 +38,9 @@ def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
     """
     faster = here and speed > abs(s.peak_omega)
     if any_lane(faster):
-        faster = faster and (s.peak_time == s.time or speed > (1.0 + TIE) * abs(s.peak_omega))
+        begins = s.peak_time == s.time
+        clearly = speed > (1.0 + TIE) * abs(s.peak_omega)
+        faster = faster and (begins or clearly)
         s.peak_omega = where(faster, s.direction * speed, s.peak_omega)
         s.peak_time = where(faster, time, s.peak_time)
         s.peak_rotation = where(faster, s.rotation + s.direction * x, s.peak_rotation)
@@ -84,7 +85,8 @@ def start(s: Lanes, here: M) -> None:
     s.x = 0.0
     s.lifted = 0.0
     s.faced = 0.0
-    s.pending = where(s.omega > 0.0, number(Pending.START_MOVING), number(Pending.RESOLVE))
+    moves = s.omega > 0.0
+    s.pending = where(moves, Pending.START_MOVING, Pending.RESOLVE)
     s.clocked = 0.0
     s.negligible = ROUNDING  # of series in the rotation, since all runs of an estimate would lack equal terms
     if s.timed and here:
@@ -95,16 +97,17 @@ def start(s: Lanes, here: M) -> None:
 
 def start_moving(s: Lanes, here: M, rate: V) -> None:
     """Start slip in the current direction."""
-    s.status = number(Status.MOVING)
-    s.passed = number(Passed.NOTHING)
+    s.status = Status.MOVING
+    s.passed = Passed.NOTHING
     s.phases = s.phases + 1.0
-    s.turns = s.turns + where(s.last_way * s.direction < 0.0, 1.0, 0.0)
+    turns = s.last_way * s.direction < 0.0
+    s.turns = s.turns + where(turns, 1.0, 0.0)
     s.last_way = s.direction
     if s.logged and here:
         note(s, Note.BEGINS)
     note_lift_off(s, here and s.lifted > 0.0)
     keep_faster(s, here, s.omega, s.time, s.x, rate)
-    s.pending = number(Pending.READY)
+    s.pending = Pending.READY
 
 
 def stay(s: Lanes, here: M, status: V) -> None:
@@ -115,7 +118,7 @@ def stay(s: Lanes, here: M, status: V) -> None:
     s.end_rate = 0.0
     s.direction = 0.0
     s.rest_since = where(s.rest_since > s.end_time, s.end_time, s.rest_since)  # by rounding at most
-    s.pending = number(Pending.READY)
+    s.pending = Pending.READY
     if s.samples and here:
         read_samples(s, s.time, INFINITY, 0, 0)
 
@@ -130,24 +133,26 @@ def may_start(s: Lanes) -> M:
 def never_rests(s: Lanes) -> M:
     """Return whether masses swing for ever, because almost no force presses on them at their lowest point."""
     load = s.normal_load
-    square = load * load + s.normal_load_slope * s.normal_load_slope
+    slope = s.normal_load_slope
+    square = load * load + slope * slope
     most = sqrt(square)
-    carried = s.normal0 + (most - load) <= Share.CARRIED * most
+    least = s.normal0 + (most - load)
+    carried = least <= Share.CARRIED * most
     return s.first_only == 1.0 or (carried and not still_changes(s))
 
 
 def stick(s: Lanes, here: M) -> None:
     """Keep masses at rest, until a force changes or for good."""
     changes = still_changes(s)
-    stay(s, here and not changes, number(Status.ARRESTED))
+    stay(s, here and not changes, Status.ARRESTED)
     here = here and changes
     if any_lane(here):
-        s.status = number(Status.RESTING)
-        s.pending = number(Pending.READY)
+        s.status = Status.RESTING
+        s.pending = Pending.READY
         note_lift_off(s, here and s.lifted > 0.0)
         here = here and not may_start(s)
         s.direction = -s.direction
-        s.pending = number(Pending.BEGIN_PHASE)
+        s.pending = Pending.BEGIN_PHASE
 
 
 def rest_one_way(s: Lanes, here: M) -> None:
@@ -156,7 +161,7 @@ def rest_one_way(s: Lanes, here: M) -> None:
     stick(s, here and may)
     here = here and not may
     face(s, here, -s.direction)
-    s.pending = number(Pending.RESOLVE)
+    s.pending = Pending.RESOLVE
 
 
 def resolve_stick_or_slip(s: Lanes, here: M) -> None:
@@ -168,13 +173,15 @@ def resolve_stick_or_slip(s: Lanes, here: M) -> None:
     refined = s.limit_rest * s.drive != 0.0 and of_weight
     unsure = maximum(where(refined, s.drive_scale, unsure), CLOSEST)
     may = here and may_start(s)
-    s.close = where(may, minimum(s.close, abs(s.drive) / unsure), s.close)
+    margin = abs(s.drive) / unsure
+    s.close = where(may, minimum(s.close, margin), s.close)
     starts = may and s.drive > 0.0
     start_moving(s, starts, s.drive)
     here = here and not starts
     if any_lane(here):
         s.faced = s.faced + 1.0
-        sticks = here and (s.faced > 1.0 or (may and s.one_way > 0.0))
+        stays_down = may and s.one_way > 0.0
+        sticks = here and (s.faced > 1.0 or stays_down)
         stick(s, sticks)
         face(s, here and not sticks, -s.direction)
 
@@ -184,9 +191,9 @@ def resolve_standstill(s: Lanes, here: M) -> None:
     stops = here and s.first_only > 0.0 and s.phases > 0.0
     if any_lane(stops):
         stops = stops and never_rests(s)
-        stay(s, stops, number(Status.STOPPED))
+        stay(s, stops, Status.STOPPED)
         here = here and not stops
-    one_way = here and s.pending == number(Pending.REST)
+    one_way = here and s.pending == Pending.REST
     if any_lane(one_way):
         rest_one_way(s, one_way)
         here = here and not one_way
@@ -195,8 +202,9 @@ def resolve_standstill(s: Lanes, here: M) -> None:
 
 def carry_net_moment(s: Lanes, here: M, net: V) -> None:
     """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
-    s.pending = number(Pending.READY)
-    terms = abs(s.rate_before) + abs(net - s.drive) + abs(s.drive_before)
+    s.pending = Pending.READY
+    change = net - s.drive
+    terms = abs(s.rate_before) + abs(change) + abs(s.drive_before)
     carried = s.scale_before + EPS * terms
     here = here and carried < s.drive_scale
     s.drive = s.drive + (s.rate_before - net)
@@ -205,15 +213,17 @@ def carry_net_moment(s: Lanes, here: M, net: V) -> None:
 
 def resolve_pending(s: Lanes, waits: M, net: V, force: V) -> None:
     """Begin the phases for which lanes wait, from their net moments and normal forces."""
-    enters = waits and s.pending == number(Pending.ENTER_PHASE)
-    begins = waits and s.pending == number(Pending.BEGIN_PHASE)
-    moving = waits and s.pending == number(Pending.START_MOVING)
-    again = waits and s.pending == number(Pending.START_AGAIN)
+    enters = waits and s.pending == Pending.ENTER_PHASE
+    begins = waits and s.pending == Pending.BEGIN_PHASE
+    moving = waits and s.pending == Pending.START_MOVING
+    again = waits and s.pending == Pending.START_AGAIN
     decides = waits and not (enters or begins or moving or again)
-    pressed = where(moving, where(force < 0.0, -1.0, 1.0), s.normal0)
-    lifts = (moving or again or decides) and pressed <= 0.0 and s.lifted == 0.0
+    by_force = moving and force < 0.0
+    at_rest = again or decides
+    by_load = at_rest and s.normal0 <= 0.0
+    lifts = (by_force or by_load) and s.lifted == 0.0
     s.lifted = where(lifts, 1.0, s.lifted)  # the phase begins again as a lifted mass
-    s.pending = where(begins, number(Pending.READY), s.pending)
+    s.pending = where(begins, Pending.READY, s.pending)
     if any_lane(enters):
         carry_net_moment(s, enters, net)
     starts = (moving or again) and not lifts
@@ -231,7 +241,7 @@ def on_discontinuity(s: Lanes, here: M, force: V) -> None:
     lifted = where(force < 0.0, 1.0, 0.0)
     same = s.lifted == lifted
     note_lift_off(s, here and lifted > s.lifted)
-    s.pending = where(same, number(Pending.READY), number(Pending.BEGIN_PHASE))
+    s.pending = where(same, Pending.READY, Pending.BEGIN_PHASE)
     s.lifted = lifted
     advance_origin(s, here and not same)
 

@@ -56,9 +56,11 @@ def keep_quiet(s: Lanes, here: M, t: T, p: S, sign: V, terms: V) -> None:
     now = t.value + t.inc
     level = t.rise == 0.0
     way = sign * p[1] * t.rise
-    bound = where(level, now, now - SURE * p[0] * t.rise / p[1])
+    room = SURE * p[0] * t.rise / p[1]
+    bound = where(level, now, now - room)
     straight = p[2] == 0.0 and s.series_order <= 4.0
-    sure = straight and sign * p[0] > ROUNDINGS * terms and s.lifted == 0.0
+    rounding = ROUNDINGS * terms
+    sure = straight and sign * p[0] > rounding and s.lifted == 0.0
     s.quiet_from = where(level or way > 0.0, maximum(bound, s.quiet_from), s.quiet_from)
     s.quiet_to = where(level or way < 0.0, minimum(bound, s.quiet_to), s.quiet_to)
     s.quiet_to = where(sure, s.quiet_to, -INFINITY)
@@ -121,7 +123,8 @@ def standstill(omega: V, net: V, rise: V) -> V:
     """Return the first time at which a falling speed is zero."""
     square = net * net
     decrease = 2.0 * rise * omega
-    root = sqrt(maximum(square - decrease, 0.0))
+    left = maximum(square - decrease, 0.0)
+    root = sqrt(left)
     falls = net <= 0.0
     over = where(falls, 2.0 * omega, net + root)
     under = where(falls, root - net, 0.0 - rise)
@@ -141,15 +144,15 @@ def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
     s.x = x
     s.omega = omega
     s.steps = 0.0
-    s.passed = number(Passed.NOTHING)
+    s.passed = Passed.NOTHING
     moves = omega > 0.0
-    s.status = where(moves, number(Status.MOVING), number(Status.RESTING))
+    s.status = where(moves, Status.MOVING, Status.RESTING)
     s.time = where(moves, s.time, s.rest_since)
     update_reach(s, here and not moves)
     advance_origin(s, here)
     if here:
         enter_at(s, t, piece)
-    s.pending = number(Pending.BEGIN_PHASE)
+    s.pending = Pending.BEGIN_PHASE
 
 
 def count_starts(s: Lanes, here: M) -> None:
@@ -190,7 +193,8 @@ def turn(s: Lanes, here: M, now: V, length: V, share: V, omega: V, net: V, after
     behind = path(span, nothing, push, rise)
     further = where(starts, behind, 0.0)
     before = path(stop, omega, net, rise)
-    return end, before + further
+    way = before + further
+    return end, way
 
 
 def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:

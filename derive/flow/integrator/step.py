@@ -53,7 +53,7 @@ def enter_phase(s: Lanes, here: M, rate: V) -> None:
     s.drive_before = s.drive
     s.scale_before = s.drive_scale
     advance_origin(s, here)
-    s.pending = number(Pending.ENTER_PHASE)
+    s.pending = Pending.ENTER_PHASE
 
 
 def on_standstill(s: Lanes, here: M) -> None:
@@ -66,7 +66,7 @@ def on_standstill(s: Lanes, here: M) -> None:
     s.faced = 1.0
     one_way = s.one_way > 0.0
     face(s, here, where(one_way, s.direction, -s.direction))
-    s.pending = where(one_way, number(Pending.REST), number(Pending.RESOLVE))
+    s.pending = where(one_way, Pending.REST, Pending.RESOLVE)
 
 
 def on_contact_change(s: Lanes, here: M, rate: V) -> None:
@@ -77,13 +77,14 @@ def on_contact_change(s: Lanes, here: M, rate: V) -> None:
     if s.logged and lands:
         note(s, Note.LANDS)
     enter_phase(s, here, rate)
-    s.passed = number(Passed.LIFT)
+    s.passed = Passed.LIFT
 
 
 def on_breakpoint(lane: Lane, t: T, upwards: bool) -> None:
     """Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece."""
     if t.kind == Kind.ROTATION:
-        lane.rotation = break_of(lane, t, integer(t.piece) + where(lane.direction > 0.0, 1, 0))
+        ahead = where(lane.direction > 0.0, 1, 0)
+        lane.rotation = break_of(lane, t, integer(t.piece) + ahead)
         return
     if t.kind == Kind.SPEED:
         lane.omega = where(upwards, t.upper, t.lower)
@@ -119,7 +120,7 @@ def end_motion(s: Lanes, here: M, rate: V, status: V) -> None:
 def on_limit(s: Lanes, here: M, rate: V) -> None:
     """End lanes at their end time, or pass breaks of functions of time."""
     ends = here and s.time >= s.end_time
-    end_motion(s, ends, rate, number(Status.ENDED))
+    end_motion(s, ends, rate, Status.ENDED)
     passes = here and not ends
     if passes:
         pass_breaks(s)
@@ -127,20 +128,20 @@ def on_limit(s: Lanes, here: M, rate: V) -> None:
 
 def settle(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
     """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
-    s.status = where(endless, number(Status.TOO_LONG), s.status)
+    s.status = where(endless, Status.TOO_LONG, s.status)
     limits = here and at_limit
     if any_lane(limits):
         on_limit(s, limits, rate)
-    stands = here and s.event == number(Event.STANDSTILL)
+    stands = here and s.event == Event.STANDSTILL
     if any_lane(stands):
         on_standstill(s, stands)
-    lifts = here and s.event == number(Event.LIFT_OFF)
+    lifts = here and s.event == Event.LIFT_OFF
     if any_lane(lifts):
         on_contact_change(s, lifts, rate)
-    upright = here and s.event == number(Event.CHORD_UPRIGHT)
+    upright = here and s.event == Event.CHORD_UPRIGHT
     if any_lane(upright):
-        end_motion(s, upright, rate, number(Status.UPRIGHT))
-    passes = here and s.event >= number(Event.BREAKPOINT)
+        end_motion(s, upright, rate, Status.UPRIGHT)
+    passes = here and s.event >= Event.BREAKPOINT
     if any_lane(passes):
         on_breakpoints(s, passes, rate)
 
@@ -177,7 +178,8 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest and (decelerates or (net[0] == 0.0 and net[1] <= 0.0))
-    asked = here and (last <= 0.0 or (decelerates and slope > 0.0) or falls_from_rest)
+    dips = decelerates and slope > 0.0
+    asked = here and (last <= 0.0 or dips or falls_from_rest)
     if any_lane(asked):
         e = new_series()
         margin_of(e, omega, top, 1.0, 0.0, from_rest)  # remove the root at a start from rest
@@ -185,7 +187,8 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
         margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
         at = first_root(e, top, s.step, asked)
         vanishes = from_rest and e[0] == 0.0 and last == 0.0  # the drive is zero to rounding
-        consider(s, here, where(asked and (e[0] < 0.0 or vanishes), 0.0, at), Event.STANDSTILL)
+        at_once = asked and (e[0] < 0.0 or vanishes)
+        consider(s, here, where(at_once, 0.0, at), Event.STANDSTILL)
 
 
 def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M, event: N) -> None:
@@ -204,9 +207,11 @@ def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
     event: N = Event.BREAKPOINT + 2 * t.number
     if t.kind == Kind.SPEED:
         omega = s.series.omega
-        find_crossing(s, ends, omega, top, -1.0, upper, s.passed == Passed.SLOWER, event)
+        slower = s.passed == Passed.SLOWER
+        find_crossing(s, ends, omega, top, -1.0, upper, slower, event)
         varies = here and t.lower > 0.0
-        find_crossing(s, varies, omega, top, 1.0, -t.lower, s.passed == Passed.FASTER, event + 1)
+        faster = s.passed == Passed.FASTER
+        find_crossing(s, varies, omega, top, 1.0, -t.lower, faster, event + 1)
         return
     find_crossing(s, ends, s.series.x, top, -1.0, upper, none_of(s), event)
 
@@ -217,20 +222,22 @@ def find_events(s: Lanes, here: M, top: N) -> None:
     Water over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
     only until the first other event, beyond which it may pass zero twice.
     """
-    s.event = number(Event.NONE)
+    s.event = Event.NONE
     find_standstill(s, here, top)
     if s.has.upright:
         find_crossing(s, here, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
     for t in s.tables:
         if t.kind != Kind.TIME:
-            known: N = t.number > 0 and t.kind == Kind.ROTATION and t.before.kind == Kind.ROTATION
+            follows: N = t.number > 0 and t.kind == Kind.ROTATION
+            known: N = follows and t.before.kind == Kind.ROTATION
             if known:  # its pieces end where the pieces of the preceding table end
                 known = not any_lane(here and minimum(t.upper, FAR) != t.before.upper)
             if not known:
                 find_edges(s, here, t, top)
     if s.has.normal:
         sign = where(s.lifted > 0.0, -1.0, 1.0)
-        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, s.passed == Passed.LIFT, Event.LIFT_OFF)
+        passed = s.passed == Passed.LIFT
+        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, passed, Event.LIFT_OFF)
 
 
 def choose_step(s: Lanes, here: M, top: N) -> None:
@@ -263,8 +270,9 @@ def is_endless(s: Lanes, here: M, room: V) -> M:
     """
     endless = none_of(s)
     if s.autonomous:
-        settled = s.series.net[0] * s.step >= -Share.SETTLED * s.series.omega[0]
-        uneventful = s.event == number(Event.NONE)
+        change = s.series.net[0] * s.step
+        settled = change >= -Share.SETTLED * s.series.omega[0]
+        uneventful = s.event == Event.NONE
         endless = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
     return endless
 
@@ -284,8 +292,9 @@ def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
 def conclude(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
     """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
     before_end = s.time < s.end_time
-    others = enter_lines(s, at_limit and before_end)
-    simple = s.event == number(Event.NONE) and not endless and not others
+    breaks = at_limit and before_end
+    others = enter_lines(s, breaks)
+    simple = s.event == Event.NONE and not endless and not others
     settled = simple and (before_end or not at_limit)
     acts = here and not settled
     if any_lane(acts):
@@ -296,8 +305,8 @@ def arrive(s: Lanes, here: M, until: V, rate: V, steady: M, at_limit: M, endless
     """Let a step end at the time ``until``, count it, and apply its consequences."""
     keep_faster(s, here, s.omega, until, s.x, rate)
     s.time = until
-    s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
-    s.passed = number(Passed.NOTHING)
+    s.steps = where(at_limit, 0.0, s.steps + where(steady, Limit.STIFF_STEP, 1.0))
+    s.passed = Passed.NOTHING
     conclude(s, here, rate, at_limit, endless)
 
 
@@ -309,7 +318,7 @@ def make_step(s: Lanes, here: M) -> None:
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
-    uneventful = s.event == number(Event.NONE)
+    uneventful = s.event == Event.NONE
     endless = is_endless(s, here, room)
     s.step = where(endless, 0.0, s.step)
     step = s.step
@@ -321,7 +330,8 @@ def make_step(s: Lanes, here: M) -> None:
     until = where(at_limit, limit, time)
     if s.samples and here:
         read_samples(s, s.time, until, 1, top)
-    steady = abs(net[0]) * step < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
+    change = abs(net[0]) * step
+    steady = change < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
     advance_states(s, here, top)
     rate = per_time(s, rate, s.omega)
     arrive(s, here, until, rate, steady, at_limit, endless)

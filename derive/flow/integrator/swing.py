@@ -8,13 +8,13 @@ A phase is complete if the mass stays pressed on its slip surface, with its chor
 half a turn, and before its end time. All other phases are integrated in time.
 """
 
-from math import factorial
-
 from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of
 from derive.flow.integrator.one_lane import (
+    ARCSINE,
     COSINES,
     EPS,
     INFINITY,
+    LAST_OF_ARCSINE,
     SINES,
     Lanes,
     M,
@@ -45,8 +45,6 @@ MOST_CORRECTIONS = 12  # of a root by Newton's method
 LAST_OF_NEWTON = 2.0**-26  # the same for Newton's method
 PAIRS = 8  # of nodes at most
 QUARTER = PI / 4.0
-LAST_OF_ARCSINE = 20
-ARCSINE = tuple(factorial(2 * k) / (4**k * factorial(k) ** 2 * (2 * k + 1)) for k in range(LAST_OF_ARCSINE + 1))
 # Greatest last coefficient of the series of cosines over the first one, for all orders and for those above `FINEST`.
 LAST_OF_COARSE = 2.0**-32
 LAST_OF_FINE = 2.0**-42
@@ -123,7 +121,8 @@ def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
     """
     at_end = force_at(start, sine, vers, f)
     cosine = 1.0 - f[2]
-    concave = vers <= 0.0 and vers * cosine <= sine * (f[0] - f[3])
+    change = sine * (f[0] - f[3])
+    concave = vers <= 0.0 and vers * cosine <= change
     return start > 0.0 and at_end > 0.0 and concave
 
 
@@ -172,8 +171,9 @@ def time_to(x: V, end: V, both: S, odd: S, pairs: N, by: N) -> V:
 
     Its even coefficients are sums of ``both``, and its odd coefficients sums of ``odd``.
     """
-    place = (2.0 * x - end) / end
-    sine = 2.0 * sqrt(x * (end - x)) / end
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * sqrt(x * left) / end
     total = 2.0 * mean_of(both, pairs, by) * angle_of(place, sine)
     twice = -2.0 * place
     previous: V = 0.0
@@ -181,9 +181,12 @@ def time_to(x: V, end: V, both: S, odd: S, pairs: N, by: N) -> V:
     for j in up(1, pairs):
         of_odd: V = 0.0
         of_even: V = 0.0
+        even_row: N = 2 * j * (PAIRS + 1)
+        odd_row: N = even_row - (PAIRS + 1)
         for k in up(0, pairs):
-            of_odd = of_odd + COSINES[(2 * j - 1) * (PAIRS + 1) + k * by] * odd[k * by]
-            of_even = of_even + COSINES[2 * j * (PAIRS + 1) + k * by] * both[k * by]
+            node: N = k * by
+            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
+            of_even = of_even + COSINES[even_row + node] * both[node]
         last: V = 0.5 if j == pairs else 1.0
         following = twice * sine - previous
         waves = waves + (sine * of_odd + following * (last * of_even))
@@ -216,7 +219,8 @@ def durations_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tu
         for k in up(1, 4):
             add_node(e, back, end, both, odd, 2 * k - 1)
         finer = mean_of(both, 8, 1)
-        last = where(unsure, abs(finer - mean) / finer, last)
+        change = abs(finer - mean) / finer
+        last = where(unsure, change, last)
         mean = where(unsure, finer, mean)
         later = time_to(peak, end, both, odd, 8, 1)
         before = where(unsure, later, before)
@@ -235,13 +239,16 @@ def rest(s: Lanes, here: M, rate: V, f: S) -> None:
 
     ``rate`` is the net moment in the direction in which they arrived, and ``f`` has the functions of E there.
     """
-    resistance = s.resisting + s.mu * force_at(s.normal0, s.normal_sine, s.normal_vers, f)
+    force = force_at(s.normal0, s.normal_sine, s.normal_vers, f)
+    resistance = s.resisting + s.mu * force
     driving = rate + resistance
     terms = abs(driving) + resistance
     excess = driving + resistance
-    back = s.one_way == 0.0 and s.first_only == 0.0
-    here = here and back and excess > CLEAR * terms
-    s.close = minimum(s.close, excess / (EPS * terms))
+    free = s.one_way == 0.0 and s.first_only == 0.0
+    clear = excess > CLEAR * terms
+    here = here and free and clear
+    margin = excess / (EPS * terms)
+    s.close = minimum(s.close, margin)
     stick(s, here)
 
 
@@ -249,18 +256,21 @@ def finish(s: Lanes, here: M, e: S, end: V, duration: V, peak: V, before: V) -> 
     """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
     f = new_series()
     evaluate_at(s, e, f, peak)
-    keep_faster(s, here, sqrt(f[5]), s.time + before, peak, 0.5 * f[6])
+    speed = sqrt(f[5])
+    then = s.time + before
+    keep_faster(s, here, speed, then, peak, 0.5 * f[6])
     s.x = end
     s.omega = 0.0
     s.time = s.time + duration
     s.steps = s.steps + 1.0
-    s.passed = number(Passed.NOTHING)
+    s.passed = Passed.NOTHING
     on_standstill(s, here)
 
 
 def swing(s: Lanes, which: M) -> M:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
-    fits = which and s.x == 0.0 and s.omega == 0.0 and s.drive > 0.0 and s.lifted == 0.0
+    rests = s.x == 0.0 and s.omega == 0.0
+    fits = which and rests and s.drive > 0.0 and s.lifted == 0.0
     if not any_lane(fits):
         return fits
     softens: N = s.has.loss_rate
