@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7f17d0d34dcb31418616def9d2b0780c15be8de241f4c45e3550d60fefc16e46"
+#define DIGEST "ee7393a5e25ed94b268c5d3b2ffcb8eb5acd6bf01e4bcfc54043a0fd9c0ed860"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1275,12 +1275,11 @@ static const double SINES[] = {0.0, 0.009607359798384776, 0.03806023374435662, 0
 static const double COSINES[] = {0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, 0.25, 0.46193976625564337, 0.3535533905932738, 0.1913417161825449, 0.0, -0.1913417161825449, -0.3535533905932738, -0.46193976625564337, -0.25, 0.16666666666666666, 0.2771565374341817, 0.12756114412169658, -0.06503010733870943, -0.23570226039551587, -0.3269284268010768, -0.30795984417042893, -0.18519007767320073, 0.0, 0.125, 0.1767766952966369, 0.0, -0.1767766952966369, -0.25, -0.1767766952966369, 0.0, 0.1767766952966369, 0.125, 0.1, 0.11111404660392044, -0.07653668647301795, -0.1961570560806461, -0.1414213562373095, 0.03901806440322565, 0.18477590650225734, 0.16629392246050906, 0.0, 0.08333333333333333, 0.06378057206084829, -0.11785113019775793, -0.15397992208521447, 0.0, 0.15397992208521447, 0.11785113019775793, -0.06378057206084829, -0.08333333333333333, 0.07142857142857142, 0.027870046002304038, -0.13198279035875524, -0.07936717614565746, 0.10101525445522108, 0.11878137318607788, -0.054669061766441394, -0.1401121829147472, 0.0, 0.0625, 0.0, -0.125, 0.0, 0.125, 0.0, -0.125, 0.0, 0.0625, 0.05555555555555555, -0.021676702446236474, -0.10265328139014297, 0.06173002589106691, 0.07856742013183862, -0.09238551247806058, -0.042520381373898866, 0.10897614226702561, 0.0, 0.05, -0.038268343236508975, -0.07071067811865475, 0.09238795325112867, 0.0, -0.09238795325112867, 0.07071067811865475, 0.038268343236508975, -0.05, 0.045454545454545456, -0.050506384819963834, -0.03478940294228089, 0.08916229821847549, -0.0642824346533225, -0.017735483819648026, 0.08398904841011698, -0.07558814657295866, 0.0, 0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, 0.041666666666666664, 0.038461538461538464, -0.06395920094634963, 0.029437187105006906, 0.015006947847394482, -0.05439282932204212, 0.07544502156947927, -0.07106765634702206, 0.04273617177073863, 0.0, 0.03571428571428571, -0.06599139517937762, 0.05050762722761054, -0.027334530883220697, 0.0, 0.027334530883220697, -0.05050762722761054, 0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783, -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0, 0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125};
 static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306};
 #define LAST_OF_ARCSINE 20
-#define TO_PEAK 24
-#define FROM_PEAK 12
-static const double NODES[] = {0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596};
-static const double SHARES[] = {0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183};
-static const double LAST_SHARES[] = {-0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794, -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313};
-static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719};
+#define SHORTEST 12
+static const double NODES[] = {0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
+static const double SHARES[] = {0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
+static const double LAST_SHARES[] = {-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794, -0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.711783956628457, -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685, 0.5256376989451522, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959};
+static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525, -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353, -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582, -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565, 0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define BEYOND 0x1.2000000000000p+0
@@ -1300,23 +1299,28 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 #define NEWTON 3
 #define NEAREST 0x1.ccccccccccccdp-1
 #define EVEN 0x1.0000000000000p-20
+#define FINEST 18
 #define CLOSER 0x1.0000000000000p-25
 #define MOST_HALVINGS 30
-#define SHORTEST 0x1.ad7f29abcaf48p-24
+#define BRIEFEST 0x1.ad7f29abcaf48p-24
 #define LAST 7
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
-#define FINEST 0x1.2000000000000p+4
 #define TERMS 8
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
-#define BENT 0x1.4cccccccccccdp+0
+#define PER_STEP 0x1.0000000000000p+2
+#define PER_STEP_TO_ROUNDING 0x1.d8e64b8d4ddaep+2
+#define BENT 0x1.4cccccccccccdp-2
 #define SHIFT 5
+#define FIRST 6
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
+#define LOAD 33
+#define NET 36
 #define PI 0x1.921fb54442d18p+1
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
@@ -3216,14 +3220,6 @@ static void make_step(Batch *b, M here)
     arrive(b, here, until, rate, steady, at_limit, endless);
 }
 
-/* Return whether the last coefficients of an integrand are small enough beside its integral. */
-INLINE M is_even(V last, V last_but_one, V total, int fine)
-{
-    V most = broadcast(fine ? CLOSER : EVEN);
-    V unevenness = magnitude(last) + magnitude(last_but_one);
-    return unevenness <= (most * total);
-}
-
 /* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain. E
  * is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the
  * motion if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the
@@ -3240,9 +3236,8 @@ INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
-    int k_first = fine ? 0 : TO_PEAK;
-    int k_last = fine ? (TO_PEAK - 1) : ((TO_PEAK + FROM_PEAK) - 1);
-    for (int k = k_first; k <= k_last; k++) {
+    int k_first = fine ? SHORTEST : 0;
+    for (int k = k_first; k <= ((2 * k_first) + SHORTEST) - 1; k++) {
         V past = span * NODES[k];
         V v = first + past;
         V square = v * v;
@@ -3255,7 +3250,9 @@ INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
     V time = (span * stretch) * total;
-    time = pick(is_even(last, last_but_one, total, fine), time, broadcast(INFINITY));
+    V most = broadcast(fine ? CLOSER : EVEN);
+    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
+    time = pick(accurate, time, broadcast(INFINITY));
     return pick(size > 0.0, time, broadcast(0.0));
 }
 
@@ -3304,7 +3301,7 @@ INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
     V step = c[STEP];
     M peaks = peak < INFINITY;
     V far = STRAIGHT * step;
-    int fine = job->order > 18;
+    int fine = job->order > FINEST;
     V of_end[STRIDE];
     expand_about_end(b, of_end, top);
     V to_end = distance_of_rest(of_end, top, broadcast(1.0), far);
@@ -3426,7 +3423,7 @@ static void turn_on(Batch *b, M here)
     V duration = before + after;
     V until = c[TIME] + duration;
     M stands = c[STEP] == 0.0;
-    M regular = (duration > SHORTEST) | stands;
+    M regular = (duration > BRIEFEST) | stands;
     M fits = here & regular & (until < c[END_TIME]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[CLOCKED] = pick(here, pick(fits, broadcast(0.0), broadcast(1.0)), c[CLOCKED]);
@@ -3526,18 +3523,23 @@ INLINE V bend_of(V *e, V *f)
     return faded_part + turned_part;
 }
 
-/* Compute the factors of E about the end of a phase, from the four functions there. */
-INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+/* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
+ * are stored from place ``first`` on; ``f`` are the four functions at the end. */
+INLINE void look_back(V *back, int first, V drive, V sine, V vers, V *f)
 {
     V sine_end = f[0] - f[3];
     V cosine = 1.0 - f[2];
     V change = (sine * sine_end) + (vers * f[2]);
-    V at_end = drive + change;
-    V turned_sine = vers * sine_end;
-    V turned_vers = vers * cosine;
-    V sine_back = (sine * cosine) + turned_sine;
-    V vers_back = (sine * sine_end) - turned_vers;
-    factors(back, -at_end, sine_back, vers_back, -q);
+    back[first] = -(drive + change);
+    back[first + 1] = (sine * cosine) + (vers * sine_end);
+    back[first + 2] = (sine * sine_end) - (vers * cosine);
+}
+
+/* Compute the factors of E about the end of a phase, from the four functions there. */
+INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+{
+    look_back(back, 0, drive, sine, vers, f);
+    factors(back, back[0], back[1], back[2], -q);
 }
 
 /* Replace the functions for q by those for -q. */
@@ -3550,29 +3552,52 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
-/* Compute the factors of E. */
-INLINE void softening_factors(Batch *b, V *e)
+/* Compute the factors of all terms from the numbers of the net moment without the load, and of the load. */
+INLINE void factors_of_terms(V *e, V q, V rate)
 {
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V drive = c[job->role->drive] - c[job->role->net_loss];
-    V sine = c[job->role->net_sine] - c[job->role->net_loss_sine];
-    V vers = c[job->role->net_vers] - c[job->role->net_loss_vers];
-    V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
-    factors(e, drive, sine, vers, q);
-    e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
+    factors(e, e[NET], e[NET + 1], e[NET + 2], q);
     V part[STRIDE];
     V weight = broadcast(1.0);
     for (int j = 1; j <= TERMS; j++) {
         V before = weight;
         weight = (weight * e[SHIFT]) / (double)(-j);
-        V of_sine = (weight * sine) + (before * c[job->role->net_loss_sine]);
-        V of_vers = (weight * vers) + (before * c[job->role->net_loss_vers]);
-        factors(part, (weight * drive) + (before * c[job->role->net_loss]), of_sine, of_vers, q + ((double)j * c[job->role->loss_rate]));
+        V drive = (weight * e[NET]) + (before * e[LOAD]);
+        V sine = (weight * e[NET + 1]) + (before * e[LOAD + 1]);
+        V vers = (weight * e[NET + 2]) + (before * e[LOAD + 2]);
+        factors(part, drive, sine, vers, q + ((double)j * rate));
         e[CONSTANT + j] = (part[0] + part[3]) / part[4];
         e[SINE + j] = part[3];
         e[VERS + j] = part[2];
     }
+}
+
+/* Compute the factors of E. */
+INLINE void softening_factors(Batch *b, V *e)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
+    e[FIRST] = broadcast(1.0);
+    e[LOAD] = c[job->role->net_loss];
+    e[LOAD + 1] = c[job->role->net_loss_sine];
+    e[LOAD + 2] = c[job->role->net_loss_vers];
+    e[NET] = c[job->role->drive] - c[job->role->net_loss];
+    e[NET + 1] = c[job->role->net_sine] - c[job->role->net_loss_sine];
+    e[NET + 2] = c[job->role->net_vers] - c[job->role->net_loss_vers];
+    factors_of_terms(e, 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]), c[job->role->loss_rate]);
+}
+
+/* Compute the factors of E as a function of the distance from the end of a phase, from the functions there. Near
+ * the end E is small, and without a rounding error of the terms of which it is the sum. */
+INLINE void factors_about_end(Batch *b, V *back, V *e, V *f)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    back[SHIFT] = e[SHIFT];
+    back[FIRST] = 1.0 + f[4];
+    look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f);
+    look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f);
+    factors_of_terms(back, -e[4], -c[job->role->loss_rate]);
 }
 
 /* Return whether the series is as accurate as the order of a lane requires, and no term is in resonance. */
@@ -3580,7 +3605,7 @@ INLINE M series_suffices(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    return (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive])) & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
+    return (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive])) & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
 }
 
 /* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
@@ -3588,20 +3613,30 @@ INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    functions(f, x, e[4]);
+    functions(f, x, magnitude(e[4]));
     f[4] = expm1_of(c[job->role->loss_rate] * x);
+}
+
+/* Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``. */
+INLINE void count_from_end(Batch *b, V *back, V *f, V x)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    reverse(f, -back[4]);
+    f[4] = (-f[4]) * (1.0 + expm1_of(c[job->role->loss_rate] * x));
 }
 
 /* Return E from its factors and its functions. */
 INLINE V softening_energy(V *e, V *f)
 {
-    V left = 1.0 + f[4];
+    V first = e[FIRST];
+    V left = first + f[4];
     V above = broadcast(0.0);
     V constant = broadcast(0.0);
     V of_sine = broadcast(0.0);
     V of_vers = broadcast(0.0);
     for (int j = TERMS; j >= 1; j--) {
-        above = above + e[CONSTANT + j];
+        above = (above * first) + e[CONSTANT + j];
         constant = (constant * left) + above;
         of_sine = (of_sine + e[SINE + j]) * left;
         of_vers = (of_vers + e[VERS + j]) * left;
@@ -3614,7 +3649,7 @@ INLINE V softening_energy(V *e, V *f)
     }
     V square = shift * shift;
     grown = 1.0 + (shift + (square * grown));
-    V faded_part = (e[4] * above) * (f[0] - (e[4] * f[1]));
+    V faded_part = (e[4] * (above * first)) * (f[0] - (e[4] * f[1]));
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
@@ -3646,17 +3681,25 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
  * distances to both rests. E rises from node to node. */
 INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
+    const Job *const job = b->job;
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
     V lower = broadcast(0.0);
     V f[STRIDE];
-    for (int k = TO_PEAK * part; k <= (TO_PEAK + (FROM_PEAK * part)) - 1; k++) {
+    int fine = job->order > FINEST;
+    int times = fine ? 2 : 1;
+    times = part ? times : (2 * times);
+    int k_first = SHORTEST * (times - 1);
+    for (int k = k_first; k <= (k_first + (SHORTEST * times)) - 1; k++) {
         V here = unit * (NODES[k] * NODES[k]);
         V other = 1.0 + (bend * (1.0 - NODES[k]));
         V share = 1.0 / (here + (other * other));
         V past = end * (here * share);
-        softening_functions(b, e, f, (part == 0) ? past : end - past);
+        softening_functions(b, e, f, past);
+        if (part) {
+            count_from_end(b, e, f, end - past);
+        }
         V at = softening_energy(e, f);
         V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
         total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
@@ -3664,7 +3707,8 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         last = last + (LAST_SHARES[k] * slowness);
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
-    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (ALIKE * total);
+    V most = broadcast(fine ? CLOSER : ALIKE);
+    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
     return pick(accurate, ((end * unit) * (1.0 + bend)) * total, broadcast(INFINITY));
 }
 
@@ -3676,9 +3720,15 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     V *const c = b->c;
     V unit = peak / (end - peak);
     V softened = 1.0 - (peak * c[job->role->loss_rate]);
-    V bend = (c[FACTOR] * BENT) * sqrt_of(softened);
+    V unchanged = pick(c[FACTOR] < 0.2, broadcast(PER_STEP_TO_ROUNDING), broadcast(PER_STEP));
+    V change = c[FACTOR] * unchanged;
+    V bend = (change * BENT) * sqrt_of(softened);
     V before = time_of_part(b, e, end, unit, bend, 0);
-    V after = time_of_part(b, e, end, 1.0 / unit, (4.0 * c[FACTOR]) - 1.0, 1);
+    V f[STRIDE];
+    V back[STRIDE];
+    softening_functions(b, e, f, end);
+    factors_about_end(b, back, e, f);
+    V after = time_of_part(b, back, end, 1.0 / unit, change - 1.0, 1);
     return (Pair){before, (before + after)};
 }
 

@@ -38,8 +38,8 @@ LAST_OF_ARCSINE = 20
 ARCSINE = tuple(math.comb(2 * k, k) / 4**k / (2 * k + 1) for k in range(LAST_OF_ARCSINE + 1))
 _gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
 # Gauss's rules in `derive.flow.integrator.softening`, one after the other: nodes on [0, 1], weights on [-1, 1], and
-# weights of the last two coefficients of Legendre's series.
-TO_PEAK, FROM_PEAK = 24, 12
+# weights of the last two coefficients of Legendre's series. The first has SHORTEST nodes, each other one twice as many.
+SHORTEST = 12
 
 
 def _rule(count: int, degree: int) -> list[list[Any]]:
@@ -54,7 +54,7 @@ def _rule(count: int, degree: int) -> list[list[Any]]:
     return rows
 
 
-_RULES = _rule(TO_PEAK, 4) + _rule(FROM_PEAK, 3)
+_RULES = _rule(SHORTEST, 3) + _rule(2 * SHORTEST, 4) + _rule(4 * SHORTEST, 5)
 _COLUMNS = [tuple(map(float, column)) for column in zip(*_RULES, strict=True)]
 NODES, SHARES, LAST_SHARES, NEXT_SHARES = _COLUMNS
 

@@ -33,7 +33,8 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import keep_faster, stick
 from derive.flow.integrator.roots import inside_or_middle
-from derive.flow.integrator.softening import FINEST, duration_of_softening, series_suffices, soften, softening_factors
+from derive.flow.integrator.rotation import FINEST
+from derive.flow.integrator.softening import duration_of_softening, series_suffices, soften, softening_factors
 from derive.flow.integrator.step import on_standstill
 
 PI = 3.141592653589793
