@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ee7393a5e25ed94b268c5d3b2ffcb8eb5acd6bf01e4bcfc54043a0fd9c0ed860"
+#define DIGEST "2d2e9e812888c3bd56e0089ce254fd9681de51284653f19120f93e0165689210"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3564,7 +3564,8 @@ INLINE void factors_of_terms(V *e, V q, V rate)
         V drive = (weight * e[NET]) + (before * e[LOAD]);
         V sine = (weight * e[NET + 1]) + (before * e[LOAD + 1]);
         V vers = (weight * e[NET + 2]) + (before * e[LOAD + 2]);
-        factors(part, drive, sine, vers, q + ((double)j * rate));
+        V faster = q + ((double)j * rate);
+        factors(part, drive, sine, vers, faster);
         e[CONSTANT + j] = (part[0] + part[3]) / part[4];
         e[SINE + j] = part[3];
         e[VERS + j] = part[2];
@@ -3584,7 +3585,8 @@ INLINE void softening_factors(Batch *b, V *e)
     e[NET] = c[job->role->drive] - c[job->role->net_loss];
     e[NET + 1] = c[job->role->net_sine] - c[job->role->net_loss_sine];
     e[NET + 2] = c[job->role->net_vers] - c[job->role->net_loss_vers];
-    factors_of_terms(e, 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]), c[job->role->loss_rate]);
+    V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
+    factors_of_terms(e, q, c[job->role->loss_rate]);
 }
 
 /* Compute the factors of E as a function of the distance from the end of a phase, from the functions there. Near
@@ -3605,7 +3607,10 @@ INLINE M series_suffices(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    return (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive])) & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
+    M driven = magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]);
+    M converges = magnitude(e[SHIFT]) <= GREATEST;
+    M resonates = ((2.0 * e[4]) + c[job->role->loss_rate]) >= 0.0;
+    return driven & converges & ~resonates;
 }
 
 /* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
@@ -3641,7 +3646,9 @@ INLINE V softening_energy(V *e, V *f)
         of_sine = (of_sine + e[SINE + j]) * left;
         of_vers = (of_vers + e[VERS + j]) * left;
     }
-    V terms = (f[4] * constant) + ((of_vers * f[2]) - (of_sine * (f[0] - f[3])));
+    V sine = f[0] - f[3];
+    V turned_part = (of_vers * f[2]) - (of_sine * sine);
+    V terms = (f[4] * constant) + turned_part;
     V shift = e[SHIFT] * left;
     V grown = broadcast(0.0);
     for (int k = LAST; k >= 0; k--) {
@@ -3649,7 +3656,8 @@ INLINE V softening_energy(V *e, V *f)
     }
     V square = shift * shift;
     grown = 1.0 + (shift + (square * grown));
-    V faded_part = (e[4] * (above * first)) * (f[0] - (e[4] * f[1]));
+    V lost = f[0] - (e[4] * f[1]);
+    V faded_part = (e[4] * (above * first)) * lost;
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
@@ -3708,8 +3716,10 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
     V most = broadcast(fine ? CLOSER : ALIKE);
-    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
-    return pick(accurate, ((end * unit) * (1.0 + bend)) * total, broadcast(INFINITY));
+    V uneven = magnitude(last) + magnitude(last_but_one);
+    M accurate = uneven <= (most * total);
+    V time = ((end * unit) * (1.0 + bend)) * total;
+    return pick(accurate, time, broadcast(INFINITY));
 }
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d8fba729207b199a7db5ba4807decaf4c9d2badb89d8c59291203d328ae08a61
+# sha256 of the text below: a74062c38de5cc1ca68e0bfb002b7da80503fe5c1cd38384ae8a10ac46421174
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2295,7 +2295,8 @@ def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
         drive = weight * e[NET] + before * e[LOAD]
         sine = weight * e[NET + 1] + before * e[LOAD + 1]
         vers = weight * e[NET + 2] + before * e[LOAD + 2]
-        factors(part, drive, sine, vers, q + float(j) * rate)
+        faster = q + float(j) * rate
+        factors(part, drive, sine, vers, faster)
         e[CONSTANT + j] = (part[0] + part[3]) / part[4]
         e[SINE + j] = part[3]
         e[VERS + j] = part[2]
@@ -2312,7 +2313,8 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     e[NET] = c[s.roles.drive] - c[s.roles.net_loss]
     e[NET + 1] = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
     e[NET + 2] = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
-    factors_of_terms(e, 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square]), c[s.roles.loss_rate])
+    q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
+    factors_of_terms(e, q, c[s.roles.loss_rate])
 
 
 def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
@@ -2328,8 +2330,10 @@ def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
 def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
-    return (np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive]) & (np.abs(e[SHIFT]) <= GREATEST) & (2.0 *
-         e[4] + c[s.roles.loss_rate] < 0.0)
+    driven = np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive]
+    converges = np.abs(e[SHIFT]) <= GREATEST
+    resonates = 2.0 * e[4] + c[s.roles.loss_rate] >= 0.0
+    return driven & converges & np.logical_not(resonates)
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -2359,14 +2363,17 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
         constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
-    terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
+    sine = f[0] - f[3]
+    turned_part = of_vers * f[2] - of_sine * sine
+    terms = f[4] * constant + turned_part
     shift = e[SHIFT] * left
     grown: Floats = 0.0
     for k in range(LAST, 0 - 1, -1):
         grown = FADING[k] - grown * shift
     square = shift * shift
     grown = 1.0 + (shift + square * grown)
-    faded_part = e[4] * (above * first) * (f[0] - e[4] * f[1])
+    lost = f[0] - e[4] * f[1]
+    faded_part = e[4] * (above * first) * lost
     return grown * (energy(e, f) + (terms + faded_part))
 
 
@@ -2417,8 +2424,10 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     most: Floats = CLOSER if fine else ALIKE
-    accurate = np.abs(last) + np.abs(last_but_one) <= most * total
-    return np.where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+    uneven = np.abs(last) + np.abs(last_but_one)
+    accurate = uneven <= most * total
+    time = end * unit * (1.0 + bend) * total
+    return np.where(accurate, time, INFINITY)
 
 
 def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ba40e2732496f0cfc410b179088fa727eb63ee6d92bd3c0115fc48b0bd1fd658
+# sha256 of the text below: af337e98f24e3556fe7fd59ddab01ec27346e699cfa6da920c6ea3694b5cf4f7
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "ee7393a5e25ed94b268c5d3b2ffcb8eb5acd6bf01e4bcfc54043a0fd9c0ed860"  # of the compiled integrator's source
+DIGEST = "2d2e9e812888c3bd56e0089ce254fd9681de51284653f19120f93e0165689210"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
