@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2d2e9e812888c3bd56e0089ce254fd9681de51284653f19120f93e0165689210"
+#define DIGEST "4e9c2ed07e5fe456e6d06c5f398ba081124e2d988bef281cd8da11685fc2a6b3"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3447,7 +3447,8 @@ INLINE Pair turned(V x)
     versine = versine * square;
     for (int _ = 1; _ <= 2; _++) {
         V sine = h - lag;
-        lag = 2.0 * (lag + (sine * versine));
+        V change = sine * versine;
+        lag = 2.0 * (lag + change);
         versine = 2.0 * (sine * sine);
         h = 2.0 * h;
     }
@@ -3464,7 +3465,8 @@ INLINE V faded(V y)
     }
     for (int _ = 1; _ <= 2; _++) {
         V lost = 1.0 - (h * part);
-        part = (0.5 * part) + (0.25 * (lost * lost));
+        V square = lost * lost;
+        part = (0.5 * part) + (0.25 * square);
         h = 2.0 * h;
     }
     return part;
@@ -3546,7 +3548,8 @@ INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
 INLINE void reverse(V *f, V q)
 {
     V y = q * f[0];
-    V faded_by = (1.0 - y) + ((q * q) * f[1]);
+    V bend = (q * q) * f[1];
+    V faded_by = (1.0 - y) + bend;
     V square = f[0] * f[0];
     V rest = (square - f[1]) - (y * f[1]);
     f[1] = rest / faded_by;
@@ -3783,7 +3786,8 @@ static V end_of_swing(Batch *b, V *e, V sine, M which)
 INLINE V peak_of_cubic(V rise, V fall, V end)
 {
     V square = (rise * rise) + (fall * (fall - rise));
-    return (end * rise) / (((2.0 * rise) - fall) + sqrt_of(square));
+    V falls_by = ((2.0 * rise) - fall) + sqrt_of(square);
+    return (end * rise) / falls_by;
 }
 
 /* Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on. */
@@ -3844,7 +3848,8 @@ INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
     V x = end * SINES[k];
     V f[STRIDE];
     functions(f, x, e[4]);
-    V room = x * (end - x);
+    V left = end - x;
+    V room = x * left;
     V near = sqrt_of(room / energy(e, f));
     reverse(f, e[4]);
     V far = sqrt_of(room / energy(back, f));
@@ -3855,7 +3860,8 @@ INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 /* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
 INLINE V mean_of(V *both, int pairs, int by)
 {
-    V total = 0.5 * (both[0] + both[PAIRS]);
+    V ends = both[0] + both[PAIRS];
+    V total = 0.5 * ends;
     for (int k = 1; k <= pairs - 1; k++) {
         total = total + both[k * by];
     }
@@ -3881,7 +3887,8 @@ INLINE V time_to(V x, V end, V *both, V *odd, int pairs, int by)
     V left = end - x;
     V place = (x - left) / end;
     V sine = (2.0 * sqrt_of(x * left)) / end;
-    V total = (2.0 * mean_of(both, pairs, by)) * angle_of(place, sine);
+    V angle = angle_of(place, sine);
+    V total = (2.0 * mean_of(both, pairs, by)) * angle;
     V twice = (-2.0) * place;
     V previous = broadcast(0.0);
     V waves = broadcast(0.0);
@@ -3897,7 +3904,9 @@ INLINE V time_to(V x, V end, V *both, V *odd, int pairs, int by)
         }
         V last = broadcast((j == pairs) ? 0.5 : 1.0);
         V following = (twice * sine) - previous;
-        waves = waves + ((sine * of_odd) + (following * (last * of_even)));
+        V odd_wave = sine * of_odd;
+        V even_wave = following * (last * of_even);
+        waves = waves + (odd_wave + even_wave);
         sine = (twice * following) - sine;
         previous = following;
     }
@@ -3936,7 +3945,8 @@ INLINE Pair durations_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
         V later = time_to(peak, end, both, odd, 8, 1);
         before = pick(unsure, later, before);
     }
-    return (Pair){before, pick(last <= most, PI * mean, broadcast(INFINITY))};
+    V whole = PI * mean;
+    return (Pair){before, pick(last <= most, whole, broadcast(INFINITY))};
 }
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. */

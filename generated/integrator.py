@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a74062c38de5cc1ca68e0bfb002b7da80503fe5c1cd38384ae8a10ac46421174
+# sha256 of the text below: 2491755f9ebb35518c1a202f259f1824b2bd2a7670e9ecd007dc6e341760c58f
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2193,7 +2193,8 @@ def turned(x: Floats) -> tuple[Floats, Floats]:
     versine = versine * square
     for _ in range(1, 2 + 1):
         sine = h - lag
-        lag = 2.0 * (lag + sine * versine)
+        change = sine * versine
+        lag = 2.0 * (lag + change)
         versine = 2.0 * (sine * sine)
         h = 2.0 * h
     return (lag, versine)
@@ -2207,7 +2208,8 @@ def faded(y: Floats) -> Floats:
         part = part * h + FADING[k]
     for _ in range(1, 2 + 1):
         lost = 1.0 - h * part
-        part = 0.5 * part + 0.25 * (lost * lost)
+        square = lost * lost
+        part = 0.5 * part + 0.25 * square
         h = 2.0 * h
     return part
 
@@ -2278,7 +2280,8 @@ def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f
 def reverse(f: Floats, q: Floats) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
-    faded_by = 1.0 - y + q * q * f[1]
+    bend = q * q * f[1]
+    faded_by = 1.0 - y + bend
     square = f[0] * f[0]
     rest = square - f[1] - y * f[1]
     f[1] = rest / faded_by
@@ -2482,7 +2485,8 @@ def end_of_swing(s: Lanes, e: Floats, sine: Floats, which: Mask) -> Floats:
 def peak_of_cubic(rise: Floats, fall: Floats, end: Floats) -> Floats:
     """Return the rotation of the greatest speed if E is a cubic with these slopes at both of its zeros."""
     square = rise * rise + fall * (fall - rise)
-    return end * rise / (2.0 * rise - fall + np.sqrt(square))
+    falls_by = 2.0 * rise - fall + np.sqrt(square)
+    return end * rise / falls_by
 
 
 def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> Floats:
@@ -2535,7 +2539,8 @@ def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k:
     x = end * SINES[k]
     f = np.zeros((ix.STRIDE, e.shape[1]))
     functions(f, x, e[4])
-    room = x * (end - x)
+    left = end - x
+    room = x * left
     near = np.sqrt(room / energy(e, f))
     reverse(f, e[4])
     far = np.sqrt(room / energy(back, f))
@@ -2545,7 +2550,8 @@ def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k:
 
 def mean_of(both: Floats, pairs: int, by: int) -> Floats:
     """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
-    total = 0.5 * (both[0] + both[PAIRS])
+    ends = both[0] + both[PAIRS]
+    total = 0.5 * ends
     for k in range(1, pairs - 1 + 1):
         total = total + both[k * by]
     return total / float(2 * pairs)
@@ -2566,7 +2572,8 @@ def time_to(x: Floats, end: Floats, both: Floats, odd: Floats, pairs: int, by: i
     left = end - x
     place = (x - left) / end
     sine = 2.0 * np.sqrt(x * left) / end
-    total = 2.0 * mean_of(both, pairs, by) * angle_of(place, sine)
+    angle = angle_of(place, sine)
+    total = 2.0 * mean_of(both, pairs, by) * angle
     twice = -2.0 * place
     previous: Floats = 0.0
     waves: Floats = 0.0
@@ -2581,7 +2588,9 @@ def time_to(x: Floats, end: Floats, both: Floats, odd: Floats, pairs: int, by: i
             of_even = of_even + COSINES[even_row + node] * both[node]
         last: Floats = 0.5 if j == pairs else 1.0
         following = twice * sine - previous
-        waves = waves + (sine * of_odd + following * (last * of_even))
+        odd_wave = sine * of_odd
+        even_wave = following * (last * of_even)
+        waves = waves + (odd_wave + even_wave)
         sine = twice * following - sine
         previous = following
     return total + waves / float(pairs)
@@ -2613,7 +2622,8 @@ def durations_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Flo
         mean = np.where(unsure, finer, mean)
         later = time_to(peak, end, both, odd, 8, 1)
         before = np.where(unsure, later, before)
-    return (before, np.where(last <= most, PI * mean, INFINITY))
+    whole = PI * mean
+    return (before, np.where(last <= most, whole, INFINITY))
 
 
 def times_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats, which: Mask) -> tuple[Floats, Floats]:

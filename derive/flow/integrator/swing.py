@@ -86,7 +86,8 @@ def end_of_swing(s: Lanes, e: S, sine: V, which: M) -> V:
 def peak_of_cubic(rise: V, fall: V, end: V) -> V:
     """Return the rotation of the greatest speed if E is a cubic with these slopes at both of its zeros."""
     square = rise * rise + fall * (fall - rise)
-    return end * rise / (2.0 * rise - fall + sqrt(square))
+    falls_by = 2.0 * rise - fall + sqrt(square)
+    return end * rise / falls_by
 
 
 def peak_of_swing(s: Lanes, e: S, x: V, end: V, which: M) -> V:
@@ -141,7 +142,8 @@ def add_node(e: S, back: S, end: V, both: S, odd: S, k: N) -> None:
     x = end * SINES[k]
     f = new_series()
     functions(f, x, e[4])
-    room = x * (end - x)
+    left = end - x
+    room = x * left
     near = sqrt(room / energy(e, f))
     reverse(f, e[4])
     far = sqrt(room / energy(back, f))
@@ -151,7 +153,8 @@ def add_node(e: S, back: S, end: V, both: S, odd: S, k: N) -> None:
 
 def mean_of(both: S, pairs: N, by: N) -> V:
     """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
-    total = 0.5 * (both[0] + both[PAIRS])
+    ends = both[0] + both[PAIRS]
+    total = 0.5 * ends
     for k in up(1, pairs - 1):
         total = total + both[k * by]
     return total / number(2 * pairs)
@@ -175,7 +178,8 @@ def time_to(x: V, end: V, both: S, odd: S, pairs: N, by: N) -> V:
     left = end - x
     place = (x - left) / end
     sine = 2.0 * sqrt(x * left) / end
-    total = 2.0 * mean_of(both, pairs, by) * angle_of(place, sine)
+    angle = angle_of(place, sine)
+    total = 2.0 * mean_of(both, pairs, by) * angle
     twice = -2.0 * place
     previous: V = 0.0
     waves: V = 0.0
@@ -190,7 +194,9 @@ def time_to(x: V, end: V, both: S, odd: S, pairs: N, by: N) -> V:
             of_even = of_even + COSINES[even_row + node] * both[node]
         last: V = 0.5 if j == pairs else 1.0
         following = twice * sine - previous
-        waves = waves + (sine * of_odd + following * (last * of_even))
+        odd_wave = sine * of_odd
+        even_wave = following * (last * of_even)
+        waves = waves + (odd_wave + even_wave)
         sine = twice * following - sine
         previous = following
     return total + waves / number(pairs)
@@ -225,7 +231,8 @@ def durations_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tu
         mean = where(unsure, finer, mean)
         later = time_to(peak, end, both, odd, 8, 1)
         before = where(unsure, later, before)
-    return before, where(last <= most, PI * mean, INFINITY)
+    whole = PI * mean
+    return before, where(last <= most, whole, INFINITY)
 
 
 def times_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tuple[V, V]:
