@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "4e9c2ed07e5fe456e6d06c5f398ba081124e2d988bef281cd8da11685fc2a6b3"
+#define DIGEST "c398b7517eecc3b22b198fd354ac4e318ef9effe546f60c7b356041d71dc6857"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2695,7 +2695,8 @@ INLINE V latest_end(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    return minimum((c[END_TIME] * c[job->table[t].cell + SCALE]) * (1.0 - (4.0 * EPS)), broadcast(LATEST));
+    V end = (c[END_TIME] * c[job->table[t].cell + SCALE]) * (1.0 - (4.0 * EPS));
+    return minimum(end, broadcast(LATEST));
 }
 
 /* Return the lanes for which a piece ends before a place and not at the last break, where the record may jump. */
@@ -2713,7 +2714,8 @@ INLINE M passes(Batch *b, int t, int piece, V before)
 INLINE V end_of(Batch *b, int t, int piece, V per)
 {
     const Job *const job = b->job;
-    return job->data[t].breaks[piece + 1] * per;
+    double end = job->data[t].breaks[piece + 1];
+    return end * per;
 }
 
 /* Return the value of a record, without its factor, at the right end of a piece. */
@@ -3153,10 +3155,12 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
     M peaks = at < INFINITY;
     if (bits(peaks)) {
-        V time = c[TIME] + elapsed(b, top, at);
+        V since = elapsed(b, top, at);
+        V time = c[TIME] + since;
         V speed = value(b->r + job->role->omega, top, at);
         V x = value(b->r + job->role->x, top, at);
-        keep_faster(b, peaks, speed, time, x, value(net, top - 1, at));
+        V rate_there = value(net, top - 1, at);
+        keep_faster(b, peaks, speed, time, x, rate_there);
     }
 }
 
@@ -4032,10 +4036,12 @@ static M swing(Batch *b, M which)
         peak = peak_of_swing(b, e, peak, end, fits);
         const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);
         V before = before_duration.one, duration = before_duration.other;
-        fits = fits & ((c[TIME] + duration) < c[END_TIME]);
+        V until = c[TIME] + duration;
+        fits = fits & (until < c[END_TIME]);
         finish(b, fits, e, end, duration, peak, before);
         if (!softens) {
-            rest(b, fits, (-0.5) * back[0], f);
+            V rate = (-0.5) * back[0];
+            rest(b, fits, rate, f);
         }
     }
     return fits;
@@ -4178,7 +4184,8 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
         begin_phases(b);
         look_ahead(b, both, room);
     }
-    M lifts = c[LIFT_AHEAD] <= (c[START_AHEAD] * (1.0 + TOGETHER));
+    V latest = c[START_AHEAD] * (1.0 + TOGETHER);
+    M lifts = c[LIFT_AHEAD] <= latest;
     c[START_AHEAD] = pick(here, pick(lifts, broadcast(INFINITY), c[START_AHEAD]), c[START_AHEAD]);
     c[STRETCH] = pick(here, minimum(c[START_AHEAD], c[STRETCH]), c[STRETCH]);
     for (int t = 0; t < job->tables; t++) {

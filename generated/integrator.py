@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2491755f9ebb35518c1a202f259f1824b2bd2a7670e9ecd007dc6e341760c58f
+# sha256 of the text below: 51f59475e8abbb276f86c354ce5b9ebce9ac4f69308786391df27798d0441049
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1578,7 +1578,8 @@ def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, ome
 def latest_end(s: Lanes, t: Table) -> Floats:
     """Return the place in a record, up to rounding, at which the end time is reached."""
     c = s.cells
-    return np.minimum(c[ix.END_TIME] * c[t.cells + ix.SCALE] * (1.0 - 4.0 * EPS), LATEST)
+    end = c[ix.END_TIME] * c[t.cells + ix.SCALE] * (1.0 - 4.0 * EPS)
+    return np.minimum(end, LATEST)
 
 
 def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
@@ -1591,7 +1592,8 @@ def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
 
 def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
     """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
-    return t.places[piece + 1] * per
+    end = t.places[piece + 1]
+    return end * per
 
 
 def height_after(s: Lanes, t: Table, piece: int) -> Floats:
@@ -1946,10 +1948,12 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
     at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
     peaks = at < INFINITY
     if np.any(peaks):
-        time = c[ix.TIME] + elapsed(s, top, at)
+        since = elapsed(s, top, at)
+        time = c[ix.TIME] + since
         speed = value(s.registers[s.roles.omega], top, at)
         x = value(s.registers[s.roles.x], top, at)
-        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
+        rate_there = value(net, top - 1, at)
+        keep_faster(s, peaks, speed, time, x, rate_there)
 
 
 def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
@@ -2695,10 +2699,12 @@ def swing(s: Lanes, which: Mask) -> Mask:
     if np.any(fits):
         peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
-        fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
+        until = c[ix.TIME] + duration
+        fits = fits & (until < c[ix.END_TIME])
         finish(s, fits, e, end, duration, peak, before)
         if not softens:
-            rest(s, fits, -0.5 * back[0], f)
+            rate = -0.5 * back[0]
+            rest(s, fits, rate, f)
     return fits
 
 
@@ -2817,7 +2823,8 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
         turn_back(s, both)
         begin_phases(s)
         look_ahead(s, both, room)
-    lifts = c[ix.LIFT_AHEAD] <= c[ix.START_AHEAD] * (1.0 + TOGETHER)
+    latest = c[ix.START_AHEAD] * (1.0 + TOGETHER)
+    lifts = c[ix.LIFT_AHEAD] <= latest
     c[ix.START_AHEAD] = np.where(here, np.where(lifts, INFINITY, c[ix.START_AHEAD]), c[ix.START_AHEAD])
     c[ix.STRETCH] = np.where(here, np.minimum(c[ix.START_AHEAD], c[ix.STRETCH]), c[ix.STRETCH])
     for t in s.tables:

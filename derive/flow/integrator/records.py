@@ -247,7 +247,8 @@ def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, aft
 
 def latest_end(s: Lanes, t: T) -> V:
     """Return the place in a record, up to rounding, at which the end time is reached."""
-    return minimum(s.end_time * t.scale * (1.0 - 4.0 * EPS), LATEST)
+    end = s.end_time * t.scale * (1.0 - 4.0 * EPS)
+    return minimum(end, LATEST)
 
 
 def passes(s: Lanes, t: T, piece: N, before: V) -> M:
@@ -260,7 +261,8 @@ def passes(s: Lanes, t: T, piece: N, before: V) -> M:
 
 def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
     """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
-    return t.places[piece + 1] * per
+    end = t.places[piece + 1]
+    return end * per
 
 
 def height_after(s: Lanes, t: T, piece: N) -> float:

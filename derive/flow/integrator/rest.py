@@ -143,7 +143,8 @@ def rest_to_change(s: Lanes, here: M, limit: V, room: V) -> None:
         turn_back(s, both)
         begin_phases(s)
         look_ahead(s, both, room)
-    lifts = s.lift_ahead <= s.start_ahead * (1.0 + TOGETHER)  # in this case the mass does not start
+    latest = s.start_ahead * (1.0 + TOGETHER)
+    lifts = s.lift_ahead <= latest  # in this case the mass does not start
     s.start_ahead = where(lifts, INFINITY, s.start_ahead)
     s.stretch = minimum(s.start_ahead, s.stretch)
     for t in s.tables:

@@ -283,10 +283,12 @@ def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
     at = falling_root(net, top - 1, s.step, rate, slope, here)
     peaks = at < INFINITY
     if any_lane(peaks):
-        time = s.time + elapsed(s, top, at)
+        since = elapsed(s, top, at)
+        time = s.time + since
         speed = value(s.series.omega, top, at)
         x = value(s.series.x, top, at)
-        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
+        rate_there = value(net, top - 1, at)
+        keep_faster(s, peaks, speed, time, x, rate_there)
 
 
 def conclude(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:

@@ -304,8 +304,10 @@ def swing(s: Lanes, which: M) -> M:
     if any_lane(fits):
         peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
-        fits = fits and s.time + duration < s.end_time
+        until = s.time + duration
+        fits = fits and until < s.end_time
         finish(s, fits, e, end, duration, peak, before)
         if not softens:
-            rest(s, fits, -0.5 * back[0], f)
+            rate = -0.5 * back[0]
+            rest(s, fits, rate, f)
     return fits
