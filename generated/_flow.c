@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c398b7517eecc3b22b198fd354ac4e318ef9effe546f60c7b356041d71dc6857"
+#define DIGEST "089e2e0f00c3f12b7077c9e94bcf1ef66022713cb930298840f276b926a0c9ea"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3964,13 +3964,14 @@ INLINE Pair times_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
 }
 
 /* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
- * ``rate`` is the net moment in the direction in which they arrived, and ``f`` has the functions of E there. */
-INLINE void rest(Batch *b, M here, V rate, V *f)
+ * ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there. */
+INLINE void rest(Batch *b, M here, V *back, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V force = force_at(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     V resistance = c[job->role->resisting] + (c[job->role->mu] * force);
+    V rate = (-0.5) * back[0];
     V driving = rate + resistance;
     V terms = magnitude(driving) + resistance;
     V excess = driving + resistance;
@@ -4036,12 +4037,10 @@ static M swing(Batch *b, M which)
         peak = peak_of_swing(b, e, peak, end, fits);
         const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);
         V before = before_duration.one, duration = before_duration.other;
-        V until = c[TIME] + duration;
-        fits = fits & (until < c[END_TIME]);
+        fits = fits & ((c[TIME] + duration) < c[END_TIME]);
         finish(b, fits, e, end, duration, peak, before);
         if (!softens) {
-            V rate = (-0.5) * back[0];
-            rest(b, fits, rate, f);
+            rest(b, fits, back, f);
         }
     }
     return fits;

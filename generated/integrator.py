@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 51f59475e8abbb276f86c354ce5b9ebce9ac4f69308786391df27798d0441049
+# sha256 of the text below: 4ec7fb9f3a65123586f71816dfa30a91c4fa948e140d9b8c9014a3b1921cae5b
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2637,11 +2637,12 @@ def times_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats,
     return durations_of_swing(s, e, back, end, peak, which)
 
 
-def rest(s: Lanes, here: Mask, rate: Floats, f: Floats) -> None:
+def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back."""
     c = s.cells
     force = force_at(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     resistance = c[s.roles.resisting] + c[s.roles.mu] * force
+    rate = -0.5 * back[0]
     driving = rate + resistance
     terms = np.abs(driving) + resistance
     excess = driving + resistance
@@ -2699,12 +2700,10 @@ def swing(s: Lanes, which: Mask) -> Mask:
     if np.any(fits):
         peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
-        until = c[ix.TIME] + duration
-        fits = fits & (until < c[ix.END_TIME])
+        fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
         finish(s, fits, e, end, duration, peak, before)
         if not softens:
-            rate = -0.5 * back[0]
-            rest(s, fits, rate, f)
+            rest(s, fits, back, f)
     return fits
 
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5c233c9311c88fee0788a736f67f245e7c09d5edfba913129a817424c5545898
+# sha256 of the text below: 8048b01dc3f517c05519337efc3b649c6d80b120122e053212911f0ce4ff15ed
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "c398b7517eecc3b22b198fd354ac4e318ef9effe546f60c7b356041d71dc6857"  # of the compiled integrator's source
+DIGEST = "089e2e0f00c3f12b7077c9e94bcf1ef66022713cb930298840f276b926a0c9ea"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

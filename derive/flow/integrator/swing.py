@@ -242,13 +242,14 @@ def times_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tuple[
     return durations_of_swing(s, e, back, end, peak, which)
 
 
-def rest(s: Lanes, here: M, rate: V, f: S) -> None:
+def rest(s: Lanes, here: M, back: S, f: S) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
 
-    ``rate`` is the net moment in the direction in which they arrived, and ``f`` has the functions of E there.
+    ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there.
     """
     force = force_at(s.normal0, s.normal_sine, s.normal_vers, f)
     resistance = s.resisting + s.mu * force
+    rate = -0.5 * back[0]  # net moment in the direction in which they arrived
     driving = rate + resistance
     terms = abs(driving) + resistance
     excess = driving + resistance
@@ -304,10 +305,8 @@ def swing(s: Lanes, which: M) -> M:
     if any_lane(fits):
         peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
-        until = s.time + duration
-        fits = fits and until < s.end_time
+        fits = fits and s.time + duration < s.end_time
         finish(s, fits, e, end, duration, peak, before)
         if not softens:
-            rate = -0.5 * back[0]
-            rest(s, fits, rate, f)
+            rest(s, fits, back, f)
     return fits
