@@ -100,7 +100,7 @@ def check(every: Sequence[Declaration]) -> None:
     balance = fragments.fragments((), ())
     for e in every:
         _check_fields(e, e)
-    in_text = re.findall(r"\w+", " ".join((FUNCTIONS, MODULES, ARGUMENTS, *emit.IMPORTS)))
+    in_text = re.findall(r"\w+", " ".join((FUNCTIONS, MODULES, ARGUMENTS, emit.KERNEL_IMPORTS, emit.STUB_IMPORTS)))
     in_scenes = {*balance, "frozen", *TABLES.split()}
     quotients = [q.name for q in QUOTIENTS]
     in_modules = {*in_text, *dir(builtins), *dir(np), *quotients}

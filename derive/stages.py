@@ -4,7 +4,7 @@ import hashlib
 import json
 import time
 from collections.abc import Callable, Mapping
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -17,14 +17,8 @@ LIBRARIES = {"sympy": "SymPy", "mpmath": "mpmath", "python-flint": "python-flint
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of the libraries that derive and prove; without those that are not installed."""
-    found = {}
-    for library in LIBRARIES:
-        try:
-            found[library] = version(library)
-        except PackageNotFoundError:
-            continue
-    return found
+    """Return the versions of the libraries that derive and prove."""
+    return {library: version(library) for library in LIBRARIES}
 
 
 def digest_of(text: str) -> str:

@@ -39,6 +39,23 @@ PYTHON = Language(
     several="{names} = {function}({arguments})",
     integer="{space}.rint({0})",
 )
+# Imports of all generated modules; of the certified functions beyond these, and of their stub.
+IMPORTS = "from __future__ import annotations\n\nfrom typing import Any\n\nimport numpy as np\n"
+KERNEL_IMPORTS = """
+from generated._compiled import Text, direct, kernel
+from generated._evaluate import Array, horner, lost
+"""
+STUB_IMPORTS = """\
+from __future__ import annotations
+
+from typing import Any, TypeVar, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from generated._compiled import Text
+from generated._evaluate import Out
+"""
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
 HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
@@ -200,7 +217,7 @@ def functions_module(docstring: str, functions: Sequence[Function], parts: Seque
     code = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
     code += "".join("\n\n" + text.body(p, space="xp") for p in parts)
     code += "".join(f"\n\n{function(f, text)}" for f in functions)
-    return _module(docstring, [f.program.name for f in functions], code)
+    return _module(docstring, [f.program.name for f in functions], code, KERNEL_IMPORTS)
 
 
 def stub(functions: Sequence[Function]) -> str:
@@ -214,7 +231,7 @@ def stub(functions: Sequence[Function]) -> str:
                 f"\n@overload\ndef {f.program.name}(\n    {typed},\n    out: {out} = None,\n    *,\n"
                 f"    where: {where} = True,\n    accuracy: float | None = None,\n) -> {result}: ...\n"
             )
-    return f"{_imports(code)}\n\n{code}"
+    return f"{STUB_IMPORTS}\n{code}"
 
 
 def _overloads(count: int) -> Iterator[tuple[list[str], str, str, str]]:
@@ -246,7 +263,9 @@ def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: s
     return plain_module(docstring, documented, before='@np.errstate(all="ignore")\n')
 
 
-def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "", before: str = "") -> str:
+def plain_module(
+    docstring: str, programs: Sequence[tuple[Program, str]], code: str = "", before: str = "", imports: str = ""
+) -> str:
     """Return a module of functions for callers that respect the domain: arrays or floats, without checks.
 
     ``code`` precedes them, and each has the decorator ``before``.
@@ -256,25 +275,11 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
         public = re.sub(r"\b_(\w+\()", r"\1", text.body(p).replace("Array", "Any"))
         signature, body = public.split("\n", 1)
         code += f"\n\n{before}{signature}\n{doc}{body}"
-    return _module(docstring, [p.name for p, _ in programs], code)
+    return _module(docstring, [p.name for p, _ in programs], code, imports)
 
 
-# Imports of generated modules, in this order.
-IMPORTS = (
-    "from __future__ import annotations",
-    "",
-    "from typing import Any, TypeVar, overload",
-    "",
-    "import numpy as np",
-    "from numpy.typing import ArrayLike, NDArray",
-    "",
-    "from generated._compiled import Text, direct, kernel",
-    "from generated._evaluate import Array, Out, horner, lost",
-)
-
-
-def _module(docstring: str, names: list[str], code: str) -> str:
-    """Return the complete text of a module that exports these names, with the imports that its code needs.
+def _module(docstring: str, names: list[str], code: str, imports: str) -> str:
+    """Return the complete text of a module that exports these names, with ``imports`` beyond those of all modules.
 
     Coefficients that occur repeatedly become tables.
     """
@@ -284,27 +289,12 @@ def _module(docstring: str, names: list[str], code: str) -> str:
         code = code.replace(numbers, f"SERIES_{k}")
         data += f"\nSERIES_{k} = {numbers}"
     listed = "".join(f'    "{n}",\n' for n in names)
-    head = f'"""{docstring}"""\n\n{_imports(code)}\n\n__all__ = [\n{listed}]\n{data}'
+    head = f'"""{docstring}"""\n\n{IMPORTS}{imports}\n__all__ = [\n{listed}]\n{data}'
     if data:
         head += "\n"
     if code.startswith("#"):
         head += "\n"
     return head + code
-
-
-def _imports(code: str) -> str:
-    """Return the imports of the names that occur in the code outside strings."""
-    without_strings = re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)
-    used = set(re.findall(r"\w+", without_strings))
-    imports = []
-    for line in IMPORTS:
-        start, _, names = line.rpartition("import ")
-        needed = [x for x in names.split(", ") if x.endswith((" as np", "annotations")) or x in used]
-        if needed:
-            imports.append(f"{start}import {', '.join(needed)}")
-        elif not line:
-            imports.append("")
-    return re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
 
 
 _ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:, ?|$)""")
