@@ -102,8 +102,7 @@ def check(every: Sequence[Declaration]) -> None:
         _check_fields(e, e)
     in_text = re.findall(r"\w+", " ".join((FUNCTIONS, MODULES, ARGUMENTS, emit.KERNEL_IMPORTS, emit.STUB_IMPORTS)))
     in_scenes = {*balance, "frozen", *TABLES.split()}
-    quotients = [q.name for q in QUOTIENTS]
-    in_modules = {*in_text, *dir(builtins), *dir(np), *quotients}
+    in_modules = {*in_text, *dir(builtins), *dir(np), *(q.name for q in QUOTIENTS)}
     of_formulas = {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {K_H, K_V}
     symbols = set(map(str, of_formulas))
     symbols.update(re.findall(r"\w+", repr(balance)))
@@ -363,8 +362,7 @@ def _check_values(effect: Effect, by_symbol: Mapping[Symbol, Parameter]) -> None
         formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, value)
 
     def fault(e: Expr) -> str:
-        symbols = sorted(e.free_symbols, key=str)
-        place, _ = domain.fault(e, {x: box.get(x, (0.0, STEEPEST)) for x in symbols})
+        place, _ = domain.fault(e, {x: box.get(x, (0.0, STEEPEST)) for x in sorted(e.free_symbols, key=str)})
         return place
 
     for what, e in formulas.items():

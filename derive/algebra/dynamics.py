@@ -70,8 +70,7 @@ def solution() -> dict[str, Expr]:
         "phi(0) = 0": ways["rotation"].subs(t, 0),
     }
     for claim, zero in claims.items():
-        in_exponentials = zero.subs(a, k**2 / b).rewrite(exp)
-        prove_zero(in_exponentials, claim)
+        prove_zero(zero.subs(a, k**2 / b).rewrite(exp), claim)
     return ways
 
 

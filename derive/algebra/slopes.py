@@ -105,8 +105,7 @@ def triangles() -> dict[str, Expr]:
         integrand = expand(simplify(over_theta * _P / rho**2))
         form = Add(*map(_along_edge, Add.make_args(integrand)))
         at_2 = diff(form, _T2) + diff(form, _LOG) / _rho(_T2)  # dL/dt2 = 1/r2, proved in `prove`
-        slope = integrand.subs(_T, _T2)
-        prove_zero(at_2 - slope, f"{name}: the triangle's integral grows with t2 as it must")
+        prove_zero(at_2 - integrand.subs(_T, _T2), f"{name}: the triangle's integral grows with t2 as it must")
         prove_zero(form.subs({_T2: _T1, _LOG: 0}), f"{name}: an edge without length has none")
         integrals[name] = form
     return integrals
@@ -188,8 +187,7 @@ def rings() -> tuple[Expr, ...]:
         n, direction = _split(WEIGHTS[name])
         power = 2 if direction == 1 else 3
         integral = (1 - r**n) / n / r**power
-        in_r = form.subs(G, 1 - r**2).subs(sqrt(r**2), r)
-        prove_zero(in_r - integral, f"{name}: the ring over dtheta")
+        prove_zero(form.subs(G, 1 - r**2).subs(sqrt(r**2), r) - integral, f"{name}: the ring over dtheta")
     return tuple(forms.values())
 
 
@@ -250,8 +248,7 @@ def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
 
 def _strip(integrand: Expr, primitive: Expr) -> Expr:
     """Return the integral over y from the arc to the ground in a strip, after proving its primitive."""
-    slope = diff(primitive, _Y) + diff(primitive, _RHO) * _Y / _RHO
-    prove_zero(slope - integrand, f"{primitive} over a strip")
+    prove_zero(diff(primitive, _Y) + diff(primitive, _RHO) * _Y / _RHO - integrand, f"{primitive} over a strip")
     at_ground = primitive.subs({_RHO: DISTANCE, _Y: HEIGHT - COSINE}, simultaneous=True)
     at_arc = primitive.subs({_RHO: 1, _Y: -COSINE}, simultaneous=True)
     return logcombine(at_ground - at_arc, force=True)
@@ -319,8 +316,7 @@ def _of_one_chord() -> dict[str, Expr]:
     chord = {SINE: sin(BETA), COSINE: cos(BETA), HEIGHT: height, K_H: 0, PRESSURE: 0}
 
     def over_arc(name: str) -> Expr:
-        integrand = forms[name].subs(chord).subs(BETA, middle + u)
-        primitive = antiderivative(expand_trig(integrand), u, "1.55")
+        primitive = antiderivative(expand_trig(forms[name].subs(chord).subs(BETA, middle + u)), u, "1.55")
         return primitive.subs(u, alpha) - primitive.subs(u, -alpha)
 
     # Fellenius' normal force of one chord, closed: the mean of h cos^2 over the arc.

@@ -91,8 +91,7 @@ def errors(variant: Variant, alpha: Floats) -> list[float]:
             reference = truth.enclosure(variant.definition, arb(x))
             relative = TIERS[variant.tier].unit == "relative"
             unit = reference if relative else arb(certify.ulp(float(reference)))
-            error = abs(arb(y) - reference) / unit
-            measured.append(float(error.mid()))
+            measured.append(float((abs(arb(y) - reference) / unit).mid()))
     return measured
 
 
@@ -106,8 +105,7 @@ def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float
 
     def worst_of(points: Iterable[float]) -> tuple[float, float]:
         alpha = np.unique(np.clip(np.array(list(points)), 2.0**-12, truth.TOP))
-        measured = errors(variant, alpha)
-        return max(zip(measured, alpha.tolist(), strict=True), key=itemgetter(0))
+        return max(zip(errors(variant, alpha), alpha.tolist(), strict=True), key=itemgetter(0))
 
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
     points: list[float] = []
@@ -138,9 +136,7 @@ def of_ends(proved: Iterable[Record]) -> list[Record]:
     certified = []
     for v in variants_of_ends():
         assert v.part
-        part = plain(v.part)
-        of_part = parts[part["sha256"]]
-        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, of_part)
+        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, parts[plain(v.part)["sha256"]])
         record = record | {"bound": round_up(record["bound"])}
         check_goals(record)
         certified.append(seal(record))

@@ -120,8 +120,7 @@ def minimax(
             coefficients, level, denominators = _levelled(samples, basis, references, denominators, above, below)
             numerators = (matrix * arb_mat([[c] for c in coefficients])).entries()
             errors = _errors(samples, numerators, denominators)
-            sizes = (abs(float(e)) for e in errors)
-            worst = max(sizes)
+            worst = max(abs(float(e)) for e in errors)
             if worst < least:
                 least = worst
                 best = coefficients

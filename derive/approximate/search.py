@@ -44,10 +44,8 @@ def price(kernel: Kernel, shape: Best) -> float:
     """Return the price of a shape in ulp: the best fused tier's bound from FROM to TO, plus OPERATION per operation."""
     fused = variant(kernel, "best", "fused", shape)
     record = certificates.plain(fused)
-    between = list(patches(record, FROM, TO))
-    bound, _ = certify.halve(record, between, halvings=HALVINGS)
-    operations = sum(fused.program.operations().values())
-    return bound + OPERATION * operations
+    bound, _ = certify.halve(record, list(patches(record, FROM, TO)), halvings=HALVINGS)
+    return bound + OPERATION * sum(fused.program.operations().values())
 
 
 def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Variant]:
@@ -91,8 +89,7 @@ def baseline(closed: Expr, seam: float) -> Far:
     about = end(closed)
 
     def rank(far: Far) -> tuple[float, ...]:
-        error = _baseline_error(closed, far, values)
-        return error, abs(far.bend - about.first), far.slope, far.line, far.bend
+        return _baseline_error(closed, far, values), abs(far.bend - about.first), far.slope, far.line, far.bend
 
     return min(_baselines(values, about.odd), key=rank)
 
@@ -185,8 +182,7 @@ def falls(variant: Variant, seam: float) -> bool:
     bits = np.float64(seam).view(np.int64) + np.arange(-near, near)
     alpha = bits.view(np.float64)
     inside = alpha[alpha <= HALF_PI]
-    steps = np.diff(variant.program.run(inside))
-    return bool(np.any(steps < 0))
+    return bool(np.any(np.diff(variant.program.run(inside)) < 0))
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:

@@ -51,8 +51,7 @@ def kernels() -> list[Kernel]:
     for q in QUOTIENTS:
         parts = (q.numerator, q.denominator)
         forms = tuple(closed[part] for part in parts)
-        statements = tuple(definitions[part][0] for part in parts)
-        certified.append(Kernel(q.name, forms, statements))
+        certified.append(Kernel(q.name, forms, tuple(definitions[part][0] for part in parts)))
     return certified
 
 
@@ -181,8 +180,7 @@ def recorded_shapes() -> dict[tuple[str, ...], Shape]:
             if far is not None:
                 piece["far"] = Far(**far)
             best.append(Pieces(**piece))
-        cheap = tuple(map(tuple, record["cheap"]))
-        shapes[tuple(definition.split(" / "))] = Shape(tuple(best), cheap)
+        shapes[tuple(definition.split(" / "))] = Shape(tuple(best), tuple(map(tuple, record["cheap"])))
     return shapes
 
 

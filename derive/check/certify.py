@@ -153,8 +153,7 @@ def halve(
         heapq.heappush(boxes, box(number, middle, upper))
         halvings -= 1
     bounds = (-x.minus_bound for x in boxes)
-    worst = [_in_alpha(parts[x.number], x) for x in _worst_of_each(boxes)]
-    return max(bounds, default=0.0), worst
+    return max(bounds, default=0.0), [_in_alpha(parts[x.number], x) for x in _worst_of_each(boxes)]
 
 
 def _worst_of_each(boxes: list[Box]) -> list[Box]:
@@ -253,8 +252,7 @@ def prove_all() -> bool:
     start = time.perf_counter()
     accepted = bool(records)
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
-    grouped = groupby(records, itemgetter("kernel"))
-    by_kernel = [list(those) for _, those in grouped]
+    by_kernel = [list(those) for _, those in groupby(records, itemgetter("kernel"))]
     for line, proved in parallel(checked, by_kernel, "kernels checked"):
         print(line, flush=True)
         accepted &= proved

@@ -120,8 +120,7 @@ def reduced(one: RecordedValue, two: RecordedValue, odd: bool) -> tuple[Recorded
     for _ in range(PASSES):
         terms = passed(terms)
     high = terms.pop()
-    rest = reduce(add, terms)
-    b, low = _two_sum(high, rest)
+    b, low = _two_sum(high, reduce(add, terms))
     b = b.put("min", 2 * TOP)
     b = b.put("max", -2 * TOP)
     quarter = half * 0.5

@@ -197,6 +197,5 @@ def run(record: Record, x: float) -> float:
         elif kind == "const":
             values.append(float.fromhex(constant))
         else:
-            operands = (values[k] for k in args)
-            values.append(MEANING[kind](*operands))
+            values.append(MEANING[kind](*(values[k] for k in args)))
     return values[record["output"]]

@@ -84,8 +84,7 @@ def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:
     if node.kind == "const":
         return arb(node.value)
     if node.kind == "error":
-        bound = sum(noise[a] for a in node.args)
-        return arb(0, bound * UP)
+        return arb(0, sum(noise[a] for a in node.args) * UP)
     operands = [values[a] for a in node.args]
     if node.kind == "scale":
         return operands[0] * ball(0.0, node.value)
@@ -140,8 +139,7 @@ def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
         kind, args, value, _, _ = tape[i]
         slope = adjoint[i]
         if i != last and kind not in ("x", "const"):
-            sensitivity = above(slope + weight[i])
-            total += (sensitivity + TINY) * noise[i]
+            total += (above(slope + weight[i]) + TINY) * noise[i]
         if slope == 0:
             continue
         if kind == "error":
@@ -184,8 +182,7 @@ class _Specialise:
             if i in alive:
                 alive.update(self.tape[i].args)
         place = {old: new for new, old in enumerate(sorted(alive))}
-        nodes = [self.tape[i] for i in place]
-        return tuple(node._replace(args=tuple(place[a] for a in node.args)) for node in nodes)
+        return tuple(self.tape[i]._replace(args=tuple(place[a] for a in self.tape[i].args)) for i in place)
 
     def visit(self, i: int) -> int:
         if i not in self.done:
@@ -261,8 +258,7 @@ class _Specialise:
             self.noise.append(0.0)
         else:
             line = None
-            result = _operate(node, self.values, self.noise)
-            _append(node, result, self.values, self.noise)
+            _append(node, _operate(node, self.values, self.noise), self.values, self.noise)
         self.tape.append(node)
         self.affine.append(line)
         self.grid.append(max(grid, -1074))
@@ -291,8 +287,7 @@ class _Specialise:
         if line:
             size = max(map(abs, line))
         else:
-            result = _operate(node, self.values, self.noise)
-            size = above(result)
+            size = above(_operate(node, self.values, self.noise))
         exact = kind == "neg" or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
         return line if grid >= -1074 else None, grid, exact
 

@@ -46,8 +46,7 @@ def exactly(statement: str, a: Any, s: Any, c: Any, h: Any) -> Any:
         raise ValueError(f"no definition reads {statement!r}")
     power = int(match[1])
     turned = bool(match[2])
-    order = power if turned else power + 1
-    term = folded(order, a, s, c, h)
+    term = folded(power if turned else power + 1, a, s, c, h)
     return (s - c * term if turned else a - term) * fmpq(2, power + 1)
 
 

@@ -261,8 +261,8 @@ def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Sym
         result = low.add(value)
         low.done = {e: v for e, v in low.done.items() if not e.has(symbol)}
         low.done[symbol] = result
-    results = tuple(low.add(e).place for e in outputs)
     # Parts of a `let` may be unused.
+    results = tuple(low.add(e).place for e in outputs)
     return without_dead(Program(name, inputs, tuple(low.ops), results))
 
 

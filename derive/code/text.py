@@ -109,8 +109,7 @@ class _Text:
         if i in self.polynomials:
             return self._polynomial(*self.polynomials[i]), 9
         while len(self._operation(op)) > WIDTH - 24:  # room for the name
-            longest = max(op.args, key=lambda a: len(self.text[a][0]))
-            self._name(longest)
+            self._name(max(op.args, key=lambda a: len(self.text[a][0])))
         return self._operation(op), OPERATIONS[op.kind].binds
 
     def _arguments(self, call: Call) -> str:
@@ -228,8 +227,7 @@ def seam(program: Program) -> tuple[float, int, int] | None:
         return None
     chosen, near, far = output.args
     less = program.ops[chosen]
-    compared = [program.ops[i].kind for i in less.args]
-    if less.kind != "less" or compared != ["input", "const"]:
+    if less.kind != "less" or [program.ops[i].kind for i in less.args] != ["input", "const"]:
         return None
     return float(program.ops[less.args[1]].value), near, far  # type: ignore[arg-type]
 

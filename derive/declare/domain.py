@@ -53,13 +53,11 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
         if not boxes:
             return "", ""
         _, box = heapq.heappop(boxes)
-        balls = [ball(*ends) for ends in box]
-        enclosed = arb(value(*balls))
+        enclosed = arb(value(*(ball(*ends) for ends in box)))
         if enclosed.lower() > BELOW:
             continue
         middle = [_middle(*ends) for ends in box]
-        points = map(arb, middle)
-        here = arb(value(*points))
+        here = arb(value(*map(arb, middle)))
         if here.upper() < BELOW:
             return f"{float(here.mid()):.3g} at {_place(domain, middle)}", ""
         widest = max(range(len(box)), key=lambda k: _width(*box[k]))

@@ -175,8 +175,7 @@ def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
     every |= {effect.name: _effect_terms(effect) for effect in EFFECTS}
     shown = {}
     for name, added in every.items():
-        terms = (term(q, e, by_soil) for q, e in added)
-        shown[name] = tuple(terms)
+        shown[name] = tuple(term(q, e, by_soil) for q, e in added)
     return shown | ({"soils": tuple(term(q, e) for q, e in SOILS)} if by_soil else {})
 
 
@@ -210,6 +209,5 @@ def _as_tuples(terms: Mapping[str, Sequence[Term]]) -> dict[str, tuple[Any, ...]
 
 def _table(name: str, rows: Mapping[str, Any]) -> str:
     """Return the dictionary ``name`` as Python source with one row per line."""
-    lines = (f"    {key!r}: {value!r},\n" for key, value in rows.items())
-    body = "".join(lines)
+    body = "".join(f"    {key!r}: {value!r},\n" for key, value in rows.items())
     return f"{name} = {{\n{body}}}\n"

@@ -126,8 +126,7 @@ def quantities(effect: Effect) -> dict[str, Expr]:
     if SOIL_MU not in effect.friction.free_symbols:
         return adds
     none = dict.fromkeys(SOIL_SUMS, ZERO)
-    of_soils = {y: expand(adds[x] * SLIP_MU) for x, y in SOIL_SUMS.items()}
-    return adds | none | of_soils
+    return adds | none | {y: expand(adds[x] * SLIP_MU) for x, y in SOIL_SUMS.items()}
 
 
 def odd(effect: Effect) -> set[Symbol]:
@@ -247,8 +246,7 @@ def _log_speed(law: Law, low: Lowering) -> None:
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
     low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
     base = low.cell(-beyond)
-    over_start = low.cell(beyond / start)
-    low.put("lin", "relative_speed", base, ((over_start, "omega"),))
+    low.put("lin", "relative_speed", base, ((low.cell(beyond / start), "omega"),))
     low.put("log", "log_speed", "relative_speed")
 
 
@@ -380,8 +378,7 @@ def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAW
     for law in (*laws, CALLABLE):
         every[law.name] = law_fragment(law)
     factors = {cell(x): varying(x) for x in ("slip_mu", "rate_mu")}
-    both = Lowering("product", factors)
-    every["product"] = both.fragment({"mu": Mul(*factors)})
+    every["product"] = Lowering("product", factors).fragment({"mu": Mul(*factors)})
     soils = Lowering("soils", {cell(x): varying(x) for x in (*SOIL_SUMS.values(), "slip_mu")})
     every["soils"] = soils.fragment({x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
     return every | {"balance": _balance(), "pace": pace.fragment(), "energy": _energy()}

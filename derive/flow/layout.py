@@ -181,9 +181,7 @@ def python() -> str:
     """Return the module `generated.layout`."""
     parts = ['"""Places and meanings of the numbers of a lane, the same in NumPy and in C."""\n\n']
     for words, prefix, start, names in NUMBERED.values():
-        numbered = enumerate(names.items(), start)
-        lines = (f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in numbered)
-        rows = "".join(lines)
+        rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
     given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
     given["STRIDE"] = STRIDE

@@ -60,8 +60,7 @@ def times(a: Increment, b: Increment) -> Increment:
     terms = []
     for p, c in a.items():
         for q, d in b.items():
-            product = tuple(sorted(p + q))
-            terms.append((c * d, {product: ONE}))
+            terms.append((c * d, {tuple(sorted(p + q)): ONE}))
     return total(*terms)
 
 
@@ -220,8 +219,7 @@ class Lowering:
         """Return an increment as a sum of pairs (cell, register), each a product."""
         terms = []
         for registers, coefficient in increment.items():
-            number = self.cell(coefficient)
-            terms.append((number, self.product(registers)))
+            terms.append((self.cell(coefficient), self.product(registers)))
         return tuple(terms)
 
     def cell(self, e: Expr, name: str = "") -> str:
@@ -247,8 +245,7 @@ class Lowering:
         base, scale = self.base(e, direct)
         name = f"{self.name}.{quantity}"
         base_cell = self.cell(base, name)
-        size_cell = self.cell(scale, f"{name}_size")
-        return base_cell, size_cell, self.sum(increment)
+        return base_cell, self.cell(scale, f"{name}_size"), self.sum(increment)
 
     def base(self, e: Expr, direct: Expr) -> tuple[Expr, Expr]:
         """Return a base of the term ``e`` and the size of its terms; ``direct`` is its value at the phase's start.
@@ -316,8 +313,7 @@ class Lowering:
             else:
                 names.append(first_names.get(index, f"{self.name}.t{index}"))
                 operations.append((op.kind, names[index], *(names[j] for j in op.args)))
-        copies = [("set", name, names[i]) for name, i in outputs.items() if names[i] != name]
-        return (*operations, *copies)
+        return (*operations, *(("set", name, names[i]) for name, i in outputs.items() if names[i] != name))
 
 
 def size(e: Expr) -> Expr:

@@ -27,8 +27,7 @@ def flow_module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = L
     }
     marks = {}
     for mark, rows in blocks.items():
-        lines = (f"    {x!r}: {row},\n" for x, row in rows.items())
-        marks[mark] = "".join(lines)
+        marks[mark] = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
     marks |= {"FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.equation_text()}
     return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES), "RESULTS": repr(RESULTS)})
 
@@ -76,5 +75,4 @@ def _without_imports(part: ModuleType) -> str:
     """Return the source of a module after its last ``from`` import."""
     source = inspect.getsource(part)
     *_, last = (x for x in ast.parse(source).body if isinstance(x, ast.ImportFrom))
-    body = source.splitlines()[last.end_lineno :]
-    return "\n".join(body).strip("\n")
+    return "\n".join(source.splitlines()[last.end_lineno :]).strip("\n")

@@ -154,8 +154,7 @@ def _coefficients(o: SeriesOperation, highest: int) -> dict[IndexedBase, tuple[E
         coefficients[Z] = (y - 1, *others)
         rates[y] = rates[z]
     if Q in o.arguments:  # coefficients of the other argument times their order
-        other = coefficients[o.arguments[-1]]
-        coefficients[Q] = tuple(i * x for i, x in enumerate(other))
+        coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
     first_two: dict[Expr, Expr] = {}
     for x, a in coefficients.items():
         first_two[x] = a[0]

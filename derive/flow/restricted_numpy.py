@@ -204,5 +204,4 @@ def numpy_functions(text: Text) -> str:
     """Return the NumPy source of all functions of the restricted text, preceded by its constants."""
     lines = [f"{x} = {value!r}" for x, value in text.constants.items() if x != "INFINITY"]
     lines.append("INFINITY = np.inf")
-    functions = (NumPy(text, f).source() for f in text.functions.values())
-    return "\n\n\n".join(["\n".join(lines), *functions]) + "\n"
+    return "\n\n\n".join(["\n".join(lines), *(NumPy(text, f).source() for f in text.functions.values())]) + "\n"

@@ -121,8 +121,7 @@ def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ())
         coefficients = (*e.atoms(Indexed), n, k)
         plain.append(e.xreplace({x: Symbol(str(x), real=True) for x in coefficients}))
     inputs = {x.name for e in plain for x in e.free_symbols}
-    made = program("series", tuple(sorted(inputs)), *plain)
-    return statements(made, language)
+    return statements(program("series", tuple(sorted(inputs)), *plain), language)
 
 
 def _body(o: SeriesOperation, target: _Target) -> tuple[list[str], list[str]]:
@@ -201,8 +200,7 @@ def c_operations() -> dict[str, str]:
     enums = (f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
     named = [(1, 0), (1, 1)]
     for o in OPERATIONS.values():
-        registers = len(o.results) + len(o.arguments)
-        named.append((registers, len(o.numbers)))
+        named.append((len(o.results) + len(o.arguments), len(o.numbers)))
     arguments = []
     cases = ""
     for name, operation in CELLS.items():
@@ -212,12 +210,11 @@ def c_operations() -> dict[str, str]:
         case = f"{{ {loads}*d = IN(choose)(here, {text}, *d); at += {3 + len(others)}; break; }}"
         arguments.append(1 + len(others))
         cases += f"        case S_{name.upper()}: {case}\n"
-    series = map(_c_case, OPERATIONS.values())
     return {
         "CODES": "".join(enums),
         "NAMED": ", ".join(f"{{{x}, {y}}}" for x, y in named),
         "ARGUMENTS": ", ".join(map(str, arguments)),
-        "SERIES": "".join(series),
+        "SERIES": "".join(map(_c_case, OPERATIONS.values())),
         "CELL_OPERATIONS": cases,
     }
 

@@ -82,8 +82,7 @@ class Writer:
             case ast.Subscript():
                 return self._element(e)
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-                values = [self.value(x) for x in arguments]
-                return self._call(name, values, e)
+                return self._call(name, [self.value(x) for x in arguments], e)
             case ast.IfExp(test=test, body=a, orelse=b):
                 chosen, *ends = map(self.value, (test, a, b))
                 if chosen.kind != "N":
@@ -131,8 +130,7 @@ class Writer:
         """Return the text and the kind of a variable or constant. ``e`` is its place in error messages."""
         if kind := self.kinds.get(name):
             here = self._here(kind)
-            text = name if here == kind else self.say("of_lane", name)
-            return TypedExpression(text, here)
+            return TypedExpression(name if here == kind else self.say("of_lane", name), here)
         if name not in self.all.constants:
             self.refuse(e, f"{name} has no value here")
         return TypedExpression(name, "N" if isinstance(self.all.constants[name], int) else "K")
@@ -286,8 +284,7 @@ class Writer:
             self.refuse(s, "a loop counts between integers that all lanes share")
         name = ast.unparse(s.target)
         self.kinds[name] = "N"
-        head = self.say(way, bare(first.text), of=name, to=bare(last.text))
-        yield from self.block(head, s.body)
+        yield from self.block(self.say(way, bare(first.text), of=name, to=bare(last.text)), s.body)
 
     def _if(self, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that is shared by all lanes, or decided by each."""

@@ -33,8 +33,7 @@ def effects_module() -> str:
     rows["COHESION_LAWS"] = COHESION_LAWS
     texts = {}
     for mark, entries in rows.items():
-        lines = (f"    {e.name!r}: {_effect(e)},\n" for e in entries)
-        texts[mark] = "".join(lines)
+        texts[mark] = "".join(f"    {e.name!r}: {_effect(e)},\n" for e in entries)
     return filled("_effects.py.in", {mark: repr(value) for mark, value in marks.items()} | texts)
 
 

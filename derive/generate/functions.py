@@ -24,8 +24,7 @@ _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 
 def public_functions(proved: Sequence[Record]) -> list[Function]:
     """Return the base quantities, their quotients, and the functions of both ends, with their proved accuracy."""
-    closed = closed_forms()
-    formulas = {name: str(form) for name, form in closed.items()}
+    formulas = {name: str(form) for name, form in closed_forms().items()}
     for q in QUOTIENTS:
         formulas[q.name] = f"{q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
     quantities: tuple[Moment | Elementary | Quotient, ...] = (*MOMENTS, RESISTANCE, *QUOTIENTS)

@@ -66,8 +66,7 @@ def rate(order: int) -> Pair:
 
 def planar() -> Expr:
     """Return the component normal to a plane of the acceleration of a point that moves along the plane."""
-    travel = Function("s")(t)
-    x, y = ((travel * f(theta)).diff(t, 2) for f in (cos, sin))
+    x, y = ((Function("s")(t) * f(theta)).diff(t, 2) for f in (cos, sin))
     return basis(x, y)[1]
 
 
@@ -122,8 +121,7 @@ def chord() -> Expr:
     first = R * _direction(theta_1)
     second = R * _direction(theta_1 + 2 * alpha)
     ray = r * _direction(theta)
-    collinear = Matrix.hstack(ray - first, second - first).det()
-    return solve(collinear, r)[0]
+    return solve(Matrix.hstack(ray - first, second - first).det(), r)[0]
 
 
 @cache
@@ -183,8 +181,7 @@ def momentum() -> Pair:
 def lever() -> Expr:
     """Return the factor of mu sigma* in (3.8) over ell rho g R^3, which is lambda (3.14)."""
     _, right = momentum()
-    resistance = -right.coeff(sigma_mean) / (g * R**3)
-    return simplify(resistance / mu * rho * g * DEPTH)
+    return simplify(-right.coeff(sigma_mean) / (g * R**3) / mu * rho * g * DEPTH)
 
 
 @cache

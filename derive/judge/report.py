@@ -44,8 +44,7 @@ def selected(names: Sequence[str]) -> list[Claim]:
 
 def _plain(place: str) -> str:
     """Return a place such as "(3.15)" in lower case, without brackets and with single spaces."""
-    words = place.replace("(", "").replace(")", "")
-    return " ".join(words.casefold().split())
+    return " ".join(place.replace("(", "").replace(")", "").casefold().split())
 
 
 def counts(rows: Iterable[Row]) -> str:
@@ -129,8 +128,7 @@ def wrong_claims(rows: Sequence[Row], width: int) -> str:
     with console.capture() as captured:
         console.print(table)
     lines = [line.rstrip() for line in captured.get().splitlines() if line.strip()]
-    note = f"{counts(rows)}. All claims: --all; one: 3.15."
-    return "\n".join([*lines, textwrap.fill(note, width)])
+    return "\n".join([*lines, textwrap.fill(f"{counts(rows)}. All claims: --all; one: 3.15.", width)])
 
 
 def _in_full(x: Row, width: int) -> str:

@@ -99,8 +99,7 @@ def reference() -> mpf:
 
 def second_end(radial_weight: mpf) -> mpf:
     """Return the polar angle theta_20 in degrees for an arc of this opening and the given J_r."""
-    dip = acos(radial_weight / moment("radial_weight", psi=mpf(0)))
-    return 270 - mp.degrees(dip - HALF)
+    return 270 - mp.degrees(acos(radial_weight / moment("radial_weight", psi=mpf(0))) - HALF)
 
 
 def second_appendix() -> mpf:

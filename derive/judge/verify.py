@@ -162,8 +162,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
         return False
     if claim.law is None:
         return True
-    differences = claim.law(printed[0])
-    return all(vanishes(x.subs(replaced), claim.domain) for x in differences)
+    return all(vanishes(x.subs(replaced), claim.domain) for x in claim.law(printed[0]))
 
 
 @cache
@@ -242,8 +241,7 @@ def _small(claim: Claim) -> Judgement:
     if low <= last <= high:
         return computed, "holds", claim.remark
     limit = low if last < low else high
-    interval = (0, largest)
-    threshold = mp.findroot(lambda phi: change(phi) - limit, interval, solver="anderson")
+    threshold = mp.findroot(lambda phi: change(phi) - limit, (0, largest), solver="anderson")
     holds_to = mp.nstr(mp.degrees(threshold), 3)
     reaches = mp.nstr(mp.degrees(largest), 3)
     cause = f"no range is stated; true up to {holds_to} degrees, but the paper reaches {reaches}"
@@ -281,8 +279,7 @@ def _form(claim: Claim) -> Judgement:
         computed = claim.shows.format(*map(_digits, derived)) if derived else "-"
         return computed, "not machine-checkable", claim.remark
     computed = claim.shows.format("; ".join(dict.fromkeys(map(words, derived))))
-    causes = (x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression)
-    edits = (None, *causes)
+    edits = (None, *(x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression))
     for postulates, cause in product(_candidates(claim), edits):
         printed = claim.expression.replace(*cause.edit) if cause else claim.expression
         if _form_holds(claim, printed, postulates):

@@ -118,8 +118,7 @@ def pair(x: arb, digits: int) -> list[str]:
     ends = ((middle - radius, ROUND_FLOOR), (middle + radius, ROUND_CEILING))
     texts = []
     for end, way in ends:
-        quotient = Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))
-        texts.append(str(quotient))
+        texts.append(str(Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))))
     return texts
 
 
@@ -140,8 +139,7 @@ class Division(NamedTuple):
             coefficients = (*swing[:-1], swing.drop * swing.decay)
             return sum(float(x.rad()) for x in coefficients)
 
-        uncertain = [name for name, x in self.quantities.items() if x.low < x.high]
-        divided = min(uncertain, key=spread)
+        divided = min((name for name, x in self.quantities.items() if x.low < x.high), key=spread)
         low, high = self.quantities[divided]
         middle = (low + high) / 2
         for half in (_Interval(low, middle), _Interval(middle, high)):
