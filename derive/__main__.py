@@ -204,7 +204,7 @@ def main(argv: list[str] | None = None) -> int:
     return generate(options.check, options.again, options.command)
 
 
-def generate(check: bool, again: bool = False, part: str | None = None) -> int:
+def generate(check: bool, again: bool, part: str | None) -> int:
     """Derive everything, or the flow, and write `generated` and the record, or compare them with the files there.
 
     Nothing is written with ``check``. With ``again`` the record is ignored, and any ``part`` means the flow alone. The

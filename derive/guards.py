@@ -96,7 +96,7 @@ def refuse(e: Declaration, what: str, found: object, allowed: str) -> NoReturn:
 
 
 def check(every: Sequence[Declaration]) -> None:
-    """Check the types of all fields, and that names, symbols and weights are unique; raise `ProofError`."""
+    """Check types of fields, sources, and that names, symbols and weights are unique; raise `ProofError`."""
     balance = fragments.fragments((), ())
     for e in every:
         _check_fields(e, e)
@@ -108,7 +108,10 @@ def check(every: Sequence[Declaration]) -> None:
     symbols.update(re.findall(r"\w+", repr(balance)))
     weights: dict[Expr, str] = {}
     for e in every:
-        _check_source(e)
+        if e.equation and not PAPER.fullmatch(e.equation):
+            refuse(e, "equation", repr(e.equation), "an equation of the paper, 1.1 to 4.5, or source= instead")
+        if e.equation and e.source:
+            refuse(e, "equation", f"{e.equation!r} beside source={e.source!r}", "equation or source")
         _check_name(e, "name", e.name, in_modules if isinstance(e, Moment) else in_scenes)
         if isinstance(e, Effect):
             _check_symbols(e, symbols)
@@ -156,14 +159,6 @@ def _fits(value: object, kind: Any) -> bool:
     if others == [...] and isinstance(value, tuple):
         kinds = [first] * len(value)
     return isinstance(value, tuple) and len(value) == len(kinds) and all(map(_fits, value, kinds))
-
-
-def _check_source(e: Declaration) -> None:
-    """Check that an equation is in the paper, and that a declaration has an equation or a source, not both."""
-    if e.equation and not PAPER.fullmatch(e.equation):
-        refuse(e, "equation", repr(e.equation), "an equation of the paper, 1.1 to 4.5, or source= instead")
-    if e.equation and e.source:
-        refuse(e, "equation", f"{e.equation!r} beside source={e.source!r}", "equation or source")
 
 
 def _check_name(e: Declaration, what: str, name: str, taken: set[str]) -> None:

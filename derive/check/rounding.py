@@ -182,7 +182,8 @@ class _Specialise:
             if i in alive:
                 alive.update(self.tape[i].args)
         place = {old: new for new, old in enumerate(sorted(alive))}
-        return tuple(self.tape[i]._replace(args=tuple(place[a] for a in self.tape[i].args)) for i in place)
+        nodes = [self.tape[i] for i in place]
+        return tuple(node._replace(args=tuple(place[a] for a in node.args)) for node in nodes)
 
     def visit(self, i: int) -> int:
         if i not in self.done:

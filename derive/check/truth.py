@@ -78,8 +78,8 @@ def as_ball(x: float | Fraction) -> arb:
 
 def fraction(x: arb) -> Fraction:
     """Return the value of a ball of radius 0."""
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    exact = x.fmpq()
+    return Fraction(int(exact.p), int(exact.q))
 
 
 def ball(lower: float | arb, upper: float | arb) -> arb:

@@ -156,8 +156,13 @@ def numpydoc(
     ]
     if examples:
         lines += ["", "Examples", "--------", *examples]
-    lines.append('"""')
-    return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
+    text = ""
+    for line in (*lines, '"""'):
+        indented = f"    {line}".rstrip()
+        indent = indented[: len(indented) - len(indented.lstrip())]
+        text += textwrap.fill(indented, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+        text += "\n"
+    return text
 
 
 def example(p: Program, place: str, given: Sequence[float]) -> tuple[str, ...]:
@@ -203,12 +208,6 @@ def function(f: Function, text: PythonText) -> str:
 def identifier(kernel: str, tier: str) -> str:
     """Return the name of a kernel's tier in source, ``polar_moment_1e_10`` for the tier 1e-10."""
     return f"{kernel}_{tier}".replace("-", "_").rstrip("_")
-
-
-def _fill(line: str, width: int = 112) -> str:
-    """Return a docstring line wrapped to a width, with its indent."""
-    indent = line[: len(line) - len(line.lstrip())]
-    return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def functions_module(docstring: str, functions: Sequence[Function], parts: Sequence[Program]) -> str:

@@ -22,9 +22,9 @@ from derive.declare.effects import (
     OMEGA_2,
     THETA,
     Effect,
-    Law,
 )
 from derive.declare.symbols import in_words
+from derive.flow.fragments import CALLABLE
 
 
 class Term(NamedTuple):
@@ -161,14 +161,6 @@ def _effect_terms(effect: Effect) -> Terms:
     return (*(_position(True) if effect.turns else ()), *terms)
 
 
-def _law_terms(law: Law) -> tuple[Term, ...]:
-    """Return the friction coefficient of a law. For a table or a Python function only its argument is named."""
-    if law.coefficient is not None:
-        return (term("mu", law.coefficient),)
-    (argument,) = law.depends_on
-    return (Term("mu", f"mu({argument})", rf"\mu(\mathrm{{{argument}}})"),)
-
-
 def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
     """Return the terms of gravity and of each effect; "frozen" is the position without rotation."""
     every = {"gravity": GRAVITY, "frozen": _position(False)}
@@ -180,9 +172,14 @@ def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
 
 
 def laws() -> dict[str, tuple[Term, ...]]:
-    """Return the friction coefficient of each law."""
-    every = {law.name: _law_terms(law) for law in LAWS}
-    return every | {"callable": (Term("mu", "mu(slip)", r"\mu(\mathrm{slip})"),)}
+    """Return the friction coefficient of each law. For a table or a Python function only its argument is named."""
+    shown: dict[str, tuple[Term, ...]] = {}
+    for law in (*LAWS, CALLABLE):
+        argument = "".join(law.depends_on)
+        shown[law.name] = (Term("mu", f"mu({argument})", rf"\mu(\mathrm{{{argument}}})"),)
+        if law.coefficient is not None:
+            shown[law.name] = (term("mu", law.coefficient),)
+    return shown
 
 
 def equation_text() -> str:

@@ -2,13 +2,12 @@
 
 import ast
 import inspect
-from collections.abc import Sequence
 from types import ModuleType
 
 from sympy import Float, sstr
 
 from derive.code.emit import filled
-from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
+from derive.declare.effects import LAWS, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.link import definitions, integers, linker, program, soils
@@ -18,12 +17,12 @@ from derive.flow.recurrences import RESULTS
 LINKER = (definitions, linker, program, soils, integers)
 
 
-def flow_module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
+def flow_module() -> str:
     """Return the text of the module."""
     blocks = {
         "INPUTS": {name: repr(meaning) for name, meaning in INPUTS.items()},
-        "PIECES": {law.name: _pieces(law) for law in laws if law.kinks},
-        "FRAGMENTS": {name: _fragment(f) for name, f in fragments(effects, laws).items()},
+        "PIECES": {law.name: _pieces(law) for law in LAWS if law.kinks},
+        "FRAGMENTS": {name: _fragment(f) for name, f in fragments().items()},
     }
     marks = {}
     for mark, rows in blocks.items():

@@ -7,7 +7,7 @@ import ast
 from collections.abc import Iterator
 
 from derive.flow.restricted import RestrictedFunction, Text
-from derive.flow.writer import TypedExpression, Writer
+from derive.flow.writer import TypedExpression, Writer, stored_in
 
 TYPES = {
     "V": "Floats",
@@ -154,7 +154,7 @@ class NumPy(Writer):
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
-        changed = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+        changed = stored_in(s)
         kept = [f"{x}_{mark}" for x in names]
         known = ", ".join([*names, f"place_{mark}"])
         yield f"{', '.join(kept)} = {', '.join(f'{x}.copy()' if x in changed else x for x in names)}"

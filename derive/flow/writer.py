@@ -314,7 +314,7 @@ class Writer:
     def _by_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that lanes decide separately."""
         outside = set(self.kinds)
-        assigned = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+        assigned = stored_in(s)
         if shared := outside & assigned:
             names = ", ".join(sorted(shared))
             self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
@@ -339,6 +339,11 @@ class Writer:
     def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
         raise NotImplementedError
+
+
+def stored_in(s: ast.stmt) -> set[str]:
+    """Return the names to which a statement assigns values."""
+    return {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
 
 
 def joined(values: Sequence[TypedExpression], order: str = "VFIKN") -> str:

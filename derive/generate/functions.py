@@ -68,7 +68,7 @@ def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
     """Return the proved bounds of the kernel ``name`` in words, from the records of its certificates."""
     mine = [r for r in proved if r["kernel"] == name]
-    bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
+    bounds = {(str(r["tier"]), r["form"]): r["bound"] for r in mine}
     (unit_of_best,) = {unit(r) for r in mine if r["tier"] == "best"}
     fused = bounds["best", "fused"]
     plain = bounds["best", "plain"]
