@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "bb98bb2868ab11a8bf1775f8dd2f271879200cc8e2b53aba447d8f2d88f46563"
+#define DIGEST "7a16372c9736cb33bf194b2cf59d4f6f053fdae2bb0440f17c803a5bf40135ba"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1271,12 +1271,11 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
 static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
 static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
-#define TO_PEAK 24
-#define FROM_PEAK 12
-static const double NODES[] = {0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596};
-static const double SHARES[] = {0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183};
-static const double LAST_SHARES[] = {-0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944, -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658, 1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313};
-static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719};
+#define SHORTEST 12
+static const double NODES[] = {0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
+static const double SHARES[] = {0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
+static const double LAST_SHARES[] = {-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658, 1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944, -0.007790034178160956, 0.027210382191082905, -0.053218548447853446, 0.08410186396997914, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.2802924835319247, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451521, 0.5604330646255685, -0.5923691692370726, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.7117839566284571, -0.7117839566284571, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370726, -0.5604330646255685, 0.5256376989451521, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.2802924835319247, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997912, 0.053218548447853446, -0.02721038219108291, 0.007790034178160959};
+static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.015395378857163744, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.35190757413026297, -0.4124853958917247, 0.46787201596605255, -0.5161184901411058, 0.5555142313787836, -0.5846181008158504, 0.6022867338773648, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595776, 0.44601843579385353, -0.37969175876655653, 0.3047302106486445, -0.2228033001446087, 0.13576509711972842, -0.04560499610629583, -0.04560499610629583, 0.13576509711972842, -0.2228033001446087, 0.3047302106486445, -0.37969175876655653, 0.44601843579385353, -0.5022697983595776, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773648, -0.5846181008158504, 0.5555142313787836, -0.5161184901411058, 0.46787201596605255, -0.4124853958917247, 0.35190757413026297, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.1036330300190351, -0.05349347277944267, 0.015395378857163744};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define BEYOND 0x1.2000000000000p+0
@@ -1296,23 +1295,28 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 #define NEWTON 3
 #define NEAREST 0x1.ccccccccccccdp-1
 #define EVEN 0x1.0000000000000p-20
+#define FINEST 18
 #define CLOSER 0x1.0000000000000p-25
 #define MOST_HALVINGS 30
-#define SHORTEST 0x1.ad7f29abcaf48p-24
+#define BRIEFEST 0x1.ad7f29abcaf48p-24
 #define LAST 7
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
-#define FINEST 0x1.2000000000000p+4
 #define TERMS 8
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
-#define BENT 0x1.4cccccccccccdp+0
+#define PER_STEP 0x1.0000000000000p+2
+#define PER_STEP_TO_ROUNDING 0x1.d8e64b8d4ddaep+2
+#define BENT 0x1.4cccccccccccdp-2
 #define SHIFT 5
+#define FIRST 6
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
+#define LOAD 33
+#define NET 36
 #define PI 0x1.921fb54442d18p+1
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
@@ -3134,14 +3138,6 @@ static void make_step(Batch *b, M here)
     arrive(b, here, until, rate, steady, at_limit, endless);
 }
 
-/* Return whether the last coefficients of an integrand are small enough beside its integral. */
-INLINE M is_even(V last, V last_but_one, V total, int fine)
-{
-    V most = broadcast(fine ? CLOSER : EVEN);
-    V unevenness = magnitude(last) + magnitude(last_but_one);
-    return unevenness <= (most * total);
-}
-
 /* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain. E
  * is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the
  * motion if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the
@@ -3158,9 +3154,8 @@ INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
-    int k_first = fine ? 0 : TO_PEAK;
-    int k_last = fine ? (TO_PEAK - 1) : ((TO_PEAK + FROM_PEAK) - 1);
-    for (int k = k_first; k <= k_last; k++) {
+    int k_first = fine ? SHORTEST : 0;
+    for (int k = k_first; k <= ((2 * k_first) + SHORTEST) - 1; k++) {
         V past = span * NODES[k];
         V v = first + past;
         V square = v * v;
@@ -3173,7 +3168,9 @@ INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
     V time = (span * stretch) * total;
-    time = pick(is_even(last, last_but_one, total, fine), time, broadcast(INFINITY));
+    V most = broadcast(fine ? CLOSER : EVEN);
+    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
+    time = pick(accurate, time, broadcast(INFINITY));
     return pick(size > 0.0, time, broadcast(0.0));
 }
 
@@ -3222,7 +3219,7 @@ INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
     V step = c[STEP];
     M peaks = peak < INFINITY;
     V far = STRAIGHT * step;
-    int fine = job->order > 18;
+    int fine = job->order > FINEST;
     V of_end[STRIDE];
     expand_about_end(b, of_end, top);
     V to_end = distance_of_rest(of_end, top, broadcast(1.0), far);
@@ -3337,14 +3334,14 @@ static void turn_on(Batch *b, M here)
         c[EVENT] = pick(here, pick(unsure, broadcast((double)EVENT_NONE), c[EVENT]), c[EVENT]);
         peak = greatest_speed(b, here, top);
         const Pair before_after = times_of_step(b, here, top, peak);
-        V before = before_after.one, after = before_after.other;
+        before = before_after.one, after = before_after.other;
         unsure = here & ~((before + after) < INFINITY);
         count = count + 1;
     }
     V duration = before + after;
     V until = c[TIME] + duration;
     M stands = c[STEP] == 0.0;
-    M regular = (duration > SHORTEST) | stands;
+    M regular = (duration > BRIEFEST) | stands;
     M fits = here & regular & (until < c[END_TIME]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[CLOCKED] = pick(here, pick(fits, broadcast(0.0), broadcast(1.0)), c[CLOCKED]);
@@ -3443,16 +3440,23 @@ INLINE V bend_of(V *e, V *f)
     return faded_part + turned_part;
 }
 
-/* Compute the factors of E about the end of a phase, from the four functions there. */
-INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+/* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
+ * are stored from place ``first`` on; ``f`` are the four functions at the end. */
+INLINE void look_back(V *back, int first, V drive, V sine, V vers, V *f)
 {
     V sine_end = f[0] - f[3];
     V cosine = 1.0 - f[2];
     V change = (sine * sine_end) + (vers * f[2]);
-    V at_end = drive + change;
-    V sine_back = (sine * cosine) + (vers * sine_end);
-    V vers_back = (sine * sine_end) - (vers * cosine);
-    factors(back, -at_end, sine_back, vers_back, -q);
+    back[first] = -(drive + change);
+    back[first + 1] = (sine * cosine) + (vers * sine_end);
+    back[first + 2] = (sine * sine_end) - (vers * cosine);
+}
+
+/* Compute the factors of E about the end of a phase, from the four functions there. */
+INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+{
+    look_back(back, 0, drive, sine, vers, f);
+    factors(back, back[0], back[1], back[2], -q);
 }
 
 /* Replace the functions for q by those for -q. */
@@ -3465,29 +3469,52 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
-/* Compute the factors of E. */
-INLINE void softening_factors(Batch *b, V *e)
+/* Compute the factors of all terms from the numbers of the net moment without the load, and of the load. */
+INLINE void factors_of_terms(V *e, V q, V rate)
 {
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V drive = c[job->role->drive] - c[job->role->net_loss];
-    V sine = c[job->role->net_sine] - c[job->role->net_loss_sine];
-    V vers = c[job->role->net_vers] - c[job->role->net_loss_vers];
-    V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
-    factors(e, drive, sine, vers, q);
-    e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
+    factors(e, e[NET], e[NET + 1], e[NET + 2], q);
     V part[STRIDE];
     V weight = broadcast(1.0);
     for (int j = 1; j <= TERMS; j++) {
         V before = weight;
         weight = (weight * e[SHIFT]) / (double)(-j);
-        V of_sine = (weight * sine) + (before * c[job->role->net_loss_sine]);
-        V of_vers = (weight * vers) + (before * c[job->role->net_loss_vers]);
-        factors(part, (weight * drive) + (before * c[job->role->net_loss]), of_sine, of_vers, q + ((double)j * c[job->role->loss_rate]));
+        V drive = (weight * e[NET]) + (before * e[LOAD]);
+        V sine = (weight * e[NET + 1]) + (before * e[LOAD + 1]);
+        V vers = (weight * e[NET + 2]) + (before * e[LOAD + 2]);
+        factors(part, drive, sine, vers, q + ((double)j * rate));
         e[CONSTANT + j] = (part[0] + part[3]) / part[4];
         e[SINE + j] = part[3];
         e[VERS + j] = part[2];
     }
+}
+
+/* Compute the factors of E. */
+INLINE void softening_factors(Batch *b, V *e)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
+    e[FIRST] = broadcast(1.0);
+    e[LOAD] = c[job->role->net_loss];
+    e[LOAD + 1] = c[job->role->net_loss_sine];
+    e[LOAD + 2] = c[job->role->net_loss_vers];
+    e[NET] = c[job->role->drive] - c[job->role->net_loss];
+    e[NET + 1] = c[job->role->net_sine] - c[job->role->net_loss_sine];
+    e[NET + 2] = c[job->role->net_vers] - c[job->role->net_loss_vers];
+    factors_of_terms(e, 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]), c[job->role->loss_rate]);
+}
+
+/* Compute the factors of E as a function of the distance from the end of a phase, from the functions there. Near
+ * the end E is small, and without a rounding error of the terms of which it is the sum. */
+INLINE void factors_about_end(Batch *b, V *back, V *e, V *f)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    back[SHIFT] = e[SHIFT];
+    back[FIRST] = 1.0 + f[4];
+    look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f);
+    look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f);
+    factors_of_terms(back, -e[4], -c[job->role->loss_rate]);
 }
 
 /* Return whether the series is as accurate as the order of a lane requires, and no term is in resonance. */
@@ -3495,7 +3522,7 @@ INLINE M series_suffices(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    return (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive])) & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
+    return (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive])) & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
 }
 
 /* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
@@ -3503,20 +3530,30 @@ INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    functions(f, x, e[4]);
+    functions(f, x, magnitude(e[4]));
     f[4] = expm1_of(c[job->role->loss_rate] * x);
+}
+
+/* Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``. */
+INLINE void count_from_end(Batch *b, V *back, V *f, V x)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    reverse(f, -back[4]);
+    f[4] = (-f[4]) * (1.0 + expm1_of(c[job->role->loss_rate] * x));
 }
 
 /* Return E from its factors and its functions. */
 INLINE V softening_energy(V *e, V *f)
 {
-    V left = 1.0 + f[4];
+    V first = e[FIRST];
+    V left = first + f[4];
     V above = broadcast(0.0);
     V constant = broadcast(0.0);
     V of_sine = broadcast(0.0);
     V of_vers = broadcast(0.0);
     for (int j = TERMS; j >= 1; j--) {
-        above = above + e[CONSTANT + j];
+        above = (above * first) + e[CONSTANT + j];
         constant = (constant * left) + above;
         of_sine = (of_sine + e[SINE + j]) * left;
         of_vers = (of_vers + e[VERS + j]) * left;
@@ -3529,7 +3566,7 @@ INLINE V softening_energy(V *e, V *f)
     }
     V square = shift * shift;
     grown = 1.0 + (shift + (square * grown));
-    V faded_part = (e[4] * above) * (f[0] - (e[4] * f[1]));
+    V faded_part = (e[4] * (above * first)) * (f[0] - (e[4] * f[1]));
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
@@ -3561,17 +3598,25 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
  * distances to both rests. E rises from node to node. */
 INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
+    const Job *const job = b->job;
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
     V lower = broadcast(0.0);
     V f[STRIDE];
-    for (int k = TO_PEAK * part; k <= (TO_PEAK + (FROM_PEAK * part)) - 1; k++) {
+    int fine = job->order > FINEST;
+    int times = fine ? 2 : 1;
+    times = part ? times : (2 * times);
+    int k_first = SHORTEST * (times - 1);
+    for (int k = k_first; k <= (k_first + (SHORTEST * times)) - 1; k++) {
         V here = unit * (NODES[k] * NODES[k]);
         V other = 1.0 + (bend * (1.0 - NODES[k]));
         V share = 1.0 / (here + (other * other));
         V past = end * (here * share);
-        softening_functions(b, e, f, (part == 0) ? past : end - past);
+        softening_functions(b, e, f, past);
+        if (part) {
+            count_from_end(b, e, f, end - past);
+        }
         V at = softening_energy(e, f);
         V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
         total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
@@ -3579,7 +3624,8 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         last = last + (LAST_SHARES[k] * slowness);
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
-    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (ALIKE * total);
+    V most = broadcast(fine ? CLOSER : ALIKE);
+    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
     return pick(accurate, ((end * unit) * (1.0 + bend)) * total, broadcast(INFINITY));
 }
 
@@ -3591,9 +3637,15 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     V *const c = b->c;
     V unit = peak / (end - peak);
     V softened = 1.0 - (peak * c[job->role->loss_rate]);
-    V bend = (c[FACTOR] * BENT) * sqrt_of(softened);
+    V unchanged = pick(c[FACTOR] < 0.2, broadcast(PER_STEP_TO_ROUNDING), broadcast(PER_STEP));
+    V change = c[FACTOR] * unchanged;
+    V bend = (change * BENT) * sqrt_of(softened);
     V before = time_of_part(b, e, end, unit, bend, 0);
-    V after = time_of_part(b, e, end, 1.0 / unit, (4.0 * c[FACTOR]) - 1.0, 1);
+    V f[STRIDE];
+    V back[STRIDE];
+    softening_functions(b, e, f, end);
+    factors_about_end(b, back, e, f);
+    V after = time_of_part(b, back, end, 1.0 / unit, change - 1.0, 1);
     return (Pair){before, (before + after)};
 }
 

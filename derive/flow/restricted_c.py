@@ -101,6 +101,7 @@ FORMS = {
     "if": "if ({x})",
     "pair": "return (Pair){{{a}, {b}}};",
     "let_pair": "const Pair {a}_{b} = {x};\nV {a} = {a}_{b}.one, {b} = {a}_{b}.other;",
+    "set_pair": "const Pair {a}_{b} = {x};\n{a} = {a}_{b}.one, {b} = {a}_{b}.other;",
     "masked": "pick",
     "of_mask": "EACH(lane, bits({x}))",
 }

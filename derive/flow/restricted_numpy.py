@@ -98,7 +98,7 @@ FORMS = {
     "while": "while {x}",
     "if": "if {x}",
     "pair": "return {a}, {b}",
-    "let_pair": "{a}, {b} = {x}",
+    **dict.fromkeys(("let_pair", "set_pair"), "{a}, {b} = {x}"),
     "masked": "np.where",
     "of_mask": "i = np.flatnonzero({x})\nif i.size",
 }

@@ -248,7 +248,8 @@ class Writer:
         """Yield the lines of an assignment."""
         match s:
             case ast.Assign(targets=[ast.Tuple(elts=[ast.Name(id=a), ast.Name(id=b)])], value=value):
-                yield from self.say("let_pair", self.value(value).text, a=a, b=b).split("\n")
+                form = "set_pair" if a in self.kinds else "let_pair"
+                yield from self.say(form, self.value(value).text, a=a, b=b).split("\n")
                 self.kinds |= {a: "V", b: "V"}
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 yield from self._let(name, self.value(value), s)

@@ -20,6 +20,7 @@ _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], float)
 # Increase of the order, and ratio of step lengths, of each run relative to the motion. Two orders are added because
 # every other coefficient is 0 at rest. Longer steps of higher order cost less than shorter steps and truncate less.
+# Single scenes in time without tables are truncated below rounding by any of these steps, and keep their order.
 # Where breaks of time cut steps short, series end at terms below factor^order. Runs of almost the same order end at the
 # same term, so that the last run has many more.
 FURTHER = np.array([0.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 6.0])
@@ -70,7 +71,9 @@ def perturbed_runs(problem: Problem, runs: slice = EVERY) -> Floats:
     if "LIMIT_REST" in problem.start:
         refined = start * _moves(problem.program, rounding, True)[:, runs]
         cells = np.where(start[ix.LIMIT_REST] != 0.0, refined, cells)
-    cells[ix.ORDER] += FURTHER[runs]
+    program = problem.program
+    if problem.lanes > 1 or program.tables or program.by_rotation:
+        cells[ix.ORDER] += FURTHER[runs]
     return cells
 
 
