@@ -40,6 +40,7 @@ from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
 from derive.flow.lowering import KNOWN
 from derive.flow.recurrences import OPERATIONS
+from derive.kinds import TextMap, Texts
 from derive.progress import say
 
 Declaration = Effect | Law | Moment
@@ -67,7 +68,7 @@ FARTHEST = 1e6  # slip and speed, relative to the scales of the law
 STEEPEST = 10.0  # coefficient
 
 
-def _units(by_name: Mapping[str, str]) -> dict[Symbol, Expr]:
+def _units(by_name: TextMap) -> dict[Symbol, Expr]:
     """Return dimensions by symbol, from units by names; blanks separate the names."""
     return {Symbol(name, real=True): of_unit(unit) for names, unit in by_name.items() for name in names.split()}
 
@@ -242,7 +243,7 @@ def _check_formula(e: Declaration, what: str, formula: Expr, units: Units) -> se
     return formula.free_symbols
 
 
-def _check_law(law: Law) -> list[str]:
+def _check_law(law: Law) -> Texts:
     """Check a law and return the names of its unused parameters."""
     by_symbol = _check_parameters(law, UNITS_OF_LAWS)
     formula = law.coefficient
@@ -302,7 +303,7 @@ def _range(p: Parameter) -> domain.Ends:
     return least, max(least, min(p.upper, STEEPEST))
 
 
-def _check_effect(effect: Effect) -> list[str]:
+def _check_effect(effect: Effect) -> Texts:
     """Check an effect and return the names of its unused parameters."""
     by_symbol = _check_parameters(effect, LIMITS)
     strange = {*effect.any_of} - {p.name for p in effect.parameters}

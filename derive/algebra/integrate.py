@@ -35,7 +35,7 @@ from sympy import (
 from derive.algebra.prove import prove_zero, trig_normal
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD, MOMENTS, RESISTANCE, Moment
-from derive.declare.symbols import alpha, r, theta, theta_1, theta_m, u
+from derive.declare.symbols import Forms, alpha, r, theta, theta_1, theta_m, u
 
 PSI = Symbol("psi", real=True)
 
@@ -136,7 +136,7 @@ def shortest(expression: Expr) -> Expr:
     return min(candidates, key=lambda e: (count_ops(e), default_sort_key(e)))
 
 
-def closed_forms() -> dict[str, Expr]:
+def closed_forms() -> Forms:
     """Return closed forms of the base quantities in alpha by the names of their functions."""
     forms = {moment.kernel[0]: derive(moment).amplitude for moment in MOMENTS}
     forms[RESISTANCE.name] = RESISTANCE.form

@@ -21,6 +21,7 @@ from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
 from derive.check import ends
 from derive.code.program import ROUND, Builder, Program, Value, without_dead
 from derive.declare.quantities import LIMIT_FRICTION, MOMENTS
+from derive.kinds import Names
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,7 @@ class Variant:
     """Kernel at one tier of accuracy and in one form: fused (multiply-adds), plain, or numpy (with its logarithm)."""
 
     kernel: str
-    definition: tuple[str, ...]
+    definition: Names
     tier: str
     form: str
     program: Program
@@ -336,7 +337,7 @@ def variants() -> tuple[Variant, ...]:
 # --- both ends -------------------------------------------------------------------------------------------------------
 
 
-def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
+def functions_of_ends() -> Iterator[tuple[str, str, Names]]:
     """Yield the moments that turn with the bisector, and the limit friction: name, kernel and definition."""
     for moment in MOMENTS:
         if not moment.amplitude:

@@ -38,6 +38,7 @@ from derive.check.records import (
 )
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import TOP, working
+from derive.kinds import Pair
 from derive.progress import parallel
 
 VANISHING = 2.0**-352  # below this alpha every kernel is less than 2**-1055
@@ -77,7 +78,7 @@ def below_underflow(record: Record, whole: float) -> float:
     whole_interval = [(0.0, 1.0)]
     upper_half = [(i / 32, (i + 1) / 32) for i in range(16, 32)]
 
-    def bound(s: float, boxes: list[tuple[float, float]]) -> float:
+    def bound(s: float, boxes: list[Pair]) -> float:
         """Return the bound for alpha = s xi, with xi in these boxes."""
         window = near.window(s, s)
         least = TINY / s / s / s
@@ -126,7 +127,7 @@ class Box(NamedTuple):
 
 def halve(
     record: Record, parts: list[Patch], wanted: float = 0.0, halvings: float = math.inf
-) -> tuple[float, list[tuple[float, float]]]:
+) -> tuple[float, list[Pair]]:
     """Return the bound proved on these patches, and at most 16 boxes of alpha with the greatest bounds, in order.
 
     The box with the greatest bound is halved until the bound is at most ``wanted``, ``halvings`` is reached, or the box

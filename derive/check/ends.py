@@ -21,6 +21,7 @@ from operator import add
 from typing import Any
 
 from derive.check.truth import TOP, Definition
+from derive.kinds import Coefficients
 
 LIMIT = 2.0**16  # greatest end, rad: ten thousand turns
 PASSES = 3
@@ -72,7 +73,7 @@ def _two_sum(a: RecordedValue, b: RecordedValue) -> tuple[RecordedValue, Recorde
     return a + b, a.put("lost", b)
 
 
-def _horner(x: RecordedValue, coefficients: tuple[float, ...]) -> RecordedValue:
+def _horner(x: RecordedValue, coefficients: Coefficients) -> RecordedValue:
     """Return the polynomial with these coefficients, lowest first."""
     *others, second, last = coefficients
     result = x * last + second

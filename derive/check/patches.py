@@ -14,7 +14,7 @@ from flint import arb, arb_series
 from derive.check import rounding, truth
 from derive.check.records import Record
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, VALUE, Node, Tape, Unbounded, above, below, specialise
-from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
+from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Balls, Definition, Model, Segment, ball, working
 
 SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1], and one window represents every power of two s
 UNDERFLOW = 2.0**-320  # below, products may underflow, and another bound applies
@@ -60,7 +60,7 @@ def _cuts(record: Record) -> set[float]:
     return cuts
 
 
-def ideal(tape: Tape, centre: arb) -> list[arb]:
+def ideal(tape: Tape, centre: arb) -> Balls:
     """Return Taylor coefficients of the program in real arithmetic for every point of the ball ``centre`` at once."""
     values: list[Any] = []
     for node in tape:

@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from derive.check.records import LOG_ULPS, Record
-from derive.check.truth import as_ball, ball, fraction, working
+from derive.check.truth import Balls, as_ball, ball, fraction, working
+from derive.kinds import Pair
 
 ROUNDING_BITS = 80  # precision of the balls
 # more than all roundings of the float arithmetic done on bounds
@@ -113,22 +114,22 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
     return (half + node.floor) * UP
 
 
-def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
+def forward(tape: Tape, x: arb) -> tuple[Balls, list[float]]:
     """Return ranges of all computed values for alpha in x, and bounds on their rounding errors."""
-    values: list[arb] = []
+    values: Balls = []
     noise: list[float] = []
     for node in tape:
         _append(node, x if node.kind == "x" else _operate(node, values, noise), values, noise)
     return values, noise
 
 
-def _append(node: Node, exact: arb, values: list[arb], noise: list[float]) -> None:
+def _append(node: Node, exact: arb, values: Balls, noise: list[float]) -> None:
     bound = _rounding(node, exact, values)
     values.append(exact + arb(0, bound) if bound else exact)
     noise.append(bound)
 
 
-def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
+def rounding_sum(tape: Tape, x: arb) -> Pair:
     """Return bounds on the effect of all roundings but the last on the result, and on the last rounding."""
     values, noise = forward(tape, x)
     last = len(tape) - 1
@@ -166,7 +167,7 @@ class _Specialise:
         self.operations = record["operations"]
         self.ends = Fraction(lower), Fraction(upper)
         self.tape: list[Node] = []
-        self.values: list[arb] = []
+        self.values: Balls = []
         self.noise: list[float] = []
         self.affine: list[Line | None] = []
         self.grid: list[int] = []

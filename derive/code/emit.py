@@ -13,6 +13,7 @@ import numpy as np
 
 from derive.code.program import Program
 from derive.code.text import WIDTH, Language, Part, Reader, statements
+from derive.kinds import Coefficients, Names, TextMap, TextPair, Texts
 
 
 @dataclass(frozen=True)
@@ -23,11 +24,11 @@ class Function:
     summary: str
     formula: str
     equation: str
-    parameters: tuple[tuple[str, str], ...]
+    parameters: tuple[TextPair, ...]
     returns: str
     domain: str  # description
     accuracy: str
-    given: tuple[float, ...]  # arguments of the example
+    given: Coefficients  # arguments of the example
     tiers: Mapping[str, Program]  # NumPy program of each tier
 
 
@@ -61,7 +62,7 @@ PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # 
 HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
-def filled(name: str, marks: Mapping[str, str] | None = None) -> str:
+def filled(name: str, marks: TextMap | None = None) -> str:
     """Return the text of the template ``name`` with values in place of its marks.
 
     A mark for lines occupies its own line.
@@ -129,7 +130,7 @@ def numpydoc(
     summary: str,
     formula: str,
     parameters: Iterable[tuple[str, str, str]],
-    returns: tuple[str, str],
+    returns: TextPair,
     *notes: str,
     examples: Sequence[str] = (),
     width: int = 112,
@@ -165,7 +166,7 @@ def numpydoc(
     return text
 
 
-def example(p: Program, place: str, given: Sequence[float]) -> tuple[str, ...]:
+def example(p: Program, place: str, given: Sequence[float]) -> Names:
     """Return a call and its printed result, with few enough digits to be equal on every processor.
 
     ``place`` is the module of the function, and ``given`` its arguments.
@@ -233,7 +234,7 @@ def stub(functions: Sequence[Function]) -> str:
     return f"{STUB_IMPORTS}\n{code}"
 
 
-def _overloads(count: int) -> Iterator[tuple[list[str], str, str, str]]:
+def _overloads(count: int) -> Iterator[tuple[Texts, str, str, str]]:
     """Yield types of ``count`` arguments, `out`, `where` and result: for numbers, arrays and numbers, and otherwise."""
     yield ["float"] * count, "None", "bool", "np.float64"
     for k in range(count):
@@ -277,7 +278,7 @@ def plain_module(
     return _module(docstring, [p.name for p, _ in programs], code, imports)
 
 
-def _module(docstring: str, names: list[str], code: str, imports: str) -> str:
+def _module(docstring: str, names: Texts, code: str, imports: str) -> str:
     """Return the complete text of a module that exports these names, with ``imports`` beyond those of all modules.
 
     Coefficients that occur repeatedly become tables.
@@ -301,13 +302,13 @@ _ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:
 
 def wrapped(text: str) -> str:
     """Return the text with lines of at most 120 columns. Longer lines break after commas and in strings."""
-    lines: list[str] = []
+    lines: Texts = []
     for line in text.split("\n"):
         lines += _wrap(line) if len(line) > 120 and '"""' not in line else [line]
     return "\n".join(lines)
 
 
-def _wrap(line: str) -> list[str]:
+def _wrap(line: str) -> Texts:
     """Return a line broken into lines of at most 120 columns, after commas and in strings, where it has such places."""
     indent = " " * (len(line) - len(line.lstrip()) + (8 if line.startswith("def") else 4))
     lines = []

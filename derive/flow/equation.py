@@ -25,6 +25,7 @@ from derive.declare.effects import (
 )
 from derive.declare.symbols import in_words
 from derive.flow.fragments import CALLABLE
+from derive.kinds import Values
 
 
 class Term(NamedTuple):
@@ -204,7 +205,7 @@ def _as_tuples(terms: Mapping[str, Sequence[Term]]) -> dict[str, tuple[Any, ...]
     return {name: tuple(map(tuple, added)) for name, added in terms.items()}
 
 
-def _table(name: str, rows: Mapping[str, Any]) -> str:
+def _table(name: str, rows: Values) -> str:
     """Return the dictionary ``name`` as Python source with one row per line."""
     body = "".join(f"    {key!r}: {value!r},\n" for key, value in rows.items())
     return f"{name} = {{\n{body}}}\n"

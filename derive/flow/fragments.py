@@ -41,8 +41,9 @@ from derive.declare.effects import (
     Law,
     Parameter,
 )
+from derive.declare.symbols import Forms
 from derive.flow import pace
-from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
+from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, Split, cell, series, total, varying
 
 # Inputs of every scene, over Theta*.
 INPUTS = {
@@ -84,7 +85,7 @@ def sign(q: Symbol) -> Expr:
     return DIRECTION if q in ODD else ONE
 
 
-def _position() -> dict[Symbol, tuple[Expr, Increment]]:
+def _position() -> dict[Symbol, Split]:
     """Return the weight's components at the start of a phase and their increments, zero for a frozen mass.
 
     q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
@@ -111,7 +112,7 @@ def _scaled(e: Expr) -> Expr:
     return expand(expand(expand(e).subs(over_theta)) / THETA)
 
 
-def quantities(effect: Effect) -> dict[str, Expr]:
+def quantities(effect: Effect) -> Forms:
     """Return the terms of an effect in the balance.
 
     Terms of one soil are multiplied by mu, by which `soils` divides.
@@ -149,7 +150,7 @@ def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
     return True
 
 
-def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
+def moving(effect: Effect | None = None) -> dict[Symbol, Split]:
     """Return base and increment, by symbol, of what may change during a phase; without an effect, for a law."""
     speed = (ZERO, series("omega"))
     variables = _position()

@@ -1,7 +1,8 @@
 """Numbers shared by the integrators in C and in NumPy, declared once: the cells of a lane, and their codes."""
 
-from collections.abc import Mapping
 from typing import NamedTuple
+
+from derive.kinds import TextDict, TextMap
 
 # First cells of every program, in this order, with their meaning.
 CELLS = {
@@ -160,7 +161,7 @@ class Numbered(NamedTuple):
     words: str
     prefix: str
     first: int
-    members: Mapping[str, str]
+    members: TextMap
 
 
 # Enumerations by their names in the text of the integrator.
@@ -188,7 +189,7 @@ def python() -> str:
     return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
 
 
-def c() -> dict[str, str]:
+def c() -> TextDict:
     """Return the same for the compiled integrator, and the members of the struct of a program's roles, by mark."""
     rows = [
         [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]

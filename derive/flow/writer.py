@@ -1,7 +1,7 @@
 """Translation of restricted Python to another language: statements, expressions, kinds, and rejected constructs."""
 
 import ast
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NoReturn
 
@@ -17,6 +17,7 @@ from derive.flow.restricted import (
     annotation,
     refuse_node,
 )
+from derive.kinds import TextMap
 
 
 @dataclass
@@ -35,7 +36,7 @@ class Writer:
     function of a `Lane` or in the body of an ``if`` on a mask.
     """
 
-    forms: Mapping[str, str]
+    forms: TextMap
 
     def __init__(self, text: Text, function: RestrictedFunction) -> None:
         self.all = text

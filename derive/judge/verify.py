@@ -50,6 +50,7 @@ from derive.judge import section as s
 from derive.judge.claims import DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
 from derive.judge.paper import CLAIMS
 from derive.judge.postulates import POSTULATES, Postulate, exhibit
+from derive.kinds import TextPair, Texts
 from derive.progress import track
 
 _DIGITS = 30
@@ -185,7 +186,7 @@ def judge(claim: Claim) -> Row:
         return Row(claim.id, claim.claim, claim.printed, computed, verdict, cause, "; ".join(_assumed(claim)))
 
 
-def _assumed(claim: Claim) -> list[str]:
+def _assumed(claim: Claim) -> Texts:
     """Return the assumptions of a claim in words: domains of its symbols, and given relations."""
     symbols = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
@@ -258,7 +259,7 @@ def _range(claim: Claim) -> Judgement:
     return computed, *_explained(claim, lambda value: min(abs(value - x) for x in values) < _TINY)
 
 
-def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
+def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> TextPair:
     """Return verdict and words of the first cause whose value ``fits``, or that the cause was not found."""
     for cause in claim.causes:
         if cause.value:
@@ -296,7 +297,7 @@ def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
         yield from combinations(relevant, count)
 
 
-def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | None) -> tuple[str, str]:
+def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | None) -> TextPair:
     """Return verdict and words of a form that is correct under postulates, after the cause's edit if there is one."""
     remark = cause.words if cause else claim.remark
     if cause and (cause.verdict != "imprecise" or not postulates):
