@@ -1,12 +1,12 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9ac824e9ed74e791c484fd59539de38dd3f786a378d7da5af0d7516738af9537
+# sha256 of the text below: 0d9afe69e49479abd95df6d4dc9da5c212298927ef2eb98813048b4706d81a77
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
 ``cells``, and `generated.layout` names the rows. Lanes are integrated side by side.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -2881,6 +2881,56 @@ def integrate(
                 advance(s, status <= ix.RESTING)
             cells[:, alike] = s.stored
             live = live[cells[ix.STATUS, live] <= ix.RESTING]
+
+
+def integrate_runs(program: Program, tables: Sequence[Any], start: Mapping[str, float], moves: Floats) -> Any:
+    """Integrate runs of one motion; return the final cells of the first run, a list, and the `spreads` of all.
+
+    Parameters
+    ----------
+    program, tables
+        Arguments of `integrate`.
+    start : mapping
+        Initial cells by name.
+    moves : ndarray
+        Factors and summands of the cells in each run, (2, cells, runs).
+
+    Returns
+    -------
+    tuple or None
+        None if a run has not ended.
+    """
+    column = np.zeros((len(program.cells), 1))
+    for name in start.keys() & program.places.keys():
+        column[program.places[name]] = start[name]
+    cells = column * moves[0] + moves[1]
+    integrate(program, tables, cells)
+    if np.any(cells[ix.STATUS] >= ix.TOO_LONG):
+        return None
+    return cells[: len(ix.CELLS), 0].tolist(), spreads(cells)
+
+
+def spreads(cells: Floats) -> tuple[float, ...]:
+    """Return relative differences of runs of a motion from the first run, from their final cells, (cells, runs).
+
+    They are the greatest differences of duration, run-out and peak velocity, and of states during the motion, which
+    differ by the spread of times, at the peak velocity, or by the spread of rotations. All are infinite if a run ends
+    otherwise.
+    """
+    rests = (cells[ix.STATUS] >= ix.ARRESTED) & (cells[ix.STATUS] <= ix.ENDED)
+    unlike = (cells[ix.STATUS] != cells[ix.STATUS, 0]) & ~(rests & rests[0])
+    moves = cells[ix.PHASES] > 0.0
+    if np.any(unlike | (moves != moves[0])):
+        return (np.inf,) * 4
+    ended = (cells[ix.STATUS] == ix.ENDED) & (cells[ix.TIME, 0] < np.inf)
+    times = np.where(ended, cells[ix.END_TIME], cells[ix.REST_SINCE])
+    results = np.array([times, cells[ix.REACH_ROTATION], abs(cells[ix.PEAK_OMEGA]), cells[ix.END_ROTATION]])
+    first = abs(results[:, 0])
+    sizes = np.maximum(first, ix.LEAST_SIZE)
+    with np.errstate(invalid="ignore"):  # of times, which may be infinite
+        most = np.fmax.reduce(abs(results - results[:, :1]), axis=1)
+    states = max(ix.BETWEEN * most[0] * first[2], most[3]) / sizes[1]
+    return (*(most / sizes)[:3].tolist(), float(states))
 
 
 def registers(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
