@@ -69,8 +69,8 @@ def follow(root: Path) -> list[str]:
 
 
 # Fast to compile rather than fast, which are the same numbers, and bounds that are proved but not as small as can be.
-# That float32 is rounded correctly is not proved in the copy, as `tests.campaigns.all_weights` does, and neither is what
-# depends on no declaration.
+# That float32 is rounded correctly is not proved in the copy (`tests.campaigns.all_weights` does it), and neither is
+# what depends on no declaration.
 QUICKLY = """
 import gc
 from functools import partial
