@@ -10,37 +10,41 @@ write    approximants, fragments, linker, templates               the files of `
 prove    each result above                                        claims, certificates, or `ProofError`
 =======  =======================================================  =====================================================
 
-A stage runs when its inputs have changed since they were recorded (`derive.stages`), or with ``--again``.
+It derives if sources, libraries or files have changed since the recorded run (`derive.stages`), or with ``--again``.
 """
 
 import argparse
 import sys
 import time
 import traceback
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
 
+from derive import stages
 from derive.check.proof import ProofError
+from derive.kinds import TextDict, Texts
 from derive.progress import say
-from derive.stages import Stages
+from derive.stages import stage
 
 
-def declare(stages: Stages) -> None:
+def declare() -> None:
     """Check the declarations, together and each alone; a fault that Python finds is a `ProofError` with its place."""
 
     def check() -> int:
+        from derive import guards
         from derive.declare import effects, quantities
 
         alone = (*effects.LAWS, *effects.ALL_EFFECTS)
         every = (*alone, *quantities.MOMENTS)
-        stages.run("all declarations", "declare", "derive.guards:check", every, shown="")
+        guards.check(every)
         for e in alone:
-            stages.run(e.name, "declare", "derive.guards:check_alone", e, shown="")
+            guards.check_alone(e)
         return len(every)
 
     try:
-        stages.line("declarations", "declare", check, "{} laws, effects and moments")
+        stage("declarations", "declare", check, "{} laws, effects and moments")
     except (ProofError, KeyboardInterrupt):
         raise
     except Exception as error:
@@ -51,60 +55,40 @@ def declare(stages: Stages) -> None:
         raise ProofError(f"declarations, {file}, line {line}", found, "what Python can read") from None
 
 
-def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
-    """Prove the balance and the operations on series, and return the files that depend on `derive.flow` by name.
+def flow() -> TextDict:
+    """Prove the balance and the operations on series, and return the files that depend on `derive.flow` by name."""
+    from derive.algebra import phase_plane, pieces
+    from derive.flow import closed, linked, recurrences, sliding
+    from derive.generate import write
 
-    ``present`` are the texts of the present files, which are returned where the records match them.
-    """
-    from derive.declare.effects import EFFECTS, LAWS, SECTION_EFFECTS
-    from derive.flow.fragments import CALLABLE
-    from derive.flow.linked import cases
-
-    def prove() -> int:
-        claims = []
-        for effects, laws in cases(EFFECTS, (*LAWS, CALLABLE)):
-            of_effects = " ".join(x.name for x in effects)
-            of_laws = " ".join(x.name for x in laws)
-            case = f"{of_effects}, {of_laws}"
-            claims += stages.run(case, "balance", "derive.flow.linked:prove_case", effects, laws, shown="")
-        return len(claims)
-
-    stages.line("flow", "balance", prove, "{} claims proved")
-    stages.run("phase plane", "balance", "derive.algebra.phase_plane:prove", shown="{}")
-    stages.run("flow", "closed form", "derive.flow.closed:prove", shown="{}")
-    stages.run("pieces of records", "balance", "derive.algebra.pieces:prove", shown="{}")
-    stages.run("flow", "pieces", "derive.flow.sliding:prove", shown="{}")
-    stages.run("flow", "series", "derive.flow.recurrences:prove", 6, shown="{}")
-    return stages.files("flow", "derive.generate.write:flow_files", present, LAWS, EFFECTS, SECTION_EFFECTS)
+    stage("flow", "balance", linked.prove)
+    stage("phase plane", "balance", phase_plane.prove)
+    stage("flow", "closed form", closed.prove)
+    stage("pieces of records", "balance", pieces.prove)
+    stage("flow", "pieces", sliding.prove)
+    stage("flow", "series", recurrences.prove)
+    return stage("flow", "write", write.flow_files, "")
 
 
-def derive_all(stages: Stages | None = None) -> dict[str, str]:
-    """Derive and prove everything, and return the text of `generated` by file; progress is printed on stderr.
-
-    Without ``stages`` no record is used.
-    """
-    from derive.algebra.slopes import MEANS, SLOPES
+def derive_all() -> TextDict:
+    """Derive and prove everything, and return the text of `generated` by file; progress is printed on stderr."""
+    from derive.algebra import dynamics, integrate, slopes
     from derive.declare.quantities import MOMENTS
-    from derive.generate.write import present_files
+    from derive.generate import write
 
-    stages = stages or Stages(again=True)
-    shown = "operations {0[operations][0]} -> {0[operations][1]}, quadrature within {0[difference]}"
     for moment in MOMENTS:
-        stages.run(moment.name, "integrate", "derive.algebra.integrate:recorded", moment, shown=shown)
-    stages.run("equation of motion", "balance", "derive.algebra.dynamics:prove", shown="{}")
-    of_slopes = [moment for moment in MOMENTS if moment.name in MEANS | SLOPES]
-    stages.run("slopes", "balance", "derive.algebra.slopes:prove", *of_slopes, shown="{}")
-    texts = present_files()
-    of_flow = flow(stages, texts)
-    of_slope = stages.files("slopes", "derive.generate.write:slope_files", texts, *of_slopes)
-    return of_flow | of_slope | stages.files("kernels", "derive.generate.write:kernel_files", texts)
+        compared = partial(integrate.compare, integrate.derive(moment), 30)
+        stage(moment.name, "integrate", compared, "quadrature within {}")
+    stage("equation of motion", "balance", dynamics.prove)
+    stage("slopes", "balance", partial(slopes.prove, *MOMENTS))
+    return write.slope_files() | write.kernel_files() | flow()
 
 
 class Command(NamedTuple):
     """A command: its help, and the formats of its report with their help."""
 
     help: str
-    forms: dict[str, str]
+    forms: TextDict
 
 
 _JSON = {"json": "a list of objects on stdout"}
@@ -144,7 +128,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call or a missing package",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
-    parser.add_argument("--again", action="store_true", help="prove everything again, in spite of the records")
+    parser.add_argument("--again", action="store_true", help="prove everything again, in spite of the record")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
     for name, (words, forms) in COMMANDS.items():
         command = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
@@ -187,7 +171,7 @@ def _prove_motion(options: argparse.Namespace) -> int:
     return 0 if decided else 1
 
 
-def main(argv: list[str] | None = None) -> int:
+def main(argv: Texts | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
     options = _parser().parse_args(argv)
     needed = ("flint",) if options.command in ("prove", "theorem") else ("sympy", "mpmath", "flint")
@@ -195,7 +179,7 @@ def main(argv: list[str] | None = None) -> int:
         say(f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'")
         return 2
     if options.command not in ("prove", "theorem"):
-        for note in Stages().other_versions():
+        for note in stages.other_versions():
             say(note)
     if options.command == "prove":
         from derive.check import certify
@@ -221,21 +205,25 @@ def main(argv: list[str] | None = None) -> int:
     return generate(options.check, options.again, options.command)
 
 
-def generate(check: bool, again: bool = False, part: str | None = None) -> int:
-    """Derive everything, or the flow, and write `generated` and the records, or compare them with the files there.
+def generate(check: bool, again: bool, part: str | None) -> int:
+    """Derive everything, or the flow, and write `generated` and the record, or compare them with the files there.
 
-    Nothing is written with ``check``. With ``again`` records are ignored, and any ``part`` means the flow alone. The
+    Nothing is written with ``check``. With ``again`` the record is ignored, and any ``part`` means the flow alone. The
     result is the exit status.
     """
     start = time.perf_counter()
-    stages = Stages(again)
     try:
-        declare(stages)
+        declare()
         from derive.build import build_all, has_binary_alone
         from derive.generate import write
 
         present = write.present_files()
-        texts = present | flow(stages, present) if part else derive_all(stages)
+        if part:
+            texts = present | flow()
+        elif not again and stages.record(present) == stages.recorded():
+            texts = present
+        else:
+            texts = derive_all()
         if check:
             expected = {name: text for name, text in texts.items() if not has_binary_alone(name, text)}
             diff = write.difference(expected)
@@ -245,8 +233,9 @@ def generate(check: bool, again: bool = False, part: str | None = None) -> int:
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    stages.save(keep=bool(part))
-    stages.line("kernels", "compile", build_all, "{0[1]}")
+    if not part:
+        stages.save(texts)
+    stage("kernels", "compile", build_all, "{0[1]}")
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")
     return 0

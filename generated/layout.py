@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c605e9f6ffb374541984ee56cf8da125b01f72b28bbedece8bf774a5ff008fdf
+# sha256 of the text below: 0eaf68a0692dc0319bc168474ae842a3b6cb78adac67f16f39e76dc92cc1cf4e
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -133,4 +133,6 @@ MOST_TURNS = 2000
 STIFF_CHANGE = 0.001
 CARRIED = 0.001
 SETTLED = 1.4210854715202004e-14
+BETWEEN = 2.0
+LEAST_SIZE = 1e-300
 STRIDE = 42

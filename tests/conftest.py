@@ -3,7 +3,6 @@
 import gc
 import json
 import shlex
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -57,18 +56,6 @@ def pytest_collection_finish() -> None:
     gc.freeze()
     gc.set_threshold(100_000, 20, 20)
     gc.enable()
-
-
-@pytest.fixture(autouse=True, scope="session")
-def derivations() -> None:
-    """Use the recorded derivations of moments, which `derive` has proved; those of changed sources are made anew."""
-    if integrate := sys.modules.get("derive.algebra.integrate"):
-        from derive.declare.quantities import MOMENTS
-        from derive.stages import Stages
-
-        stages, work = Stages(), "derive.algebra.integrate:recorded"
-        for moment in MOMENTS:
-            integrate.restore(moment, stages.run(moment.name, "integrate", work, moment, shown=""))
 
 
 @pytest.fixture(autouse=True)

@@ -8,6 +8,7 @@ import json
 import math
 from dataclasses import replace
 from functools import partial
+from inspect import unwrap
 from typing import Any
 from unittest.mock import Mock
 
@@ -43,17 +44,17 @@ def test_numpy_is_as_accurate() -> None:
 def agrees(number: int, motion: Any) -> None:
     reference = ROWS[number]["reference"]
     decisions = (motion.moves, motion.arrested, bool(motion.lift_off))
-    assert decisions == (reference["moves"], reference["arrested"], reference["lifted"]), f"scene {number}"
+    assert decisions == (reference["moves"], reference["arrested"], bool(reference["lift_off"])), f"scene {number}"
     assert motion.error_estimate >= max(true_error(motion, reference)), f"scene {number}"
 
 
 # Steps of all scenes of a group together, and the operations on series in them.
 WORK = {
-    "frozen": (210, 500), "constant": (281, 1563), "exponential": (645, 7249), "linear": (117, 946),
+    "frozen": (210, 500), "constant": (281, 1563), "exponential": (299, 3373), "linear": (117, 946),
     "hyperbolic": (442, 4501), "tabulated": (1315, 13207), "viscous": (53, 250), "pulse": (307, 3249),
     "series": (328, 3800), "rate": (138, 1158), "rate table": (596, 7623), "prescribed": (67, 530),
     "product": (195, 2804), "heated": (122, 1598), "water": (54, 367), "all": (578, 13855),
-    "sections": (324, 4100), "that ship": (342, 4585),
+    "sections": (324, 4100), "that ship": (323, 4357),
 }  # fmt: skip
 
 
@@ -148,7 +149,7 @@ def test_six_references_are_derived_again() -> None:
     few = [k for k in NUMBERS if ROWS[k]["reference"]["phases"] < MANY // 5]
     for k in [*rng.choice(few, 4, False).tolist(), *rng.choice([*TIMED], 2, False).tolist()]:
         digits = references.digits(ROWS[k]["group"])
-        again = taylor.solve(ROWS[k]["scene"], ROWS[k]["shares"], digits)
+        again = unwrap(taylor.solve)(ROWS[k]["scene"], ROWS[k]["shares"], digits)
         assert references.agree(again, ROWS[k]["reference"], digits), f"scene {k}"
 
 
@@ -212,7 +213,8 @@ def test_an_end_time_next_to_the_duration_is_no_error(name: str) -> None:
 @needs_binary
 @pytest.mark.parametrize("name", ["vaiont", "vaiont-softening", "vaiont-rate"])
 def test_one_call_solves_a_scene_and_its_neighbours(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    calls = Mock(wraps=compiled.integrate)
-    monkeypatch.setattr(compiled, "integrate", calls)
+    monkeypatch.setattr(compiled, "integrate", None)
+    calls = Mock(wraps=compiled.integrate_runs)
+    monkeypatch.setattr(compiled, "integrate_runs", calls)
     assert solve(load(name)).error_estimate < 1e-12
     assert calls.call_count == 1

@@ -34,7 +34,7 @@ def test_an_antiderivative_that_jumps_is_refused(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(integrate, "integrate", lambda _integrand, _x: jumps)
     integrand = 1 / (1 + sp.sin(x) ** 2)
     assert integrate.antiderivative(integrand, x, "1.5") == jumps
-    with pytest.raises(ProofError, match=r"found a jump of 2\.2.* for -1\.75 < x < -1\.5"):
+    with pytest.raises(ProofError, match=r"found a jump of 2\.2.* between 0 and -4\.0"):
         integrate.antiderivative(integrand, x, "4")
 
 
@@ -52,14 +52,14 @@ def test_a_wrong_antiderivative_is_not_proved(monkeypatch: pytest.MonkeyPatch) -
     right: Callable[..., Any] = sp.integrate
     monkeypatch.setattr(integrate, "integrate", lambda e, x: right(e, x) + x)
     with pytest.raises(ProofError, match="antiderivative"):
-        integrate.derivation(MOMENTS[0])
+        integrate.derive.__wrapped__(MOMENTS[0])
 
 
 @pytest.mark.parametrize("n", range(1, 6))
 @pytest.mark.parametrize("turn", [1, sp.sin(theta), sp.cos(theta)])
 def test_every_weight_that_may_be_declared_has_a_closed_form(n: int, turn: Any) -> None:
     amplitude = ("amplitude", "K") if turn != 1 else None
-    derived = integrate.derivation(Moment("moment", "M", r**n * turn, "a moment", amplitude=amplitude))
+    derived = integrate.derive(Moment("moment", "M", r**n * turn, "a moment", amplitude=amplitude))
     assert float(integrate.compare(derived, 20).split()[0]) < 1e-19
 
 

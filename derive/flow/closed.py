@@ -10,7 +10,7 @@ from derive.algebra import phase_plane
 from derive.algebra.phase_plane import BASIS, NET, SOFTENING, drive, q, sine, vers, x
 from derive.algebra.prove import prove_zero
 from derive.flow.integrator import energy, softening
-from derive.flow.integrator.softening import SHIFT, TERMS
+from derive.flow.integrator.softening import FIRST, SHIFT, TERMS
 from derive.flow.layout import STRIDE
 
 
@@ -71,8 +71,11 @@ def _prove_softening() -> None:
     e: list[Any] = [0] * STRIDE
     softening.softening_factors(lanes, e)
     e[SHIFT] = 0  # without the factor exp(brake W/slope)
-    found = softening.softening_energy(e, [*BASIS, exp(-slope * x) - 1])
+    first = symbols("first")
+    e[FIRST] = first
+    fall = first * exp(-slope * x)
+    found = softening.softening_energy(e, [*BASIS, fall - first])
     for j, problem in enumerate(islice(phase_plane.softening(), TERMS + 1)):
-        found -= exp(-j * slope * x) * phase_plane.energy_from_rest(problem)
-    numbers = {symbol: Rational(k, 7) for k, symbol in enumerate((drive, sine, vers, q, *SOFTENING), 2)}
+        found -= fall**j * phase_plane.energy_from_rest(problem)
+    numbers = {symbol: Rational(k, 7) for k, symbol in enumerate((drive, sine, vers, q, *SOFTENING, first), 2)}
     prove_zero(_exact(found).xreplace(numbers), "E under softening friction in the integrator")

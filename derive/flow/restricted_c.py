@@ -1,11 +1,10 @@
 """Restricted Python written as C: vectors of lanes in numerics, lane by lane in phases."""
 
-import ast
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from derive.flow.restricted import Text
-from derive.flow.writer import TypedExpression, Writer, bare
+from derive.flow.writer import TypedExpression, Writer
 
 TYPES = {
     "V": "V",
@@ -102,7 +101,9 @@ FORMS = {
     "if": "if ({x})",
     "pair": "return (Pair){{{a}, {b}}};",
     "let_pair": "const Pair {a}_{b} = {x};\nV {a} = {a}_{b}.one, {b} = {a}_{b}.other;",
+    "set_pair": "const Pair {a}_{b} = {x};\n{a} = {a}_{b}.one, {b} = {a}_{b}.other;",
     "masked": "pick",
+    "of_mask": "EACH(lane, bits({x}))",
 }
 
 
@@ -117,18 +118,6 @@ class C(Writer):
             return f"V {name}[STRIDE];" if kind == "S" else f"double {name}[STRIDE];"
         declared = f"{TYPES[kind]} ".replace("* ", "*") if new else ""
         return f"{declared}{name} = {self.as_kind(value, kind)};"
-
-    def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of the statements ``body`` for each lane where ``mask``, an expression in C, is true."""
-        yield from self.block(f"EACH(lane, bits({mask}))", body)
-
-    def while_of_lane(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
-        """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
-        yield from self.block(self.say("while", bare(test.text)), s.body)
-
-    def of_lane(self, test: TypedExpression, s: ast.If, leaves: bool) -> Iterator[str]:
-        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane, which may return."""
-        yield from self.block(self.say("if", bare(test.text)), s.body)
 
     def lines(self) -> Iterator[str]:
         """Yield the lines of the function."""

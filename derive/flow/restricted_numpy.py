@@ -4,10 +4,10 @@ An ``if`` by lane selects the lanes where its condition is true from the index a
 """
 
 import ast
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from derive.flow.restricted import RestrictedFunction, Text
-from derive.flow.writer import TypedExpression, Writer
+from derive.flow.writer import TypedExpression, Writer, stored_in
 
 TYPES = {
     "V": "Floats",
@@ -79,8 +79,6 @@ FORMS = {
     "log": "np.log",
     "expm1": "np.expm1",
     "sqrt": "np.sqrt",
-    "hypot": "np.hypot",
-    "isnan": "np.isnan",
     "number": "float",
     "number.F": "{a}",
     "new_series": "np.zeros((ix.STRIDE, {series}.shape[1]))",
@@ -98,8 +96,9 @@ FORMS = {
     "while": "while {x}",
     "if": "if {x}",
     "pair": "return {a}, {b}",
-    "let_pair": "{a}, {b} = {x}",
+    **dict.fromkeys(("let_pair", "set_pair"), "{a}, {b} = {x}"),
     "masked": "np.where",
+    "of_mask": "i = np.flatnonzero({x})\nif i.size",
 }
 OF_LANE = {"F", "I", "B", "A"}
 
@@ -123,12 +122,7 @@ class NumPy(Writer):
         held = held or value.text.partition("[")[0] in (x for x, k in self.kinds.items() if k == "A")
         return f"{name}{declared} = {value.text}{'.copy()' if held else ''}"
 
-    def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of the statements ``body`` for each lane where ``mask``, a NumPy expression, is true."""
-        yield f"i = np.flatnonzero({mask})"
-        yield from self.block("if i.size", body)
-
-    def of_lane(self, test: TypedExpression, s: ast.If, leaves: bool) -> Iterator[str]:
+    def of_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane, which may return."""
         self.ifs += 1
         mark = self.ifs
@@ -136,6 +130,7 @@ class NumPy(Writer):
         before = [f"{x}_{mark}" for x in names]
         known = ", ".join(names)
         kept = ", ".join(before)
+        leaves = isinstance(s.body[-1], ast.Return)
         body = s.body[:-1] if leaves else s.body
         yield f"holds_{mark} = {test.text}"
         yield f"{kept} = {known}"
@@ -149,12 +144,15 @@ class NumPy(Writer):
         else:
             yield f"{known} = {kept}"
 
-    def while_of_lane(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
-        """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
+    def repeat(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
+        """Yield the lines of the loop ``s``, which continues in the lanes where ``test`` is true."""
+        if test.kind != "B":
+            yield from super().repeat(test, s)
+            return
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
-        changed = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+        changed = stored_in(s)
         kept = [f"{x}_{mark}" for x in names]
         known = ", ".join([*names, f"place_{mark}"])
         yield f"{', '.join(kept)} = {', '.join(f'{x}.copy()' if x in changed else x for x in names)}"
@@ -204,5 +202,4 @@ def numpy_functions(text: Text) -> str:
     """Return the NumPy source of all functions of the restricted text, preceded by its constants."""
     lines = [f"{x} = {value!r}" for x, value in text.constants.items() if x != "INFINITY"]
     lines.append("INFINITY = np.inf")
-    functions = (NumPy(text, f).source() for f in text.functions.values())
-    return "\n\n\n".join(["\n".join(lines), *functions]) + "\n"
+    return "\n\n\n".join(["\n".join(lines), *(NumPy(text, f).source() for f in text.functions.values())]) + "\n"

@@ -1,7 +1,7 @@
 """Translation of restricted Python to another language: statements, expressions, kinds, and rejected constructs."""
 
 import ast
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NoReturn
 
@@ -17,6 +17,7 @@ from derive.flow.restricted import (
     annotation,
     refuse_node,
 )
+from derive.kinds import TextMap
 
 
 @dataclass
@@ -35,7 +36,7 @@ class Writer:
     function of a `Lane` or in the body of an ``if`` on a mask.
     """
 
-    forms: Mapping[str, str]
+    forms: TextMap
 
     def __init__(self, text: Text, function: RestrictedFunction) -> None:
         self.all = text
@@ -82,8 +83,7 @@ class Writer:
             case ast.Subscript():
                 return self._element(e)
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-                values = [self.value(x) for x in arguments]
-                return self._call(name, values, e)
+                return self._call(name, [self.value(x) for x in arguments], e)
             case ast.IfExp(test=test, body=a, orelse=b):
                 chosen, *ends = map(self.value, (test, a, b))
                 if chosen.kind != "N":
@@ -131,8 +131,7 @@ class Writer:
         """Return the text and the kind of a variable or constant. ``e`` is its place in error messages."""
         if kind := self.kinds.get(name):
             here = self._here(kind)
-            text = name if here == kind else self.say("of_lane", name)
-            return TypedExpression(text, here)
+            return TypedExpression(name if here == kind else self.say("of_lane", name), here)
         if name not in self.all.constants:
             self.refuse(e, f"{name} has no value here")
         return TypedExpression(name, "N" if isinstance(self.all.constants[name], int) else "K")
@@ -221,7 +220,7 @@ class Writer:
                     self.kinds[name] = "T" if what == "tables" else "Q"
                     yield from self.block(self.say(what, name), s.body)
                 case ast.While(test=test):
-                    yield from self._while(self.value(test), s)
+                    yield from self.repeat(self.value(test), s)
                 case ast.If(orelse=[]):
                     yield from self._if(s)
                 case ast.Return(value=None):
@@ -250,7 +249,8 @@ class Writer:
         """Yield the lines of an assignment."""
         match s:
             case ast.Assign(targets=[ast.Tuple(elts=[ast.Name(id=a), ast.Name(id=b)])], value=value):
-                yield from self.say("let_pair", self.value(value).text, a=a, b=b).split("\n")
+                form = "set_pair" if a in self.kinds else "let_pair"
+                yield from self.say(form, self.value(value).text, a=a, b=b).split("\n")
                 self.kinds |= {a: "V", b: "V"}
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 yield from self._let(name, self.value(value), s)
@@ -286,8 +286,7 @@ class Writer:
             self.refuse(s, "a loop counts between integers that all lanes share")
         name = ast.unparse(s.target)
         self.kinds[name] = "N"
-        head = self.say(way, bare(first.text), of=name, to=bare(last.text))
-        yield from self.block(head, s.body)
+        yield from self.block(self.say(way, bare(first.text), of=name, to=bare(last.text)), s.body)
 
     def _if(self, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that is shared by all lanes, or decided by each."""
@@ -299,68 +298,54 @@ class Writer:
                 inner = ast.If(rest, s.body, [])
                 ast.copy_location(inner, s)
                 ast.fix_missing_locations(inner)
-                yield from self.block(self.say("if", bare(shared.text)), [inner])
+                yield from self.choose(shared, [inner])
                 return
         test = self.value(s.test)
         if test.kind not in ("N", "M", "B"):
             self.refuse(s, "an `if` is on a truth value")
-        if test.kind == "N":
-            head = self.say("if", bare(test.text))
-            yield from self.block(head, s.body)
-            return
-        yield from self._by_lane(test, s)
+        yield from self.choose(test, s.body) if test.kind == "N" else self._by_lane(test, s)
 
-    def _while(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
-        """Yield the lines of a loop.
+    def choose(self, test: TypedExpression, body: Sequence[ast.stmt]) -> Iterator[str]:
+        """Yield the lines of an ``if`` with these statements on ``test``, a truth value in the target language."""
+        yield from self.block(self.say("if", bare(test.text)), body)
 
-        If lanes decide separately, it continues in the lanes where its condition is true.
-        """
-        if test.kind == "B":
-            yield from self.while_of_lane(test, s)
-            return
-        head = self.say("while", bare(test.text))
-        yield from self.block(head, s.body)
+    def repeat(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
+        """Yield the lines of the loop ``s``, which continues in the lanes where ``test`` is true."""
+        yield from self.block(self.say("while", bare(test.text)), s.body)
 
     def _by_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that lanes decide separately."""
         outside = set(self.kinds)
-        assigned = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+        assigned = stored_in(s)
         if shared := outside & assigned:
             names = ", ".join(sorted(shared))
             self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
         last = s.body[-1]
-        leaves = isinstance(last, ast.Return)
         if isinstance(last, ast.Return) and (test.kind == "M" or last.value):
             self.refuse(s, "only one lane returns early, and without a value")
         if test.kind == "M":
+            *before, head = self.say("of_mask", bare(test.text)).split("\n")
+            yield from before
             self.lane = True
-            yield from self.of_mask(bare(test.text), s.body)
+            yield from self.block(head, s.body)
             self.lane = False
             return
-        yield from self.of_lane(test, s, leaves)
+        yield from self.of_lane(test, s)
         for name in assigned:
             self.kinds.pop(name, None)
 
-    # Language-specific methods.
+    def of_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
+        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane."""
+        yield from self.choose(test, s.body)
 
     def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
         raise NotImplementedError
 
-    def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of the statements ``body`` for each lane where ``mask``, a text, is true."""
-        raise NotImplementedError
 
-    def while_of_lane(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
-        """Yield the lines of the loop ``s`` on ``test``, a truth value of one lane."""
-        raise NotImplementedError
-
-    def of_lane(self, test: TypedExpression, s: ast.If, leaves: bool) -> Iterator[str]:
-        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane.
-
-        ``leaves`` if it returns.
-        """
-        raise NotImplementedError
+def stored_in(s: ast.stmt) -> set[str]:
+    """Return the names to which a statement assigns values."""
+    return {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
 
 
 def joined(values: Sequence[TypedExpression], order: str = "VFIKN") -> str:

@@ -12,7 +12,7 @@ and proves that the functions of this module are this solution.
 
 from math import factorial
 
-from derive.flow.integrator.one_lane import S, V, down, up
+from derive.flow.integrator.one_lane import N, S, V, down, up
 
 LAST = 7  # of the terms of these series
 VERSINE = tuple((-1) ** k / factorial(2 * k + 2) for k in range(LAST + 1))
@@ -33,7 +33,8 @@ def turned(x: V) -> tuple[V, V]:
     versine = versine * square
     for _ in up(1, 2):
         sine = h - lag
-        lag = 2.0 * (lag + sine * versine)
+        change = sine * versine
+        lag = 2.0 * (lag + change)
         versine = 2.0 * (sine * sine)
         h = 2.0 * h
     return lag, versine
@@ -47,7 +48,8 @@ def faded(y: V) -> V:
         part = part * h + FADING[k]
     for _ in up(1, 2):
         lost = 1.0 - h * part
-        part = 0.5 * part + 0.25 * (lost * lost)
+        square = lost * lost
+        part = 0.5 * part + 0.25 * square
         h = 2.0 * h
     return part
 
@@ -93,26 +95,36 @@ def bend_of(e: S, f: S) -> V:
     sine = f[0] - f[3]
     cosine = 1.0 - f[2]
     lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * (1.0 - e[4] * lost)
+    kept = 1.0 - e[4] * lost
+    faded_part = e[1] * kept
     turned_part = e[2] * cosine + e[3] * sine
     return faded_part + turned_part
 
 
-def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
-    """Compute the factors of E about the end of a phase, from the four functions there."""
+def look_back(back: S, first: N, drive: V, sine: V, vers: V, f: S) -> None:
+    """Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase.
+
+    They are stored from place ``first`` on; ``f`` are the four functions at the end.
+    """
     sine_end = f[0] - f[3]
     cosine = 1.0 - f[2]
     change = sine * sine_end + vers * f[2]
-    at_end = drive + change
-    sine_back = sine * cosine + vers * sine_end
-    vers_back = sine * sine_end - vers * cosine
-    factors(back, -at_end, sine_back, vers_back, -q)
+    back[first] = -(drive + change)
+    back[first + 1] = sine * cosine + vers * sine_end
+    back[first + 2] = sine * sine_end - vers * cosine
+
+
+def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    look_back(back, 0, drive, sine, vers, f)
+    factors(back, back[0], back[1], back[2], -q)
 
 
 def reverse(f: S, q: V) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
-    faded_by = 1.0 - y + q * q * f[1]
+    bend = q * q * f[1]
+    faded_by = 1.0 - y + bend
     square = f[0] * f[0]
     rest = square - f[1] - y * f[1]
     f[1] = rest / faded_by

@@ -8,20 +8,19 @@ this series. The parts of the terms j > 0 that decay like exp(-(q - j slope) x) 
     W^j E_j = constant_j (W^j - exp(-q x)) + W^j (vers_j (1 - cos(x)) - sine_j sin(x))
 
 The duration has two parts, before and after the greatest speed, by Gauss's rule in a variable in which both ends are
-regular. The last coefficients of Legendre's series of an integrand measure the error, which is about their square.
-
-Series and rules are shorter than rounding requires: lanes of higher order than `FINEST` are integrated in time.
+regular. In the second part E is a function of the distance from the end, where W begins with W_0 instead of 1, and
+W_0^j exp(-q x) is in place of exp(-q x). The last coefficients of Legendre's series of an integrand measure the error,
+which is about their square. Rules have twice as many nodes if a series in time would have an order above `FINEST`.
 """
 
-from derive.flow.integrator.energy import FADING, LAST, energy, factors, functions
+from derive.flow.integrator.energy import FADING, LAST, energy, factors, functions, look_back, reverse
 from derive.flow.integrator.one_lane import (
-    FROM_PEAK,
     INFINITY,
     LAST_SHARES,
     NEXT_SHARES,
     NODES,
     SHARES,
-    TO_PEAK,
+    SHORTEST,
     Lanes,
     M,
     N,
@@ -35,77 +34,115 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
+from derive.flow.integrator.rotation import CLOSER, FINEST
 
-FINEST = 18.0  # order of the series in time for a relative error of 1e-9
 TERMS = 8  # of the series
 GREATEST = 0.0625  # brake/slope, of which powers above the last term are below rounding
 DRIVEN = 1024.0  # greatest load that friction loses over the drive, with which the digits lost by the sum increase
-ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate
-BENT = 1.3  # factor of the root of slope x in a rule with closer nodes where friction softens
-# Places of further factors of E: brake/slope, and the factors of the terms from the first on.
+ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate, `CLOSER` beyond `FINEST`
+# Factors by which a step is the one that lanes usually have, over the radius of convergence, to rounding or not.
+PER_STEP = 4.0
+PER_STEP_TO_ROUNDING = 7.38905609893065
+BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
+# Places of further factors of E: brake/slope, W at the beginning, the factors of the terms from the first on, and
+# drive, sine and vers of the load, and of the net moment without the load.
 SHIFT = 5
+FIRST = 6
 CONSTANT = 8
 SINE = 16
 VERS = 24
+LOAD = 33
+NET = 36
 
 
-def softening_factors(s: Lanes, e: S) -> None:
-    """Compute the factors of E."""
-    drive = s.drive - s.net_loss
-    sine = s.net_sine - s.net_loss_sine
-    vers = s.net_vers - s.net_loss_vers
-    q = 2.0 * (s.net_loss_square - s.net_square)
-    factors(e, drive, sine, vers, q)
-    e[SHIFT] = 2.0 * s.net_loss_square / s.loss_rate
+def factors_of_terms(e: S, q: V, rate: V) -> None:
+    """Compute the factors of all terms from the numbers of the net moment without the load, and of the load."""
+    factors(e, e[NET], e[NET + 1], e[NET + 2], q)
     part = new_series()
     weight: V = 1.0
     for j in up(1, TERMS):
         before = weight
         weight = weight * e[SHIFT] / number(-j)
-        of_sine = weight * sine + before * s.net_loss_sine
-        of_vers = weight * vers + before * s.net_loss_vers
-        factors(part, weight * drive + before * s.net_loss, of_sine, of_vers, q + number(j) * s.loss_rate)
+        drive = weight * e[NET] + before * e[LOAD]
+        sine = weight * e[NET + 1] + before * e[LOAD + 1]
+        vers = weight * e[NET + 2] + before * e[LOAD + 2]
+        faster = q + number(j) * rate
+        factors(part, drive, sine, vers, faster)
         e[CONSTANT + j] = (part[0] + part[3]) / part[4]
         e[SINE + j] = part[3]
         e[VERS + j] = part[2]
 
 
+def softening_factors(s: Lanes, e: S) -> None:
+    """Compute the factors of E."""
+    e[SHIFT] = 2.0 * s.net_loss_square / s.loss_rate
+    e[FIRST] = 1.0
+    e[LOAD] = s.net_loss
+    e[LOAD + 1] = s.net_loss_sine
+    e[LOAD + 2] = s.net_loss_vers
+    e[NET] = s.drive - s.net_loss
+    e[NET + 1] = s.net_sine - s.net_loss_sine
+    e[NET + 2] = s.net_vers - s.net_loss_vers
+    q = 2.0 * (s.net_loss_square - s.net_square)
+    factors_of_terms(e, q, s.loss_rate)
+
+
+def factors_about_end(s: Lanes, back: S, e: S, f: S) -> None:
+    """Compute the factors of E as a function of the distance from the end of a phase, from the functions there.
+
+    Near the end E is small, and without a rounding error of the terms of which it is the sum.
+    """
+    back[SHIFT] = e[SHIFT]
+    back[FIRST] = 1.0 + f[4]
+    look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
+    look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
+    factors_of_terms(back, -e[4], -s.loss_rate)
+
+
 def series_suffices(s: Lanes, e: S) -> M:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
-    return (
-        s.order <= FINEST
-        and abs(s.net_loss) <= DRIVEN * s.drive
-        and abs(e[SHIFT]) <= GREATEST
-        and 2.0 * e[4] + s.loss_rate < 0.0
-    )
+    driven = abs(s.net_loss) <= DRIVEN * s.drive
+    converges = abs(e[SHIFT]) <= GREATEST
+    resonates = 2.0 * e[4] + s.loss_rate >= 0.0
+    return driven and converges and not resonates
 
 
 def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
     """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
-    functions(f, x, e[4])
+    functions(f, x, abs(e[4]))
     f[4] = expm1(s.loss_rate * x)
+
+
+def count_from_end(s: Lanes, back: S, f: S, x: V) -> None:
+    """Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``."""
+    reverse(f, -back[4])
+    f[4] = -f[4] * (1.0 + expm1(s.loss_rate * x))
 
 
 def softening_energy(e: S, f: S) -> V:
     """Return E from its factors and its functions."""
-    left = 1.0 + f[4]
+    first = e[FIRST]
+    left = first + f[4]
     above: V = 0.0
     constant: V = 0.0
     of_sine: V = 0.0
     of_vers: V = 0.0
     for j in down(TERMS, 1):
-        above = above + e[CONSTANT + j]
+        above = above * first + e[CONSTANT + j]
         constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
-    terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
+    sine = f[0] - f[3]
+    turned_part = of_vers * f[2] - of_sine * sine
+    terms = f[4] * constant + turned_part
     shift = e[SHIFT] * left
     grown: V = 0.0
     for k in down(LAST, 0):
         grown = FADING[k] - grown * shift
     square = shift * shift
     grown = 1.0 + (shift + square * grown)
-    faded_part = e[4] * above * (f[0] - e[4] * f[1])
+    lost = f[0] - e[4] * f[1]
+    faded_part = e[4] * (above * first) * lost
     return grown * (energy(e, f) + (terms + faded_part))
 
 
@@ -140,20 +177,29 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
     last_but_one: V = 0.0
     lower: V = 0.0
     f = new_series()
-    for k in up(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1):
+    fine: N = s.highest > FINEST
+    times: N = 2 if fine else 1
+    times = times if part else 2 * times
+    k_first: N = SHORTEST * (times - 1)
+    for k in up(k_first, k_first + SHORTEST * times - 1):
         here = unit * (NODES[k] * NODES[k])
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        softening_functions(s, e, f, past if part == 0 else end - past)
+        softening_functions(s, e, f, past)
+        if part:
+            count_from_end(s, e, f, end - past)
         at = softening_energy(e, f)
         slowness = share * share * (other * NODES[k]) / sqrt(at)
         total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    accurate = abs(last) + abs(last_but_one) <= ALIKE * total
-    return where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+    most: V = CLOSER if fine else ALIKE
+    uneven = abs(last) + abs(last_but_one)
+    accurate = uneven <= most * total
+    time = end * unit * (1.0 + bend) * total
+    return where(accurate, time, INFINITY)
 
 
 def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
@@ -163,7 +209,13 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
     """
     unit = peak / (end - peak)
     softened = 1.0 - peak * s.loss_rate
-    bend = s.factor * BENT * sqrt(softened)
+    unchanged = where(s.factor < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
+    change = s.factor * unchanged
+    bend = change * BENT * sqrt(softened)
     before = time_of_part(s, e, end, unit, bend, 0)
-    after = time_of_part(s, e, end, 1.0 / unit, 4.0 * s.factor - 1.0, 1)
+    f = new_series()
+    back = new_series()
+    softening_functions(s, e, f, end)
+    factors_about_end(s, back, e, f)
+    after = time_of_part(s, back, end, 1.0 / unit, change - 1.0, 1)
     return before, before + after
