@@ -8,6 +8,7 @@ method is the paper's for a single friction coefficient. `slipcircle.layers.stre
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
+import math
 import operator
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
@@ -263,7 +264,8 @@ class LayeredSection(LayeredNumbers):
     @cached_property
     def _columns(self) -> ArrayPair:
         """Surfaces summed in each column and weights of the columns, see `columns_of`."""
-        return columns_of(self.weight_steps, len(self._facing))
+        circles = math.prod(self.shape)
+        return columns_of(self.weight_steps, circles)
 
     @cached_property
     def _moments_of_weight(self) -> Floats:
