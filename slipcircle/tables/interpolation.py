@@ -3,7 +3,6 @@
 Each piece interpolates at Chebyshev nodes. It is halved until the neglected coefficients are small enough.
 """
 
-import math
 from collections.abc import Callable, Iterator
 
 import numpy as np
@@ -104,7 +103,6 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
     """
     inside = np.clip(kinks, least, most)
     edges = distinct(np.vstack([least, inside, most]), _SAME)
-    first, last = _first_pieces(edges, _widest(tolerance))
     end = edges[-1]
     constant = _constant(function, end)
 
@@ -116,44 +114,13 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
         sizes = np.abs(chebyshev)
         return chebyshev, sizes, _next_coefficients(sizes)
 
-    for _, start, stop, chebyshev in converged_pieces(first, last, develop, tolerance, _SHORTEST):
+    for _, start, stop, chebyshev in converged_pieces(edges[:-1], edges[1:], develop, tolerance, _SHORTEST):
         starts.append(start)
         coefficients.append(_in_powers(chebyshev, stop - start))
     start = np.concatenate(starts)
     order = np.argsort(start.sum(axis=1), kind="stable")
     powers = np.concatenate(coefficients)
     return np.vstack([start[order], end]), np.concatenate([powers[order], constant])
-
-
-def _widest(tolerance: float) -> float:
-    """Return the width in rad at which interpolation meets the tolerance if all derivatives are at most 1."""
-    inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
-    return float(2 * (tolerance * inverse_error) ** (1 / TERMS))
-
-
-def _first_pieces(edges: Floats, widest: float) -> ArrayPair:
-    """Return both ends of the initial pieces, (pieces, n), each between two edges and at most `widest` wide.
-
-    The edges are rotations in rad, (edges, n), increasing.
-    """
-    widths = np.diff(edges, axis=0)
-    greatest_width = widths.max(axis=1, initial=0.0)
-    pieces = np.ceil(greatest_width / widest - 1e-9)
-    count = pieces.astype(np.intp)
-    numbers = map(np.arange, count)
-    number = np.concatenate([*numbers])  # of a piece between its edges
-    of = np.repeat(count, count)
-    start = np.repeat(edges[:-1], count, axis=0)
-    end = np.repeat(edges[1:], count, axis=0)
-    width = end - start
-    share_before = number / of
-    share_after = (number + 1) / of
-    first = start + width * share_before[:, None]
-    last = start + width * share_after[:, None]
-    at_end = share_after == 1.0
-    last[at_end] = end[at_end]
-    first[:1] = edges[0]  # even if adjacent kinks coincide with it
-    return first, last
 
 
 def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
