@@ -62,8 +62,10 @@ def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> 
     `name` is the name of the law, and `shape` the shape of the lanes.
     """
     _, breaks, polynomials = PIECES[name]
-    names = [p.name for p in LAWS[name].parameters]
-    arrays = {key: np.add(parameters[key], 0.0) for key in names}
+    arrays = {}
+    for p in LAWS[name].parameters:
+        value = parameters[p.name]
+        arrays[p.name] = np.add(value, 0.0)
     pieces = polynomials(**arrays)
     every = chain.from_iterable(pieces)
     values = [*np.broadcast_arrays(*every)]

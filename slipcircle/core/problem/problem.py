@@ -71,7 +71,7 @@ class Problem:
 
     def _columns(self) -> tuple[Floats, list[tuple[int, Floats]]]:
         """Return the initial cells that all lanes share, (cells,), and the others by their places."""
-        shared: Values = self.start
+        shared: ValueDict = self.start
         own: list[tuple[int, Floats]] = []
         places = self.program.places
         if self.lanes != 1:
