@@ -6,7 +6,7 @@ names. The file reader translates them to keys of scene files.
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, float_or_array, real_number
-from slipcircle.base.kinds import Flags, Floats, Shape, Values
+from slipcircle.base.kinds import ArrayMap, Flags, Shape, Values
 from slipcircle.core.scene.scene import Scene, checked_scene
 from slipcircle.tree import Leaf, leaves, mapped, put, replace_unchecked
 
@@ -114,8 +114,7 @@ def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
     else:
         size = abs(value) or usual.get(parameter.unit, 1.0)
     exponent = round(math.log2(size))
-    scale = 2.0**exponent
-    return float(scale)
+    return float(2.0**exponent)
 
 
 def parameter_value(scene: Scene, name: str) -> float | None:
@@ -126,8 +125,7 @@ def parameter_value(scene: Scene, name: str) -> float | None:
     leaf = possible_parameters(scene).get(name)
     if leaf is None or leaf.value is None:
         return None
-    value = np.asarray(leaf.value)
-    return float(value)
+    return float(np.asarray(leaf.value))
 
 
 def with_parameters(scene: Scene, values: Values) -> Scene:
@@ -142,8 +140,7 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     """
     numbers = {}
     for name, value in values.items():
-        is_array = array_of(value).ndim > 0
-        numbers[name] = value if is_array else real_number(value)
+        numbers[name] = value if array_of(value).ndim else real_number(value)
     values = scene.arc.together(numbers)
     changed = put(scene, values)
     arc = scene.arc if changed.arc is scene.arc else replace(changed.arc)
@@ -173,7 +170,7 @@ def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
     return lanes
 
 
-def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[Scene, Flags]:
+def with_parameter_arrays(scene: Scene, values: ArrayMap) -> tuple[Scene, Flags]:
     """Return a scene with arrays of numbers in SI units, and a mask of its invalid lanes, for `solve`.
 
     A value out of bounds or an impossible section makes its lane invalid and raises no error. In such lanes the scene

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import TextDict, Values
+from slipcircle.base.kinds import TextDict, TextMap, Values
 from slipcircle.core import Scene
 from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import Key
@@ -47,7 +47,7 @@ def _of_file(file: str) -> Iterator[Input]:
     yield from _of_table(layout.tables, toml_comments(file), "", layout.content)
 
 
-def _of_table(tables: Values, sources: Mapping[str, str], path: str, content: Values) -> Iterator[Input]:
+def _of_table(tables: Values, sources: TextMap, path: str, content: Values) -> Iterator[Input]:
     """Yield the inputs of the table at a path of a file and of its subtables.
 
     ``tables`` are the declared tables by path, ``sources`` the comments by path, and ``content`` is the content of the

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.arrays import EPS
-from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Texts, Values
+from slipcircle.base.kinds import Floats, Names, NumberDict, Pair, TextDict, Texts, Values
 from slipcircle.core import Motion, Scene, checked_scene, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
@@ -66,9 +66,9 @@ class Solution:
         Sum of the squared residuals over their standard errors (over the observed values if the errors are unknown).
     """
 
-    values: dict[str, float]
+    values: NumberDict
     motion: Motion
-    residuals: dict[str, float]
+    residuals: NumberDict
     covariance: Floats | None
     error_estimate: float
     chi_square: float
@@ -79,7 +79,7 @@ class Solution:
         return next(iter(self.values.values()))
 
     @property
-    def standard_errors(self) -> dict[str, float] | None:
+    def standard_errors(self) -> NumberDict | None:
         """Standard errors of the values, by field; None without a covariance."""
         if self.covariance is None:
             return None

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.arrays import quiet
-from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, ValueDict
+from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, TextMap, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors_by_method
@@ -32,7 +32,7 @@ REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is 
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
 FACTOR = "factor of safety, "  # before the method in the name of a result
 # Results of every motion with their units: signed, NaN without a result, 0 for a mass at rest.
-RESULTS: Mapping[str, str] = {
+RESULTS: TextMap = {
     **{name: quantity.unit for name, quantity in OUTCOMES.items()},
     "end_displacement": "m",
     "rotation": "rad",

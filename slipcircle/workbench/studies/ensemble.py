@@ -13,7 +13,7 @@ from generated.effects import Parameter
 from slipcircle.base import VERSION
 from slipcircle.base.arrays import array_of
 from slipcircle.base.errors import mistakes, raise_all
-from slipcircle.base.kinds import Floats, PathName, ValueDict, Values
+from slipcircle.base.kinds import Floats, PathName, TextPair, ValueDict, Values
 from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked_scene, plan
 from slipcircle.derivatives import parameter_value
@@ -71,7 +71,7 @@ def ensemble(
     accuracy: float | None = None,
     folder: PathName | None = None,
     progress: IO[str] | None = None,
-    correlation: Mapping[tuple[str, str], float] | None = None,
+    correlation: Mapping[TextPair, float] | None = None,
     search_each: bool = False,
     records: Any = None,
     polarities: bool = False,
@@ -156,7 +156,7 @@ def _base_points(requested: int | None, inputs: int, n: int, correlation: Any) -
     return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
-def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[tuple[str, str], float]) -> Floats:
+def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[TextPair, float]) -> Floats:
     """Return the correlation matrix of all inputs, (inputs, inputs), from correlations by pairs of keys or names.
 
     ``drawn`` are the uncertain inputs by name.

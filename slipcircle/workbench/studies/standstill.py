@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, NumberDict
 from slipcircle.core import Scene
 from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.starting import method_of
@@ -17,7 +17,7 @@ _PARTS = 16  # of a bracket
 _ROUNDS = 7
 
 
-def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> dict[str, float]:
+def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> NumberDict:
     """Return by name the nearest value, in SI units, of each parameter for a factor of safety of 1 at the start.
 
     The factor is computed by the starting method on the scene's circle. ``sizes`` has the names of parameters and the
