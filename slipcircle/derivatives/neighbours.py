@@ -96,11 +96,7 @@ def _is_open(errors: Sequence[Derivatives], goal: Sequence[float]) -> bool:
 
     `errors` has the derivative of each outcome, and `goal` the error at which each needs no further ladder.
     """
-    for one, most in zip(errors, goal, strict=True):
-        is_near = one.errors <= most
-        if not is_near or one.kinds == JUMP:
-            return True
-    return False
+    return not all(one.errors <= most and one.kinds != JUMP for one, most in zip(errors, goal, strict=True))
 
 
 # --- ensembles -------------------------------------------------------------------------------------------------------

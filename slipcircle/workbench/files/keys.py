@@ -15,7 +15,7 @@ import numpy as np
 
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
-from slipcircle.base.kinds import Names, NumberDict, Texts, ValueDict, Values
+from slipcircle.base.kinds import Names, NumberDict, Texts, ValueDict
 from slipcircle.core import Arc, Scene, declared
 from slipcircle.layers import RATE_LAWS, may_have_rate
 from slipcircle.tabulated import GIVEN

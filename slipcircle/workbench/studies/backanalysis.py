@@ -223,10 +223,7 @@ def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> Back
 
 def _exact(problem: SearchProblem) -> tuple[list[Solution], Texts]:
     """Return all solutions for one field and one observation, the fewest swings first, and warnings."""
-    if problem.limit is None:
-        values = solve_exact(problem)
-    else:
-        values = limit_value(problem)
+    values = solve_exact(problem) if problem.limit is None else limit_value(problem)
     solutions = [_solution(problem, [value]) for value in values]
     if not solutions:
         raise _unattainable(problem)
@@ -241,10 +238,8 @@ def _unattainable(problem: SearchProblem) -> ValueError:
     low, high = (extreme(problem, sign) for sign in (-1.0, 1.0))
     if math.isnan(low):
         return Unattainable(f"{field.key}: no value within the bounds makes this scene move and come to rest", {})
-    outcomes = []
-    for place in (low, high):
-        motion = solve(with_parameters(problem.scene, {field.name: field.to_si(place)}))
-        outcomes.append(float(observable(motion, name)))
+    scenes = (with_parameters(problem.scene, {field.name: field.to_si(place)}) for place in (low, high))
+    outcomes = [float(observable(solve(scene), name)) for scene in scenes]
     least, greatest = outcomes
     unit = OBSERVABLE[name].unit
     from_least = f"{least:.6g} {unit} (at {field.key} = {low:.6g})"
@@ -336,7 +331,11 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         inverse = np.linalg.pinv(jacobian)
         errors = [EPS if name == "factor_of_safety" else motion.error_estimate for name in problem.observed]
         error = max(float(np.max(np.abs(inverse) @ (errors * np.abs(outcomes) / problem.scales))), EPS)
-        covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
+        by_field = inverse * sizes[:, None]
+        if problem.is_weighted:
+            covariance = by_field @ by_field.T
+        elif problem.degrees_of_freedom:
+            covariance = by_field @ by_field.T * (chi_square / problem.degrees_of_freedom)
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)
 
@@ -356,18 +355,6 @@ def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -
     """Return ``slopes``, (observations, fields), as derivatives of scaled residuals by fields in their units."""
     with_values = zip(problem.fields, values, strict=True)
     return slopes / problem.scales[:, None] * np.array([field.slope(value) for field, value in with_values])
-
-
-def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
-    """Return the covariance of the fields from standard errors or the misfit; None if neither is known.
-
-    ``inverse`` is the pseudo-inverse of the derivatives of the scaled residuals, (fields, observations).
-    """
-    if problem.is_weighted:
-        return inverse @ inverse.T
-    if problem.degrees_of_freedom:
-        return inverse @ inverse.T * (chi_square / problem.degrees_of_freedom)
-    return None
 
 
 def _without_effect(keys: Sequence[str], problem: SearchProblem) -> ValueError:

@@ -133,7 +133,9 @@ def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records
     means = along_means(scene)
     matrix = _correlation(drawn, correlation)
     inputs = {k: u.number for k, u in drawn.items()}
-    base = _base_points(arguments["sensitivity"], len(drawn), n, correlation) if records is None else 0
+    base = arguments["sensitivity"]
+    if base is None:
+        base = min(_BASE, n) if len(drawn) > 1 and n > 1 and not correlation and records is None else 0
     tolerance = plan(means, accuracy).accuracy
     seed = _seed(rng, folder)
     size = int(arguments["size"] or _size(n, method))
@@ -144,16 +146,6 @@ def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records
     special()  # needed at the end; if missing, fail before hours of solving
     unshaken, motions = ground_motions(means, inputs, records, arguments)
     return replace(design, scene=unshaken, records=motions)
-
-
-def _base_points(requested: int | None, inputs: int, n: int, correlation: Any) -> int:
-    """Return the number of base points of the sensitivity indices, by default up to one for each sample.
-
-    ``requested`` is the user's number or None, ``inputs`` the number of inputs and ``n`` that of samples.
-    """
-    if requested is not None:
-        return requested
-    return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
 def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[TextPair, float]) -> Floats:

@@ -171,11 +171,9 @@ def observations(entered: Mapping[str, Observed]) -> tuple[dict[str, tuple[float
 
 def _is_possible(name: str, seen: float) -> bool:
     """Return whether the outcome with a name may have the value ``seen``; only the position of the toe may be 0."""
-    if not math.isfinite(seen):
-        return False
     if name in _POSITIVE:
-        return seen > 0.0
-    return seen != 0.0 or name == "toe_x"
+        return 0.0 < seen < math.inf
+    return math.isfinite(seen) and (seen != 0.0 or name == "toe_x")
 
 
 def _observation(value: Any) -> tuple[float, float | None]:
@@ -237,8 +235,7 @@ def search_problem(
 
 def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
     """Return the first limit among the intervals; None without a limit."""
-    limits = [interval for interval in intervals.values() if interval.limit is not None]
-    return limits[0] if limits else None
+    return next((interval for interval in intervals.values() if interval.limit is not None), None)
 
 
 def _ranges(scene: Scene, fields: Sequence[Key], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
@@ -246,13 +243,10 @@ def _ranges(scene: Scene, fields: Sequence[Key], ends: Mapping[str, Pair], is_al
 
     ``is_alone`` says that no other field varies.
     """
-    ranges = []
-    for number in fields:
-        if number.key in ends:
-            ranges.append(_between(number.key, *ends[number.key]))
-        else:
-            ranges.append(_range(scene, number, is_alone))
-    return ranges
+    return [
+        _between(number.key, *ends[number.key]) if number.key in ends else _range(scene, number, is_alone)
+        for number in fields
+    ]
 
 
 def _default_field(scene: Scene) -> str:
