@@ -62,8 +62,8 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
     first = ["friction"] if "friction" in numbers else []
     chosen = []
     for name in dict.fromkeys([*first, *numbers]):
-        is_present = np.any(numbers[name]) or not _rests_at_zero(name)
-        if is_present and name not in left_out:
+        absent_at_zero = name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
+        if (np.any(numbers[name]) or not absent_at_zero) and name not in left_out:
             chosen.append(name)
     return free_parameters(scene, chosen)
 
@@ -83,11 +83,6 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
         bounds = number.lower, number.upper
         free[name] = Free(name, number.unit, *bounds, value, scale)
     return free
-
-
-def _rests_at_zero(name: str) -> bool:
-    """Return whether zero means that the feature is absent, for a number with the given path."""
-    return name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
 
 
 def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:

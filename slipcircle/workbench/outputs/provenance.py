@@ -33,18 +33,13 @@ class Input(NamedTuple):
 
 def scene_inputs(scene: Scene, file: str) -> list[Input]:
     """Return the inputs of a scene as in the text of its file, with its comments; uncertain inputs are marked."""
-    inputs = list(_of_file(file))
+    layout = layout_of(tomllib.loads(file))
+    inputs = list(_of_table(layout.tables, toml_comments(file), "", layout.content))
     uncertain = {unknown.key: unknown.record for unknown in uncertain_numbers(scene).values()}
     for place, one in enumerate(inputs):
         if one.path in uncertain:
             inputs[place] = one._replace(value=f"uncertain, {_shown(uncertain[one.path])}")
     return inputs
-
-
-def _of_file(file: str) -> Iterator[Input]:
-    """Yield the inputs in the text of a file, table by table, and the defaults of missing keys."""
-    layout = layout_of(tomllib.loads(file))
-    yield from _of_table(layout.tables, toml_comments(file), "", layout.content)
 
 
 def _of_table(tables: Values, sources: TextMap, path: str, content: Values) -> Iterator[Input]:

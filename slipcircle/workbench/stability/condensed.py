@@ -67,15 +67,13 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats) -> Floats:
     """
     fine, kept = _condensed(search, _FINE, _NEGLIGIBLE, best[:, :2])
     along = search.along[kept]
-    ends = best[:, :2]
-    best[:, :2] = np.interp(ends, along, fine.along)
+    best[:, :2] = np.interp(best[:, :2], along, fine.along)
     for share in _STEPS:
         best, step = fine.refined(best, share * step, FINEST, _MANY_KINKS)
     best = _on_whole_lines(search, fine, kept, best)
 
     values = search.evaluate(best)
-    finite = np.isfinite(values)
-    if np.any(finite):
+    if np.any(np.isfinite(values)):
         order = sorted_indices(values)
         return best[order]
     best, _ = search.refined(best, step)
@@ -98,8 +96,7 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
         return search, kept
     x = ground[:, 0]
     after = x[1:]
-    upright = after[after == x[:-1]]
-    exact = np.isin(x, upright)
+    exact = np.isin(x, after[after == x[:-1]])
     exact[[0, -1]] = True
     numbers = np.searchsorted(search.along, ends.ravel())
     for number in numbers:
@@ -109,14 +106,12 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
         exact[first:last] = True
     if len(ground) > MANY_VERTICES:
         chosen = salient(ground, most, deviation)
-        fixed = np.flatnonzero(exact)
-        kept = np.union1d(chosen, fixed)
+        kept = np.union1d(chosen, np.flatnonzero(exact))
         ground = condensed(ground, kept, exact)
     level = None if arrays.level is None else _few(arrays.level, most)
     tops = tuple(_few(top, most) for top in arrays.tops)
     datums = {layer: _few(line, most) for layer, line in arrays.datums.items()}
-    condensed_arrays = replace(arrays, ground=ground[None], level=level, tops=tops, datums=datums)
-    return search.on_lines(condensed_arrays), kept
+    return search.on_lines(replace(arrays, ground=ground[None], level=level, tops=tops, datums=datums)), kept
 
 
 def _few(line: Floats, most: int) -> Floats:
@@ -124,8 +119,7 @@ def _few(line: Floats, most: int) -> Floats:
     if line.shape[1] <= MANY_VERTICES:
         return line
     (points,) = line
-    kept = salient(points, most, _NEGLIGIBLE)
-    return line[:, kept]
+    return line[:, salient(points, most, _NEGLIGIBLE)]
 
 
 def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats) -> Floats:
@@ -141,8 +135,7 @@ def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats
         circles[:, 2] = condensed.half_angles(q) / greatest
         circles[:, 3] = NONE
     ends = q[:, :2]
-    along = search.along[kept]
-    circles[:, :2] = np.interp(ends, condensed.along, along)
+    circles[:, :2] = np.interp(ends, condensed.along, search.along[kept])
     return circles
 
 
@@ -154,8 +147,7 @@ def salient(line: Floats, most: int, deviation: float) -> Integers:
     """
     size = np.ptp(line, axis=0)
     near = deviation * size.max()
-    every = np.arange(len(line))
-    kept = every[[0, -1]]
+    kept = np.arange(len(line))[[0, -1]]
     while len(kept) < most:
         edge = _edges(kept, len(line))
         knots = line[kept]
@@ -169,15 +161,13 @@ def salient(line: Floats, most: int, deviation: float) -> Integers:
         farthest = int(distance.argmax())
         if distance[farthest] <= near:
             break
-        more = np.append(kept, farthest)
-        kept = np.sort(more)
+        kept = np.sort(np.append(kept, farthest))
     return kept
 
 
 def _edges(kept: Integers, count: int) -> Any:
     """Return the index of the edge, between sorted vertices ``kept``, that contains each of ``count`` vertices."""
-    every = np.arange(count)
-    edge = np.searchsorted(kept, every, side="right") - 1
+    edge = np.searchsorted(kept, np.arange(count), side="right") - 1
     return np.minimum(edge, len(kept) - 2)
 
 

@@ -159,8 +159,7 @@ def _skin(slope: Slope) -> str:
 
 def _refuse_skin(slope: Slope, circle: Critical) -> None:
     """Raise a ValueError if the search leads to ever thinner masses, in a layer without cohesion at the ground."""
-    chord = math.dist(circle.entry, circle.exit)
-    if chord < 1e-4 * slope.size:
+    if math.dist(circle.entry, circle.exit) < 1e-4 * slope.size:
         words = f"the factor decreases towards ever thinner masses near x = {circle.entry[0]:.4g}"
         raise InputError("critical", [f"{{layers}}: {words}, where the soil has no cohesion; give a least depth"])
 

@@ -163,8 +163,7 @@ class Design:
     def points(self, index: int, dimensions: int) -> Floats:
         """Draw the points of the block with an index in the unit cube, (dimensions, count)."""
         stream, start, length = self.piece(index)
-        draw = sobol if self.method == "sobol" else monte_carlo
-        return draw(self.seed, stream, start, length, dimensions)
+        return (sobol if self.method == "sobol" else monte_carlo)(self.seed, stream, start, length, dimensions)
 
     def task(self, index: int) -> tuple[Callable[[int], Columns], int]:
         """Return the function that computes a block and its argument, with the records of the block alone."""
@@ -179,8 +178,7 @@ class Design:
         if self.method == "grid":
             # The values of each input in the scenes of a block of a grid, in the units of their keys.
             _, start, length = self.piece(index)
-            shape = [len(level) for level in self.levels]
-            places = np.unravel_index(np.arange(start, start + length), shape)
+            places = np.unravel_index(np.arange(start, start + length), [len(level) for level in self.levels])
             return [level[place] for level, place in zip(self.levels, places, strict=True)]
         d = len(self.inputs)
         if index < self.sample_blocks:

@@ -163,8 +163,7 @@ def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: Shape) -
     size = math.prod(shape) * kind.itemsize
     try:
         with open(os.open(path, os.O_RDWR | os.O_CREAT, 0o666), "r+b") if folder else TemporaryFile() as file:
-            header = {"descr": kind.str, "fortran_order": False, "shape": shape}
-            np.lib.format.write_array_header_1_0(file, header)
+            np.lib.format.write_array_header_1_0(file, {"descr": kind.str, "fortran_order": False, "shape": shape})
             start = file.tell()
             file.truncate(start + size)
             if hasattr(os, "posix_fallocate"):

@@ -116,8 +116,7 @@ def ensemble(
     >>> ensemble(replace(load("vaiont"), uncertain=angle), 1000, rng=1).moving.value
     1.0
     """
-    design = _design(scene, rng, accuracy, folder, records, locals())
-    return conduct(design, executor, confidence, folder, progress)
+    return conduct(_design(scene, rng, accuracy, folder, records, locals()), executor, confidence, folder, progress)
 
 
 def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, arguments: Values) -> Design:
@@ -175,8 +174,7 @@ def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[TextPair, floa
 
 def _size(n: int, method: str) -> int:
     """Return the number of samples in a block, a power of two, for ``n`` samples by a method of `METHODS` or a grid."""
-    sequences = REPLICATES if method == "sobol" else 1
-    each = max(n // sequences, 1)
+    each = max(n // (REPLICATES if method == "sobol" else 1), 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
     return min(max(2 ** max(each // 8, 1).bit_length() // 2, 256), most)
 
@@ -219,8 +217,7 @@ def grid(
     raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + faults)
     axes = tuple(np.asarray(values, float) for values in levels.values())
     accuracy = plan(scene, accuracy).accuracy
-    independent = np.eye(len(inputs))
-    design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, independent, 0, _size(n, "grid"))
+    design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, np.eye(len(inputs)), 0, _size(n, "grid"))
     return conduct(design, executor, 0.95, folder, progress)
 
 

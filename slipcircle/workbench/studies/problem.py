@@ -315,8 +315,7 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     They follow from scales of the arc, or are around the scene's value.
     """
     arc = scene.arc
-    scales = (arc.static_normal_stress, arc.radius, arc.gravity)
-    stress, radius, gravity = map(float_or_array, scales)
+    stress, radius, gravity = map(float_or_array, (arc.static_normal_stress, arc.radius, arc.gravity))
     to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
     by_scale = {
         "initial_velocity": 2 * math.sqrt(gravity * radius) * np.linspace(-1.0, 1.0, 241),

@@ -60,5 +60,4 @@ def _nearest(scene: Scene, name: str, value: float, size: float) -> float | None
 def _excess(scene: Any, name: str, values: Floats) -> Floats:
     """Return the factor of safety by the starting method minus 1, for values of a parameter in SI units."""
     by_method = factors_at_start(scene, {name: values}, _ACCURACY)
-    first = next(iter(by_method.values()))
-    return np.asarray(by_method.get(method_of(scene), first)) - 1.0
+    return np.asarray(by_method.get(method_of(scene), next(iter(by_method.values())))) - 1.0
