@@ -55,7 +55,8 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
     factor = 2.0**power
     longer = column[..., :-1]
     shorter = factor * column[..., 1:]
-    return np.asarray((shorter + sign * longer) / (factor - 1))
+    combined = shorter + sign * longer
+    return np.asarray(combined / (factor - 1))
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:

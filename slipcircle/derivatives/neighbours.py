@@ -122,7 +122,8 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
         beside.append(of_neighbours.reshape(-1, *offsets.shape))
     in_order = np.argsort(np.concatenate(parts))
     all_here = np.concatenate(here, axis=1)
-    return all_here[:, in_order, None], np.concatenate(beside, axis=1)[:, in_order]
+    all_beside = np.concatenate(beside, axis=1)
+    return all_here[:, in_order, None], all_beside[:, in_order]
 
 
 def _is_shape(scene: Scene[float], number: Free) -> bool:
