@@ -192,14 +192,17 @@ def python() -> str:
 
 def c() -> TextDict:
     """Return the same for the compiled integrator, and the members of the struct of a program's roles, by mark."""
-    rows = [
-        [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]
-        for _, prefix, start, names in NUMBERED.values()
-    ]
-    rows += [[f"{x} = {y}" for x, y in LIMITS.items()]]
-    enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
+    rows = []
+    for _, prefix, start, names in NUMBERED.values():
+        row = [f"{prefix}{x}" for x in names]
+        if start:
+            row[0] += f" = {start}"
+        rows.append(row)
+    rows.append([f"{x} = {y}" for x, y in LIMITS.items()])
+    enums = [f"enum {{ {', '.join(row)} }};\n" for row in rows]
+    shares = [f"#define {x} {y}\n" for x, y in SHARES.items()]
     return {
-        "CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),
+        "CELLS": "".join(enums + shares),
         "SIZES": f"HIGHEST = {HIGHEST}, STRIDE = {STRIDE}, CELLS = {len(CELLS)}, PARTS = {len(TABLE) - 1}, "
         f"REGISTER_ROLES = {sum(not x.startswith('cell_') for x in ROLES)}",
         "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n",

@@ -64,9 +64,7 @@ ENTRIES |= {
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
-    **dict.fromkeys(
-        ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "expm1", "sqrt", "hypot", "number"), ""
-    ),
+    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "expm1", "sqrt", "number"), ""),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at"), "V"),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
@@ -76,13 +74,23 @@ PRIMITIVES = {
     "tail": "S",
     "numbers": "A",
     "none_of": "M",
-    "isnan": "B",
 }
 
 
 # Constants that `one_lane` defines.
-GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS", "SHORTEST", "NODES", "SHARES", "LAST_SHARES",
-         "NEXT_SHARES")  # fmt: skip
+GIVEN = (
+    "EPS",
+    "INFINITY",
+    "SINES",
+    "COSINES",
+    "ARCSINE",
+    "LAST_OF_ARCSINE",
+    "SHORTEST",
+    "NODES",
+    "SHARES",
+    "LAST_SHARES",
+    "NEXT_SHARES",
+)
 
 
 class GrammarError(Exception):

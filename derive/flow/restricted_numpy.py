@@ -79,8 +79,6 @@ FORMS = {
     "log": "np.log",
     "expm1": "np.expm1",
     "sqrt": "np.sqrt",
-    "hypot": "np.hypot",
-    "isnan": "np.isnan",
     "number": "float",
     "number.F": "{a}",
     "new_series": "np.zeros((ix.STRIDE, {series}.shape[1]))",

@@ -66,7 +66,8 @@ def factors_of_terms(e: S, q: V, rate: V) -> None:
         drive = weight * e[NET] + before * e[LOAD]
         sine = weight * e[NET + 1] + before * e[LOAD + 1]
         vers = weight * e[NET + 2] + before * e[LOAD + 2]
-        factors(part, drive, sine, vers, q + number(j) * rate)
+        faster = q + number(j) * rate
+        factors(part, drive, sine, vers, faster)
         e[CONSTANT + j] = (part[0] + part[3]) / part[4]
         e[SINE + j] = part[3]
         e[VERS + j] = part[2]
@@ -82,7 +83,8 @@ def softening_factors(s: Lanes, e: S) -> None:
     e[NET] = s.drive - s.net_loss
     e[NET + 1] = s.net_sine - s.net_loss_sine
     e[NET + 2] = s.net_vers - s.net_loss_vers
-    factors_of_terms(e, 2.0 * (s.net_loss_square - s.net_square), s.loss_rate)
+    q = 2.0 * (s.net_loss_square - s.net_square)
+    factors_of_terms(e, q, s.loss_rate)
 
 
 def factors_about_end(s: Lanes, back: S, e: S, f: S) -> None:
@@ -99,7 +101,10 @@ def factors_about_end(s: Lanes, back: S, e: S, f: S) -> None:
 
 def series_suffices(s: Lanes, e: S) -> M:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
-    return abs(s.net_loss) <= DRIVEN * s.drive and abs(e[SHIFT]) <= GREATEST and 2.0 * e[4] + s.loss_rate < 0.0
+    driven = abs(s.net_loss) <= DRIVEN * s.drive
+    converges = abs(e[SHIFT]) <= GREATEST
+    resonates = 2.0 * e[4] + s.loss_rate >= 0.0
+    return driven and converges and not resonates
 
 
 def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
@@ -127,14 +132,17 @@ def softening_energy(e: S, f: S) -> V:
         constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
-    terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
+    sine = f[0] - f[3]
+    turned_part = of_vers * f[2] - of_sine * sine
+    terms = f[4] * constant + turned_part
     shift = e[SHIFT] * left
     grown: V = 0.0
     for k in down(LAST, 0):
         grown = FADING[k] - grown * shift
     square = shift * shift
     grown = 1.0 + (shift + square * grown)
-    faded_part = e[4] * (above * first) * (f[0] - e[4] * f[1])
+    lost = f[0] - e[4] * f[1]
+    faded_part = e[4] * (above * first) * lost
     return grown * (energy(e, f) + (terms + faded_part))
 
 
@@ -188,8 +196,10 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     most: V = CLOSER if fine else ALIKE
-    accurate = abs(last) + abs(last_but_one) <= most * total
-    return where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+    uneven = abs(last) + abs(last_but_one)
+    accurate = uneven <= most * total
+    time = end * unit * (1.0 + bend) * total
+    return where(accurate, time, INFINITY)
 
 
 def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
