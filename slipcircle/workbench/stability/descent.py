@@ -88,13 +88,11 @@ class Descent:
         step = self._step[live, None, :3]
         self._leaps[live] = to_middle + leaps * step
         by_leap = chosen >= len(_OFFSETS)
-        beside_middle = ~by_leap & (chosen != _MIDDLE)
-        on_rim = gains & beside_middle
-        led_by_parabola = better & by_leap
+        on_rim = gains & ~by_leap & (chosen != _MIDDLE)
         # The parabola along all three axes has its minimum within the grid but not in its middle.
         in_all_numbers = leaps[:, -1]
         smooth = np.all(np.abs(in_all_numbers) < 1.0, axis=1) & np.any(in_all_numbers, axis=1)
-        smooth |= led_by_parabola
+        smooth |= better & by_leap
         self._scale_steps(live, on_rim, smooth)
 
     def _scale_steps(self, live: Any, on_rim: Any, smooth: Any) -> None:

@@ -14,18 +14,7 @@ from generated.effects import COHESION_LAWS
 from slipcircle.base.arrays import freeze
 from slipcircle.base.errors import complaint, raise_all
 from slipcircle.base.inputerror import InputError
-from slipcircle.base.kinds import (
-    ArrayDict,
-    ArrayPair,
-    Floats,
-    Function,
-    Parameters,
-    Shape,
-    TextPair,
-    Texts,
-    ValueDict,
-    Values,
-)
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
 from slipcircle.ground import Ponds, Section, free_water, present, slope_errors, water_fault
 from slipcircle.layers import (
@@ -42,7 +31,7 @@ from slipcircle.workbench.stability.columns import SLOPE_NUMBERS, SlopeArrays, S
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
-METHODS: Mapping[str, TextPair] = {
+METHODS: Mapping[str, tuple[str, str]] = {
     "paper": (
         "the paper's method",
         "c + mu max(0, s), s the mean of the effective normal stress "

@@ -315,7 +315,7 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
 def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     """Return the solution with these values of the fields; ValueError if the observations do not determine them."""
     by_key = {field.key: float(value) for field, value in zip(problem.fields, values, strict=True)}
-    si = {field.name: float(field.to_si(value)) for field, value in zip(problem.fields, values, strict=True)}
+    si = {field.name: float(field.to_si(by_key[field.key])) for field in problem.fields}
     motion = solve(with_parameters(problem.scene, si))
     slopes = _slopes(problem, motion, si)
     outcomes = problem.seen(motion)
@@ -331,13 +331,12 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         inverse = np.linalg.pinv(jacobian)
         errors = [EPS if name == "factor_of_safety" else motion.error_estimate for name in problem.observed]
         error = max(float(np.max(np.abs(inverse) @ (errors * np.abs(outcomes) / problem.scales))), EPS)
-        by_field = inverse * sizes[:, None]
-        if problem.is_weighted:
-            covariance = by_field @ by_field.T
-        elif problem.degrees_of_freedom:
-            covariance = by_field @ by_field.T * (chi_square / problem.degrees_of_freedom)
-    missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
-    return Solution(by_key, motion, missed, covariance, error, chi_square)
+        freedom = problem.degrees_of_freedom
+        if problem.is_weighted or freedom:
+            by_field = inverse * sizes[:, None]
+            covariance = by_field @ by_field.T * (1.0 if problem.is_weighted else chi_square / freedom)
+    missed = zip(problem.observed, residuals.tolist(), strict=True)
+    return Solution(by_key, motion, dict(missed), covariance, error, chi_square)
 
 
 def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
