@@ -67,13 +67,15 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats) -> Floats:
     """
     fine, kept = _condensed(search, _FINE, _NEGLIGIBLE, best[:, :2])
     along = search.along[kept]
-    best[:, :2] = np.interp(best[:, :2], along, fine.along)
+    ends = best[:, :2]
+    best[:, :2] = np.interp(ends, along, fine.along)
     for share in _STEPS:
         best, step = fine.refined(best, share * step, FINEST, _MANY_KINKS)
     best = _on_whole_lines(search, fine, kept, best)
 
     values = search.evaluate(best)
-    if np.any(np.isfinite(values)):
+    finite = np.isfinite(values)
+    if np.any(finite):
         order = sorted_indices(values)
         return best[order]
     best, _ = search.refined(best, step)
@@ -96,7 +98,8 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
         return search, kept
     x = ground[:, 0]
     after = x[1:]
-    exact = np.isin(x, after[after == x[:-1]])
+    upright = after[after == x[:-1]]
+    exact = np.isin(x, upright)
     exact[[0, -1]] = True
     numbers = np.searchsorted(search.along, ends.ravel())
     for number in numbers:
@@ -106,12 +109,14 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
         exact[first:last] = True
     if len(ground) > MANY_VERTICES:
         chosen = salient(ground, most, deviation)
-        kept = np.union1d(chosen, np.flatnonzero(exact))
+        fixed = np.flatnonzero(exact)
+        kept = np.union1d(chosen, fixed)
         ground = condensed(ground, kept, exact)
     level = None if arrays.level is None else _few(arrays.level, most)
     tops = tuple(_few(top, most) for top in arrays.tops)
     datums = {layer: _few(line, most) for layer, line in arrays.datums.items()}
-    return search.on_lines(replace(arrays, ground=ground[None], level=level, tops=tops, datums=datums)), kept
+    condensed_arrays = replace(arrays, ground=ground[None], level=level, tops=tops, datums=datums)
+    return search.on_lines(condensed_arrays), kept
 
 
 def _few(line: Floats, most: int) -> Floats:
@@ -119,7 +124,8 @@ def _few(line: Floats, most: int) -> Floats:
     if line.shape[1] <= MANY_VERTICES:
         return line
     (points,) = line
-    return line[:, salient(points, most, _NEGLIGIBLE)]
+    kept = salient(points, most, _NEGLIGIBLE)
+    return line[:, kept]
 
 
 def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats) -> Floats:
@@ -135,7 +141,8 @@ def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats
         circles[:, 2] = condensed.half_angles(q) / greatest
         circles[:, 3] = NONE
     ends = q[:, :2]
-    circles[:, :2] = np.interp(ends, condensed.along, search.along[kept])
+    along = search.along[kept]
+    circles[:, :2] = np.interp(ends, condensed.along, along)
     return circles
 
 
@@ -147,7 +154,8 @@ def salient(line: Floats, most: int, deviation: float) -> Integers:
     """
     size = np.ptp(line, axis=0)
     near = deviation * size.max()
-    kept = np.arange(len(line))[[0, -1]]
+    every = np.arange(len(line))
+    kept = every[[0, -1]]
     while len(kept) < most:
         edge = _edges(kept, len(line))
         knots = line[kept]
@@ -161,13 +169,15 @@ def salient(line: Floats, most: int, deviation: float) -> Integers:
         farthest = int(distance.argmax())
         if distance[farthest] <= near:
             break
-        kept = np.sort(np.append(kept, farthest))
+        more = np.append(kept, farthest)
+        kept = np.sort(more)
     return kept
 
 
 def _edges(kept: Integers, count: int) -> Any:
     """Return the index of the edge, between sorted vertices ``kept``, that contains each of ``count`` vertices."""
-    edge = np.searchsorted(kept, np.arange(count), side="right") - 1
+    every = np.arange(count)
+    edge = np.searchsorted(kept, every, side="right") - 1
     return np.minimum(edge, len(kept) - 2)
 
 

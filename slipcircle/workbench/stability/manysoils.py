@@ -59,7 +59,8 @@ def _from_outcrops(search: Search) -> ArrayPair:
     is_lowest_between = np.isfinite(radius) & (left[:, 0] < x) & (x < right[:, 0])
     by_edge = is_lowest_between.reshape(-1, len(q))
     next_below = by_edge & (np.cumsum(by_edge, axis=0) <= _BELOW)
-    chosen = touching.reshape(-1, len(q), 4).swapaxes(0, 1)[next_below.T]
+    of_circles = touching.reshape(-1, len(q), 4).swapaxes(0, 1)
+    chosen = of_circles[next_below.T]
     spacing = np.interp(chosen[:, :2], ends, np.gradient(ends))
     return chosen, np.pad(spacing, [(0, 0), (0, 2)])
 
@@ -87,7 +88,8 @@ def with_few_unit_weights(arrays: SlopeArrays) -> SlopeArrays:
 
     def means(values: Floats) -> Floats:
         weighted = values[:, 0] * thickness
-        return np.round((np.bincount(group, weighted) / total)[group, None], 3)  # so that rounding leaves no steps
+        mean = np.bincount(group, weighted) / total
+        return np.round(mean[group, None], 3)  # so that rounding leaves no steps
 
     soils = arrays.soils
     few = soils._replace(unit_weight=means(soils.unit_weight), saturated_unit_weight=means(soils.saturated_unit_weight))

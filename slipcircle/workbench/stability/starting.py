@@ -69,11 +69,13 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
 
     With ``slipped``, strength is residual; ``most`` is the greatest number of lanes in a block.
     """
-    for slope, circles, lanes in circles_of(scene, slipped, **most):
+    blocks = circles_of(scene, slipped, **most)
+    for slope, circles, lanes in blocks:
         is_shared = _is_shared(slope, circles)
         if not is_shared:
             circles = circles_of_lanes(circles, lanes)
-        yield driven_slices(slope, *circles, _RULE), lanes
+        driven = driven_slices(slope, *circles, _RULE)
+        yield driven, lanes
 
 
 def yield_by(scene: Any, method: str) -> Any:
@@ -125,7 +127,8 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
     cohesion = soils.cohesion * kept
     growth = soils.cohesion_gradient * kept
     soils = soils._replace(friction=rest, cohesion=cohesion, cohesion_gradient=growth)
-    driven = driven_slices(replace(slope, ground=turned[None], soils=soils), centre, radius, left, right, _RULE)
+    moved = replace(slope, ground=turned[None], soils=soils)
+    driven = driven_slices(moved, centre, radius, left, right, _RULE)
     with quiet():
         return float(factor_by(method, driven)[0])
 

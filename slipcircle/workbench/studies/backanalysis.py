@@ -331,12 +331,9 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         inverse = np.linalg.pinv(jacobian)
         errors = [EPS if name == "factor_of_safety" else motion.error_estimate for name in problem.observed]
         error = max(float(np.max(np.abs(inverse) @ (errors * np.abs(outcomes) / problem.scales))), EPS)
-        freedom = problem.degrees_of_freedom
-        if problem.is_weighted or freedom:
-            by_field = inverse * sizes[:, None]
-            covariance = by_field @ by_field.T * (1.0 if problem.is_weighted else chi_square / freedom)
-    missed = zip(problem.observed, residuals.tolist(), strict=True)
-    return Solution(by_key, motion, dict(missed), covariance, error, chi_square)
+        covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
+    missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
+    return Solution(by_key, motion, missed, covariance, error, chi_square)
 
 
 def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
@@ -354,6 +351,18 @@ def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -
     """Return ``slopes``, (observations, fields), as derivatives of scaled residuals by fields in their units."""
     with_values = zip(problem.fields, values, strict=True)
     return slopes / problem.scales[:, None] * np.array([field.slope(value) for field, value in with_values])
+
+
+def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
+    """Return the covariance of the fields from standard errors or the misfit; None if neither is known.
+
+    ``inverse`` is the pseudo-inverse of the derivatives of the scaled residuals, (fields, observations).
+    """
+    if problem.is_weighted:
+        return inverse @ inverse.T
+    if problem.degrees_of_freedom:
+        return inverse @ inverse.T * (chi_square / problem.degrees_of_freedom)
+    return None
 
 
 def _without_effect(keys: Sequence[str], problem: SearchProblem) -> ValueError:
