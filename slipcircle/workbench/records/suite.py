@@ -176,10 +176,15 @@ class Suite:
         return [*map(str, self.unread), *(f"{entry.name}: is a vertical component" for entry in self.verticals)]
 
     @property
+    def not_used(self) -> Texts:
+        """Unused files, columns and components as warnings."""
+        return [f"{line}; not used" for line in self.reasons]
+
+    @property
     def warnings(self) -> Texts:
         """Warnings about unused files and columns, and about each record whose velocity does not end near 0."""
         drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
-        return [f"{line}; not used" for line in self.reasons] + drifts
+        return self.not_used + drifts
 
     def to_dict(self) -> ValueDict:
         """Return records with their intensity measures, vertical components, pairs and unused files, for JSON."""
