@@ -3,6 +3,7 @@
 Each piece interpolates at Chebyshev nodes. It is halved until the neglected coefficients are small enough.
 """
 
+import math
 from collections.abc import Callable, Iterator
 
 import numpy as np
@@ -102,7 +103,7 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
         Coefficients in powers of the distance to the break, (pieces, TERMS, functions, n).
     """
     inside = np.clip(kinks, least, most)
-    edges = distinct(np.vstack([least, inside, most]), _SAME)
+    edges = _divided(distinct(np.vstack([least, inside, most]), _SAME), tolerance)
     end = edges[-1]
     constant = _constant(function, end)
 
@@ -121,6 +122,21 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
     order = np.argsort(start.sum(axis=1), kind="stable")
     powers = np.concatenate(coefficients)
     return np.vstack([start[order], end]), np.concatenate([powers[order], constant])
+
+
+def _divided(edges: Floats, tolerance: float) -> Floats:
+    """Return edges of pieces, (edges, n), with further ones where a piece is too wide for the tolerance.
+
+    A piece is narrow enough if interpolation meets the tolerance for a function whose derivatives are at most 1.
+    """
+    inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
+    widest = 2 * (tolerance * inverse_error) ** (1 / TERMS)
+    while True:
+        is_wide = (np.diff(edges, axis=0) > widest).any(axis=1)
+        if not np.any(is_wide):
+            return edges
+        middle = (edges[:-1] + edges[1:]) / 2
+        edges = np.sort(np.concatenate([edges, middle[is_wide]]), axis=0)
 
 
 def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
