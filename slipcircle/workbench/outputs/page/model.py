@@ -12,10 +12,9 @@ import numpy as np
 from generated import layout as ix
 from generated.program import integers_of
 from slipcircle.base.kinds import Names, ValueDict
-from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, solve
+from slipcircle.core import ROUNDED, RUNS, STATUS_OF_END, Motion, Problem, Scene, Status, perturbed_runs, plan, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays
 from slipcircle.history import OUTPUTS, of_means
-from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
 from slipcircle.stiff import may_creep
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Key, by_name, in_output_unit
