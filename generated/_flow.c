@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b10412d374e1dd181853b27bba8a6cf8ef168c8f0b771d399a5db1b8c7c58d8a"
+#define DIGEST "469cf4c9427285228f2c65c203c32b2008d30671a43c1d35a68597767177df62"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -4221,8 +4221,8 @@ static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
     end_motion(b, here, rate, broadcast(ENDED));
 }
 
-/* Complete phases under constant friction, up to rest or to the end time, and return the lanes that are complete.
- * ``f`` has the functions of E at the end of the phase. */
+/* Complete phases under constant friction, up to rest or the end time, and return these lanes. ``f`` has the
+ * functions of E at the end of the phase. */
 static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
 {
     V *const c = b->c;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0f03d24a0113d4cf8ade99b6678167ee5fcf11748dc365cd55d6fc33499956d8
+# sha256 of the text below: 376e38a7aa4f894bb45095f3f653ec3caa280ef41055c02759168ff30feb52ea
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2731,7 +2731,7 @@ def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Fl
 
 
 def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end: Floats, peak: Floats) -> Mask:
-    """Complete phases under constant friction, up to rest or to the end time, and return the lanes that are complete."""
+    """Complete phases under constant friction, up to rest or the end time, and return these lanes."""
     c = s.cells
     w = np.zeros((ix.STRIDE, e.shape[1]))
     duration = duration_of_swing(s, e, back, end, w, fits)

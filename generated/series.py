@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5bdd55855765bdf503ab9ca8fd24c46890f8d084dac50d0d771883482f2b6fdd
+# sha256 of the text below: e84399c030b6e347969c1aa0e7cdc0d498a7cd7a5c9ac891061fd5c2aa227eb4
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "b10412d374e1dd181853b27bba8a6cf8ef168c8f0b771d399a5db1b8c7c58d8a"  # of the compiled integrator's source
+DIGEST = "469cf4c9427285228f2c65c203c32b2008d30671a43c1d35a68597767177df62"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

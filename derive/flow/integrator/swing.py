@@ -337,7 +337,7 @@ def end_within(s: Lanes, here: M, e: S, back: S, w: S, end: V) -> None:
 
 
 def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M:
-    """Complete phases under constant friction, up to rest or to the end time, and return the lanes that are complete.
+    """Complete phases under constant friction, up to rest or the end time, and return these lanes.
 
     ``f`` has the functions of E at the end of the phase.
     """
