@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "469cf4c9427285228f2c65c203c32b2008d30671a43c1d35a68597767177df62"
+#define DIGEST "875f429f7c71446cf2ba04b3ca8716e50ad31598e52ba3bf9bd173e2baead52c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3578,7 +3578,7 @@ static void turn_on(Batch *b, M here)
     }
     V duration = before + after;
     V until = c[TIME] + duration;
-    M stands = c[STEP] == 0.0;
+    M stands = (c[STEP] == 0.0) & (c[EVENT] == (double)EVENT_STANDSTILL);
     M regular = (duration > BRIEFEST) | stands;
     M fits = here & regular & (until < c[END_TIME]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 376e38a7aa4f894bb45095f3f653ec3caa280ef41055c02759168ff30feb52ea
+# sha256 of the text below: af87297d563d45efd1a5dcd28bf7aad43c971461d6d208f810f412e908ae47d1
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2178,7 +2178,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
         count = count + 1
     duration = before + after
     until = c[ix.TIME] + duration
-    stands = c[ix.STEP] == 0.0
+    stands = (c[ix.STEP] == 0.0) & (c[ix.EVENT] == ix.EVENT_STANDSTILL)
     regular = (duration > BRIEFEST) | stands
     fits = here & regular & (until < c[ix.END_TIME])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
