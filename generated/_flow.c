@@ -1,9 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-<<<<<<< HEAD
-#define DIGEST "09f0da9a06906adbd91c6e7202f09eb5f2195b6f3df73422bad68db9410508db"
-=======
-#define DIGEST "875f429f7c71446cf2ba04b3ca8716e50ad31598e52ba3bf9bd173e2baead52c"
->>>>>>> main
+#define DIGEST "f686258622fb32afbff2418721d9f57f38b16995faecec973b38dab2f30ed135"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.

@@ -1,9 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-<<<<<<< HEAD
-# sha256 of the text below: 849fe2ab36e91e7752c1b813277e3b8b6876d7a5c8743e72486a55e33c8f2e2c
-=======
-# sha256 of the text below: af87297d563d45efd1a5dcd28bf7aad43c971461d6d208f810f412e908ae47d1
->>>>>>> main
+# sha256 of the text below: f870c5d8f877c32d542dff5185d5cd22984fe63e584bae64ecf135a7726153ab
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of

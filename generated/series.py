@@ -1,9 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-<<<<<<< HEAD
-# sha256 of the text below: 8e146e28f9545ac911948d097d0d32de4b705415e700e0ec875c900273bd89ee
-=======
-# sha256 of the text below: 858405ce0218a6e7eb7fecba2a7d62ca874581ed2cb0f5ba2ff8c980bde06e33
->>>>>>> main
+# sha256 of the text below: 33235163b609000cb072dee49b21b3f1b58bda7d87e7900e526d4237f0ce2ede
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -19,11 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-<<<<<<< HEAD
-DIGEST = "09f0da9a06906adbd91c6e7202f09eb5f2195b6f3df73422bad68db9410508db"  # of the compiled integrator's source
-=======
-DIGEST = "875f429f7c71446cf2ba04b3ca8716e50ad31598e52ba3bf9bd173e2baead52c"  # of the compiled integrator's source
->>>>>>> main
+DIGEST = "f686258622fb32afbff2418721d9f57f38b16995faecec973b38dab2f30ed135"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
