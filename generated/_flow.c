@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "f686258622fb32afbff2418721d9f57f38b16995faecec973b38dab2f30ed135"
+#define DIGEST "0fa80284c56fc2cf19f3c43a0f043bbedaeb4226e6bf45994cdd67c313e37b52"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3847,6 +3847,22 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     f[7] = 2.0 * (turns + softens);
 }
 
+/* Return E and the integrand at a node of `time_of_part`, with its arguments. */
+INLINE Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
+{
+    V here = unit * (node * node);
+    V other = 1.0 + (bend * (1.0 - node));
+    V share = 1.0 / (here + (other * other));
+    V past = end * (here * share);
+    V f[STRIDE];
+    softening_functions(b, e, f, past);
+    if (part) {
+        count_from_end(b, e, f, end - past);
+    }
+    V energy_there = softening_energy(e, f);
+    return (Pair){energy_there, (((share * share) * (other * node)) / sqrt_of(energy_there))};
+}
+
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
  * distances to both rests. E rises from node to node. */
@@ -3857,7 +3873,6 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
     V lower = broadcast(0.0);
-    V f[STRIDE];
     int fine = job->order > FINEST;
     int longest = fine && (part == 0);
     int k_first = (fine == part) ? SHORTEST : 0;
@@ -3867,16 +3882,8 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         V weight = broadcast(longest ? LONG_SHARES[k] : SHARES[k]);
         V weight_of_last = broadcast(longest ? LONG_LAST_SHARES[k] : LAST_SHARES[k]);
         V weight_of_next = broadcast(longest ? LONG_NEXT_SHARES[k] : NEXT_SHARES[k]);
-        V here = unit * (node * node);
-        V other = 1.0 + (bend * (1.0 - node));
-        V share = 1.0 / (here + (other * other));
-        V past = end * (here * share);
-        softening_functions(b, e, f, past);
-        if (part) {
-            count_from_end(b, e, f, end - past);
-        }
-        V at = softening_energy(e, f);
-        V slowness = ((share * share) * (other * node)) / sqrt_of(at);
+        const Pair at_slowness = at_node(b, e, end, unit, bend, node, part);
+        V at = at_slowness.one, slowness = at_slowness.other;
         total = pick(at > lower, total + (weight * slowness), broadcast(INFINITY));
         lower = at;
         last = last + (weight_of_last * slowness);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f870c5d8f877c32d542dff5185d5cd22984fe63e584bae64ecf135a7726153ab
+# sha256 of the text below: 3830d0f6a1a93f5158e08eb9c4138576e6e60b0671578d47a342345041d2a1b6
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2412,13 +2412,27 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     f[7] = 2.0 * (turns + softens)
 
 
+def at_node(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, node: Floats, part: int) -> tuple[Floats,
+        Floats]:
+    """Return E and the integrand at a node of `time_of_part`, with its arguments."""
+    here = unit * (node * node)
+    other = 1.0 + bend * (1.0 - node)
+    share = 1.0 / (here + other * other)
+    past = end * (here * share)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
+    softening_functions(s, e, f, past)
+    if part:
+        count_from_end(s, e, f, end - past)
+    energy_there = softening_energy(e, f)
+    return (energy_there, share * share * (other * node) / np.sqrt(energy_there))
+
+
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain."""
     total: Floats = 0.0
     last: Floats = 0.0
     last_but_one: Floats = 0.0
     lower: Floats = 0.0
-    f = np.zeros((ix.STRIDE, e.shape[1]))
     fine = s.highest > FINEST
     longest = fine and part == 0
     k_first = SHORTEST if fine == part else 0
@@ -2428,15 +2442,7 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
         weight: Floats = LONG_SHARES[k] if longest else SHARES[k]
         weight_of_last: Floats = LONG_LAST_SHARES[k] if longest else LAST_SHARES[k]
         weight_of_next: Floats = LONG_NEXT_SHARES[k] if longest else NEXT_SHARES[k]
-        here = unit * (node * node)
-        other = 1.0 + bend * (1.0 - node)
-        share = 1.0 / (here + other * other)
-        past = end * (here * share)
-        softening_functions(s, e, f, past)
-        if part:
-            count_from_end(s, e, f, end - past)
-        at = softening_energy(e, f)
-        slowness = share * share * (other * node) / np.sqrt(at)
+        at, slowness = at_node(s, e, end, unit, bend, node, part)
         total = np.where(at > lower, total + weight * slowness, INFINITY)
         lower = at
         last = last + weight_of_last * slowness

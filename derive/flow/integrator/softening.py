@@ -170,6 +170,20 @@ def soften(s: Lanes, e: S, f: S, x: V) -> None:
     f[7] = 2.0 * (turns + softens)
 
 
+def at_node(s: Lanes, e: S, end: V, unit: V, bend: V, node: V, part: N) -> tuple[V, V]:
+    """Return E and the integrand at a node of `time_of_part`, with its arguments."""
+    here = unit * (node * node)
+    other = 1.0 + bend * (1.0 - node)
+    share = 1.0 / (here + other * other)
+    past = end * (here * share)
+    f = new_series()
+    softening_functions(s, e, f, past)
+    if part:
+        count_from_end(s, e, f, end - past)
+    energy_there = softening_energy(e, f)
+    return energy_there, share * share * (other * node) / sqrt(energy_there)
+
+
 def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain.
 
@@ -180,7 +194,6 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
     last: V = 0.0
     last_but_one: V = 0.0
     lower: V = 0.0
-    f = new_series()
     fine: N = s.highest > FINEST
     longest: N = fine and part == 0
     k_first: N = SHORTEST if fine == part else 0
@@ -190,15 +203,7 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
         weight: V = LONG_SHARES[k] if longest else SHARES[k]
         weight_of_last: V = LONG_LAST_SHARES[k] if longest else LAST_SHARES[k]
         weight_of_next: V = LONG_NEXT_SHARES[k] if longest else NEXT_SHARES[k]
-        here = unit * (node * node)
-        other = 1.0 + bend * (1.0 - node)
-        share = 1.0 / (here + other * other)
-        past = end * (here * share)
-        softening_functions(s, e, f, past)
-        if part:
-            count_from_end(s, e, f, end - past)
-        at = softening_energy(e, f)
-        slowness = share * share * (other * node) / sqrt(at)
+        at, slowness = at_node(s, e, end, unit, bend, node, part)
         total = where(at > lower, total + weight * slowness, INFINITY)
         lower = at
         last = last + weight_of_last * slowness
