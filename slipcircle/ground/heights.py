@@ -45,17 +45,22 @@ class HeightIntegrals(NamedTuple):
         ahead = first + 1.5 * np.pi
         turns = turn * np.floor(ahead / turn)
         circles, count = self.slope.shape
-        start = (first - turns).reshape(-1, circles, 1)  # within a turn from -3 pi/2
-        end = (last - turns).reshape(-1, circles, 1)
+        new_first = first - turns  # within a turn from -3 pi/2
+        new_last = last - turns
+        start = new_first.reshape(-1, circles, 1)
+        end = new_last.reshape(-1, circles, 1)
         total = np.zeros(start.shape[:2])
         rows = max(1, _TOGETHER // max(1, circles))
         arcs = min(rows, len(total)) * circles
         together = max(1, _TOGETHER // max(1, arcs))
-        for row, k in product(range(0, len(total), rows), range(0, count, together)):
+        first_rows = range(0, len(total), rows)
+        first_pieces = range(0, count, together)
+        for row, k in product(first_rows, first_pieces):
             some = slice(row, row + rows)
             chosen = slice(k, k + together)
             pieces = self.pieces.only(chosen)
-            by_piece = _over_parts(pieces, self.slope[:, chosen], start[some], end[some])
+            slope = self.slope[:, chosen]
+            by_piece = _over_parts(pieces, slope, start[some], end[some])
             total[some] += by_piece.sum(axis=-1)
         shape = np.shape(first)
         return total.reshape(shape)
@@ -78,7 +83,8 @@ def _over_parts(pieces: GroundPieces, slope: Floats, first: Floats, last: Floats
     angle = np.where(is_whole, span, part)
     ahead = start - low
     tangent = np.tan(ahead / 2)
-    along = 2 * tangent / (1.0 + tangent**2)  # sin(ahead)
+    square = tangent**2
+    along = 2 * tangent / (1.0 + square)  # sin(ahead)
     bent = along * tangent  # 1 - cos(ahead)
     more_sine = cosine * along - sine * bent
     fall = sine * along
