@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "79fcf59f125f4b36d29462aeac63509c2ef0d50153aa3b9bc7db85deeba7f912"
+#define DIGEST "3173570ebd2dc322c2b804030782990fac83f923ab5d690aaf1b76b8f7011542"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole;
 } Roles;
 
 typedef struct {
@@ -528,13 +528,25 @@ APART V by_lanes(double f(double), V x)
     return x;
 }
 
+/* log(1 + x): 1 + x = 2^k (1 + f) with |f| < 0.42, and twice the series of artanh(f / (2 + f)). */
+APART V log1p_of(V x)
+{
+    if (bits((x > -1.0) & (x < 0x1p1000)) != ALL) return by_lanes(log1p, x);
+    const V y = 1.0 + x;
+    const M n = ((M)y - INT64_C(0x3fe6a09e667f3bcd)) >> 52;
+    const V per = (V)((INT64_C(1023) - n) << 52), k = (V)(n + (M)broadcast(TO_INTEGER)) - TO_INTEGER;
+    const V f = (y * per - 1.0) + (x - (y - 1.0)) * per, s = f / (2.0 + f), z = s * s;
+    V p = broadcast(2 / 21.0);
+    for (int j = 19; j > 1; j -= 2) p = p * z + 2.0 / j;
+    return k * 0x1.62e42ffp-1 + (2.0 * s + (s * z * p - k * 0x1.718432a1b0e26p-35));
+}
+
 INLINE V sin_of(V x) { V s, c; sine_cosine(x, &s, &c); return s; }
 INLINE V cos_of(V x) { V s, c; sine_cosine(x, &s, &c); return c; }
 INLINE V tan_of(V x) { V s, c; sine_cosine(x, &s, &c); return s / c; }
 INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
-INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
 INLINE V sqrt_of(V x)
 {
 #if WIDE == 512
@@ -1303,12 +1315,19 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
+#define PAIRS 10
+#define LEAST 0x1.bff2ee48e0530p-333
+#define EXPONENT 5
+#define POWER 8
 #define FINEST 0x1.2000000000000p+4
 #define TERMS 8
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
 #define BENT 0x1.4cccccccccccdp+0
+#define CLOSER_AT_START 0x1.8000000000000p+3
+#define LEAST_EXPONENT -0x1.0000000000000p-1
+#define WIDEST 0x1.0000000000000p+1
 #define SHIFT 5
 #define CONSTANT 8
 #define SINE 16
@@ -3465,6 +3484,64 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
+/* Compute p, -w/p and the power series. Drive, sine and vers are factors of the net moment without load. */
+INLINE void hyperbolic_factors(Batch *b, V *e, V drive, V sine, V vers)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V q = e[4];
+    V pole = 1.0 / c[job->role->per_pole];
+    V p = ((-2.0) * c[job->role->net_loss_square]) * pole;
+    e[EXPONENT] = pick(p == 0.0, broadcast(LEAST), p);
+    V fading = broadcast(2.0);
+    V even = broadcast(2.0);
+    V odd = broadcast(0.0);
+    V before = broadcast(0.0);
+    for (int k = 0; k <= 2 * PAIRS; k++) {
+        V versine = fading - even;
+        V loaded = (c[job->role->drive] * fading) + ((c[job->role->net_sine] * odd) + (c[job->role->net_vers] * versine));
+        e[POWER + k] = (pole * loaded) + before;
+        before = (drive * fading) + ((sine * odd) + (vers * versine));
+        V per = broadcast(1.0 / (double)(k + 1));
+        V of_sine = (odd * q) + even;
+        V of_cosine = (even * q) - odd;
+        fading = (fading * q) * per;
+        even = of_cosine * per;
+        odd = of_sine * per;
+    }
+    V higher = broadcast(0.0);
+    for (int k = 2 * PAIRS; k >= 1; k--) {
+        V rest = e[POWER + k] - (((double)(k + 1) * pole) * higher);
+        higher = rest / (e[EXPONENT] + (double)k);
+        e[POWER + k] = higher;
+    }
+    V weight = e[POWER] - (pole * higher);
+    e[POWER] = weight / (-e[EXPONENT]);
+}
+
+/* Compute the functions of which E consists at x. ``passed`` is the logarithm of 1 + x/pole. */
+INLINE void hyperbolic_functions(V *e, V *f, V x, V passed)
+{
+    V p = e[EXPONENT];
+    f[0] = x;
+    f[1] = 1.0 + expm1_of((-e[4]) * x);
+    f[2] = expm1_of((-p) * passed);
+}
+
+/* Return E from its factors and its functions. */
+INLINE V hyperbolic_energy(V *e, V *f)
+{
+    V square = f[0] * f[0];
+    V even = e[POWER + (2 * PAIRS)];
+    V odd = e[(POWER + (2 * PAIRS)) - 1];
+    for (int k = PAIRS - 1; k >= 1; k--) {
+        even = (even * square) + e[POWER + (2 * k)];
+        odd = (odd * square) + e[(POWER + (2 * k)) - 1];
+    }
+    V series = f[0] * (odd + (f[0] * even));
+    return f[1] * (series + (e[POWER] * f[2]));
+}
+
 /* Compute the factors of E. */
 INLINE void softening_factors(Batch *b, V *e)
 {
@@ -3475,6 +3552,10 @@ INLINE void softening_factors(Batch *b, V *e)
     V vers = c[job->role->net_vers] - c[job->role->net_loss_vers];
     V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
     factors(e, drive, sine, vers, q);
+    if (job->role->per_pole >= 0) {
+        hyperbolic_factors(b, e, drive, sine, vers);
+        return;
+    }
     e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
     V part[STRIDE];
     V weight = broadcast(1.0);
@@ -3495,7 +3576,11 @@ INLINE M series_suffices(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    return (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive])) & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
+    M fits = (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]));
+    if (job->role->per_pole >= 0) {
+        return fits & (e[EXPONENT] > LEAST_EXPONENT);
+    }
+    return fits & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
 }
 
 /* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
@@ -3533,13 +3618,46 @@ INLINE V softening_energy(V *e, V *f)
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
+/* Return the variable of the rules: the rotation, or the logarithm of its distance from the pole of friction. */
+INLINE V passed_to(Batch *b, V x)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->per_pole >= 0) {
+        return log1p_of(c[job->role->per_pole] * x);
+    }
+    return x;
+}
+
+/* Return E at a rotation, and compute the functions of which it consists. */
+INLINE V energy_at(Batch *b, V *e, V *f, V x, V passed)
+{
+    const Job *const job = b->job;
+    if (job->role->per_pole >= 0) {
+        hyperbolic_functions(e, f, x, passed);
+        return hyperbolic_energy(e, f);
+    }
+    softening_functions(b, e, f, x);
+    return softening_energy(e, f);
+}
+
 /* Compute E and its first two derivatives behind the functions of which it consists. */
 INLINE void soften(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    softening_functions(b, e, f, x);
-    V at = softening_energy(e, f);
+    V passed = passed_to(b, x);
+    V at = energy_at(b, e, f, x, passed);
+    V rate = c[job->role->loss_rate] * (1.0 + f[4]);
+    if (job->role->per_pole >= 0) {
+        V left = 1.0 / (1.0 + (c[job->role->per_pole] * x));
+        const Pair lag_versine = turned(x);
+        V lag = lag_versine.one, versine = lag_versine.other;
+        f[2] = versine;
+        f[3] = lag;
+        f[4] = (c[job->role->loss_rate] * x) * left;
+        rate = c[job->role->loss_rate] * (left * left);
+    }
     V sine = f[0] - f[3];
     V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
     V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
@@ -3552,28 +3670,39 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
     f[5] = at;
     f[6] = slope;
-    V softens = (c[job->role->loss_rate] * (1.0 + f[4])) * loss;
-    f[7] = 2.0 * (turns + softens);
+    f[7] = 2.0 * (turns + (rate * loss));
 }
 
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
- * distances to both rests. E rises from node to node. */
+ * distances to both rests in `passed_to`. E rises from node to node. */
 INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
+    const Job *const job = b->job;
+    V *const c = b->c;
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
     V lower = broadcast(0.0);
+    V pole = broadcast(1.0);
+    if (job->role->per_pole >= 0) {
+        pole = 1.0 / c[job->role->per_pole];
+    }
     V f[STRIDE];
     for (int k = TO_PEAK * part; k <= (TO_PEAK + (FROM_PEAK * part)) - 1; k++) {
         V here = unit * (NODES[k] * NODES[k]);
         V other = 1.0 + (bend * (1.0 - NODES[k]));
         V share = 1.0 / (here + (other * other));
         V past = end * (here * share);
-        softening_functions(b, e, f, (part == 0) ? past : end - past);
-        V at = softening_energy(e, f);
-        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
+        V passed = (part == 0) ? past : end - past;
+        V x = 1.0 * passed;
+        V per_passed = broadcast(1.0);
+        if (job->role->per_pole >= 0) {
+            x = pole * expm1_of(passed);
+            per_passed = pole + x;
+        }
+        V at = energy_at(b, e, f, x, passed);
+        V slowness = (((share * share) * (other * NODES[k])) * per_passed) / sqrt_of(at);
         total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
         lower = at;
         last = last + (LAST_SHARES[k] * slowness);
@@ -3589,11 +3718,20 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V unit = peak / (end - peak);
+    V to_peak = passed_to(b, peak);
+    V to_end = passed_to(b, end);
+    V unit = to_peak / (to_end - to_peak);
     V softened = 1.0 - (peak * c[job->role->loss_rate]);
     V bend = (c[FACTOR] * BENT) * sqrt_of(softened);
-    V before = time_of_part(b, e, end, unit, bend, 0);
-    V after = time_of_part(b, e, end, 1.0 / unit, (4.0 * c[FACTOR]) - 1.0, 1);
+    if (job->role->per_pole >= 0) {
+        bend = c[FACTOR] * CLOSER_AT_START;
+    }
+    V before = time_of_part(b, e, to_end, unit, bend, 0);
+    if (job->role->per_pole >= 0) {
+        M complete = (end + (1.0 / c[job->role->per_pole])) < WIDEST;
+        before = pick(complete, before, broadcast(INFINITY));
+    }
+    V after = time_of_part(b, e, to_end, 1.0 / unit, (4.0 * c[FACTOR]) - 1.0, 1);
     return (Pair){before, (before + after)};
 }
 

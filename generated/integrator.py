@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3268305f021311990a23d98ed83ac26b6ab4918ed04c2b614603cb25afc024f9
+# sha256 of the text below: fabdcaa43460ed95b9c422ce795560ac16a08e6bd60a43881de1a644f3ad8bc8
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -339,12 +339,19 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
     -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
     -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
     -7.647163731819816e-13, 4.779477332387385e-14)
+PAIRS = 10
+LEAST = 1e-100
+EXPONENT = 5
+POWER = 8
 FINEST = 18.0
 TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
 ALIKE = 3.814697265625e-06
 BENT = 1.3
+CLOSER_AT_START = 12.0
+LEAST_EXPONENT = -0.5
+WIDEST = 2.0
 SHIFT = 5
 CONSTANT = 8
 SINE = 16
@@ -2288,6 +2295,57 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = rest / faded_by
 
 
+def hyperbolic_factors(s: Lanes, e: Floats, drive: Floats, sine: Floats, vers: Floats) -> None:
+    """Compute p, -w/p and the power series. Drive, sine and vers are factors of the net moment without load."""
+    c = s.cells
+    q = e[4]
+    pole = 1.0 / c[s.roles.per_pole]
+    p = -2.0 * c[s.roles.net_loss_square] * pole
+    e[EXPONENT] = np.where(p == 0.0, LEAST, p)
+    fading: Floats = 2.0
+    even: Floats = 2.0
+    odd: Floats = 0.0
+    before: Floats = 0.0
+    for k in range(2 * PAIRS + 1):
+        versine = fading - even
+        loaded = c[s.roles.drive] * fading + (c[s.roles.net_sine] * odd + c[s.roles.net_vers] * versine)
+        e[POWER + k] = pole * loaded + before
+        before = drive * fading + (sine * odd + vers * versine)
+        per: Floats = 1.0 / float(k + 1)
+        of_sine = odd * q + even
+        of_cosine = even * q - odd
+        fading = fading * q * per
+        even = of_cosine * per
+        odd = of_sine * per
+    higher: Floats = 0.0
+    for k in range(2 * PAIRS, 1 - 1, -1):
+        rest = e[POWER + k] - float(k + 1) * pole * higher
+        higher = rest / (e[EXPONENT] + float(k))
+        e[POWER + k] = higher
+    weight = e[POWER] - pole * higher
+    e[POWER] = weight / -e[EXPONENT]
+
+
+def hyperbolic_functions(e: Floats, f: Floats, x: Floats, passed: Floats) -> None:
+    """Compute the functions of which E consists at x. ``passed`` is the logarithm of 1 + x/pole."""
+    p = e[EXPONENT]
+    f[0] = x
+    f[1] = 1.0 + np.expm1(-e[4] * x)
+    f[2] = np.expm1(-p * passed)
+
+
+def hyperbolic_energy(e: Floats, f: Floats) -> Floats:
+    """Return E from its factors and its functions."""
+    square = f[0] * f[0]
+    even = e[POWER + 2 * PAIRS]
+    odd = e[POWER + 2 * PAIRS - 1]
+    for k in range(PAIRS - 1, 1 - 1, -1):
+        even = even * square + e[POWER + 2 * k]
+        odd = odd * square + e[POWER + 2 * k - 1]
+    series = f[0] * (odd + f[0] * even)
+    return f[1] * (series + e[POWER] * f[2])
+
+
 def softening_factors(s: Lanes, e: Floats) -> None:
     """Compute the factors of E."""
     c = s.cells
@@ -2296,6 +2354,9 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     vers = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
     factors(e, drive, sine, vers, q)
+    if s.roles.per_pole >= 0:
+        hyperbolic_factors(s, e, drive, sine, vers)
+        return
     e[SHIFT] = 2.0 * c[s.roles.net_loss_square] / c[s.roles.loss_rate]
     part = np.zeros((ix.STRIDE, e.shape[1]))
     weight: Floats = 1.0
@@ -2314,8 +2375,10 @@ def softening_factors(s: Lanes, e: Floats) -> None:
 def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
-    return (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN *
-         c[s.roles.drive]) & (np.abs(e[SHIFT]) <= GREATEST) & (2.0 * e[4] + c[s.roles.loss_rate] < 0.0)
+    fits = (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive])
+    if s.roles.per_pole >= 0:
+        return fits & (e[EXPONENT] > LEAST_EXPONENT)
+    return fits & (np.abs(e[SHIFT]) <= GREATEST) & (2.0 * e[4] + c[s.roles.loss_rate] < 0.0)
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -2348,11 +2411,36 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
     return grown * (energy(e, f) + (terms + faded_part))
 
 
+def passed_to(s: Lanes, x: Floats) -> Floats:
+    """Return the variable of the rules: the rotation, or the logarithm of its distance from the pole of friction."""
+    c = s.cells
+    if s.roles.per_pole >= 0:
+        return np.log1p(c[s.roles.per_pole] * x)
+    return x
+
+
+def energy_at(s: Lanes, e: Floats, f: Floats, x: Floats, passed: Floats) -> Floats:
+    """Return E at a rotation, and compute the functions of which it consists."""
+    if s.roles.per_pole >= 0:
+        hyperbolic_functions(e, f, x, passed)
+        return hyperbolic_energy(e, f)
+    softening_functions(s, e, f, x)
+    return softening_energy(e, f)
+
+
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
     c = s.cells
-    softening_functions(s, e, f, x)
-    at = softening_energy(e, f)
+    passed = passed_to(s, x)
+    at = energy_at(s, e, f, x, passed)
+    rate = c[s.roles.loss_rate] * (1.0 + f[4])
+    if s.roles.per_pole >= 0:
+        left = 1.0 / (1.0 + c[s.roles.per_pole] * x)
+        lag, versine = turned(x)
+        f[2] = versine
+        f[3] = lag
+        f[4] = c[s.roles.loss_rate] * x * left
+        rate = c[s.roles.loss_rate] * (left * left)
     sine = f[0] - f[3]
     of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
     of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
@@ -2365,25 +2453,33 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
     f[6] = slope
-    softens = c[s.roles.loss_rate] * (1.0 + f[4]) * loss
-    f[7] = 2.0 * (turns + softens)
+    f[7] = 2.0 * (turns + rate * loss)
 
 
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain."""
+    c = s.cells
     total: Floats = 0.0
     last: Floats = 0.0
     last_but_one: Floats = 0.0
     lower: Floats = 0.0
+    pole: Floats = 1.0
+    if s.roles.per_pole >= 0:
+        pole = 1.0 / c[s.roles.per_pole]
     f = np.zeros((ix.STRIDE, e.shape[1]))
     for k in range(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1 + 1):
         here = unit * (NODES[k] * NODES[k])
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        softening_functions(s, e, f, past if part == 0 else end - past)
-        at = softening_energy(e, f)
-        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
+        passed = past if part == 0 else end - past
+        x = 1.0 * passed
+        per_passed: Floats = 1.0
+        if s.roles.per_pole >= 0:
+            x = pole * np.expm1(passed)
+            per_passed = pole + x
+        at = energy_at(s, e, f, x, passed)
+        slowness = share * share * (other * NODES[k]) * per_passed / np.sqrt(at)
         total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
@@ -2395,11 +2491,18 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
 def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     c = s.cells
-    unit = peak / (end - peak)
+    to_peak = passed_to(s, peak)
+    to_end = passed_to(s, end)
+    unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * c[s.roles.loss_rate]
     bend = c[ix.FACTOR] * BENT * np.sqrt(softened)
-    before = time_of_part(s, e, end, unit, bend, 0)
-    after = time_of_part(s, e, end, 1.0 / unit, 4.0 * c[ix.FACTOR] - 1.0, 1)
+    if s.roles.per_pole >= 0:
+        bend = c[ix.FACTOR] * CLOSER_AT_START
+    before = time_of_part(s, e, to_end, unit, bend, 0)
+    if s.roles.per_pole >= 0:
+        complete = end + 1.0 / c[s.roles.per_pole] < WIDEST
+        before = np.where(complete, before, INFINITY)
+    after = time_of_part(s, e, to_end, 1.0 / unit, 4.0 * c[ix.FACTOR] - 1.0, 1)
     return (before, before + after)
 
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c605e9f6ffb374541984ee56cf8da125b01f72b28bbedece8bf774a5ff008fdf
+# sha256 of the text below: 30a5a33c55f6e190bfcea3c61f66a64dd76be33b9982054fe2d0ec50b6734e9a
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -126,7 +126,7 @@ ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'square', 'cell_drive', 'cell
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu',
     'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers',
     'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine',
-    'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate')
+    'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate', 'cell_per_pole')
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

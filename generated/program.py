@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5078430d83e671d7310b7c26c189df4b7deb8aa15eab856807a5dd37e0556e88
+# sha256 of the text below: 210c0080b657b5655188b43f8d2c726e5612b40552f830a4392b6b8874f95479
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -420,11 +420,14 @@ class Linker:
         cells = dict[str, str]()
         names = dict(FACTORS)
         for operation, results in self.series.items():
-            if operation.kind == "exp":
-                argument = self._made_by(operation.registers[1])
+            if operation.kind in ("exp", "rec"):
+                argument = self._made_by(operation.registers[-1])
                 if argument.registers == ("x",) and not cells:
                     names[results[1]] = "loss"
                     cells["cell_loss_rate"] = argument.cells[1]
+                    if operation.kind == "rec":
+                        cells["cell_per_pole"] = argument.cells[1]
+                        cells["cell_loss_rate"] = self._result("neg", [argument.cells[1]])
         for name, constant in CONSTANTS.items():
             factors = {role: ZERO for role in ROLES if role.startswith(f"cell_{name}")}
             for each, cell in self._products(str(registers[name])):

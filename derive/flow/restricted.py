@@ -64,7 +64,7 @@ COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
     **dict.fromkeys(
-        ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "expm1", "sqrt", "hypot", "number"), ""
+        ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt", "hypot", "number"), ""
     ),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at"), "V"),

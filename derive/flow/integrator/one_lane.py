@@ -87,6 +87,7 @@ number: Any = float
 minimum: Any = min
 maximum: Any = max
 expm1 = math.expm1
+log1p = math.log1p
 numbers = tail = generated
 greatest = least = integer = generated
 all_lanes = none_of = lanes_in = generated
