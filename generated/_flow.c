@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "3173570ebd2dc322c2b804030782990fac83f923ab5d690aaf1b76b8f7011542"
+#define DIGEST "e2ea6c4b33cf3b48ab289622c27bb36e2d93c90fcf967f398a90a7d29c82c7eb"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -131,9 +131,25 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 /* --- the module --------------------------------------------------------------------------------------------------- */
 
 #include <Python.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
+enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, CLOCKED };
+enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
+enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
+enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
+enum { NOTHING, LIFT, FASTER, SLOWER };
+enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE, REST };
+enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_BREAKPOINT };
+enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
+enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
+#define STIFF_CHANGE 0.001
+#define CARRIED 0.001
+#define SETTLED 1.4210854715202004e-14
+#define BETWEEN 2.0
+#define LEAST_SIZE 1e-300
 #if defined(__x86_64__)
 #define LEVELS(X) X(avx512) X(avx2) X(baseline)
 /* What the processor has, of what the system keeps the registers. The compilers' own answer is not used: that of Zig's
@@ -242,68 +258,189 @@ static const char doc[] = "integrate(program, tables, cells, begin, end, budget,
     "With `outputs`, (registers, lanes), and no times nothing is integrated: all registers are evaluated where each lane is;\n"
     "with a budget a phase begins there first, in the direction that is set.";
 
+/* Buffers of a call, released together. */
+typedef struct { Py_buffer program, tables[3 * MOST_TABLES]; int views; } Held;
+
+/* Read the program and its tables; 0 with an exception where they do not fit. */
+static int read_job(Job *job, Held *held, PyObject *program, PyObject *tables, int level)
+{
+    held->views = 0;
+    if (PyObject_GetBuffer(program, &held->program, PyBUF_SIMPLE)) return 0;
+    const int32_t *const code = held->program.buf;
+    if (read_program(job, code, code + held->program.len / 4) || !program_fits(job) || PyTuple_Size(tables) != job->tables ||
+        level < 0 || level >= KINDS || !runs(level)) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables or level do not fit");
+        return 0;
+    }
+    for (int t = 0; t < job->tables; t++, held->views += 3) {
+        Data *d = job->data + t;
+        long long across;
+        Py_buffer *b = held->tables + held->views;
+        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
+                              &d->open)) return 0;
+        d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
+        d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
+    }
+    return 1;
+}
+
+static void release(Held *held)
+{
+    while (held->views--) PyBuffer_Release(held->tables + held->views);
+    PyBuffer_Release(&held->program);
+}
+
+/* Lanes that have not ended, or -1 with an exception where cells, tables, times, registers or an order do not fit. */
+static int64_t run(Job *job, const Held *held, int level, int fits)
+{
+    for (int t = 0; t < job->tables; t++) fits = fits && table_fits(job->data + t, held->tables + 3 * t, job->count);
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
+        return -1;
+    }
+    void *memory = calloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE) + 1, WIDEST);
+    if (memory == NULL) {
+        PyErr_NoMemory();
+        return -1;
+    }
+    job->memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
+    int64_t left;
+    Py_BEGIN_ALLOW_THREADS
+    left = levels[level].integrate(job);
+    Py_END_ALLOW_THREADS
+    free(memory);
+    if (left < 0) PyErr_SetString(PyExc_ValueError, "integrate: an order does not fit");
+    return left;
+}
+
 static PyObject *integrate(PyObject *self, PyObject *args)
 {
     (void)self;
     Job job = {0};
-    Py_buffer program, cells, times, outputs, notes, held[3 * MOST_TABLES];
-    PyObject *tables, *result = NULL;
-    int level, views = 0;
+    Held held;
+    Py_buffer cells, times, outputs, notes;
+    PyObject *program, *tables, *result = NULL;
+    int level;
     Py_ssize_t begin, end, budget;
-    if (!PyArg_ParseTuple(args, "y*O!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
+    if (!PyArg_ParseTuple(args, "OO!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
                           &times, &outputs, &notes, &level)) return NULL;
-    const int32_t *const code = program.buf;
-    const int bad = read_program(&job, code, code + program.len / 4) || !program_fits(&job) ||
-                    PyTuple_Size(tables) != job.tables;
-    if (bad || level < 0 || level >= KINDS || !runs(level)) {
-        PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables or level do not fit");
-        goto done;
+    if (read_job(&job, &held, program, tables, level)) {
+        job.all = cells.buf, job.count = cells.len / 8 / job.cells;
+        job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
+        int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
+        if (fits && times.len) {
+            job.times = times.buf, job.outputs = outputs.buf;
+            job.samples = outputs.len / 8 / job.count / (2 + job.states);
+            job.times_across = job.samples ? times.len / 8 / job.samples : 0;
+            fits = outputs.len == 8 * job.samples * job.count * (2 + job.states) && (job.times_across == 1 ||
+                   job.times_across == job.count) && times.len == 8 * job.samples * job.times_across;
+        } else if (fits && outputs.len) {
+            job.outputs = outputs.buf;
+            fits = outputs.len == 8 * (int64_t)job.registers * job.count;
+        }
+        job.notes = notes.buf, job.notes_room = notes.len / 32;
+        const int64_t left = run(&job, &held, level, fits);
+        if (left >= 0) result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
     }
-    for (int t = 0; t < job.tables; t++, views += 3) {
-        Data *d = job.data + t;
-        long long across;
-        Py_buffer *b = held + views;
-        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
-                              &d->open)) goto done;
-        d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
-        d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
+    release(&held);
+    PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs), PyBuffer_Release(&notes);
+    return result;
+}
+
+/* Relative differences of runs of a motion, of which the first is the motion: of duration, run-out, peak velocity, and of
+ * states before the end. States differ by the spread of times, at the peak velocity, or by the spread of rotations. All
+ * differences are infinite where a run ends otherwise. */
+static PyObject *differences(const double *cells, int64_t count)
+{
+#define AT(cell, k) cells[(cell) * count + (k)]
+    const int creeps = AT(TIME, 0) == INFINITY;
+    double duration = 0.0, times = 0.0, reaches = 0.0, peaks = 0.0, ends = 0.0, unlike = 0.0;
+    for (int64_t k = 0; k < count; k++) {
+        const double status = AT(STATUS, k);
+        const int rest = status >= ARRESTED && status <= ENDED && AT(STATUS, 0) >= ARRESTED && AT(STATUS, 0) <= ENDED;
+        if ((status != AT(STATUS, 0) && !rest) || (AT(PHASES, k) > 0.0) != (AT(PHASES, 0) > 0.0)) unlike = INFINITY;
+        const double time = status == ENDED && !creeps ? AT(END_TIME, k) : AT(REST_SINCE, k);
+        if (k == 0) duration = time;
+        times = fmax(times, fabs(time - duration));
+        reaches = fmax(reaches, fabs(AT(REACH_ROTATION, k) - AT(REACH_ROTATION, 0)));
+        peaks = fmax(peaks, fabs(fabs(AT(PEAK_OMEGA, k)) - fabs(AT(PEAK_OMEGA, 0))));
+        ends = fmax(ends, fabs(AT(END_ROTATION, k) - AT(END_ROTATION, 0)));
     }
-    job.all = cells.buf, job.count = cells.len / 8 / job.cells;
-    job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
-    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
-    for (int t = 0; t < job.tables; t++) fits = fits && table_fits(job.data + t, held + 3 * t, job.count);
-    if (fits && times.len) {
-        job.times = times.buf, job.outputs = outputs.buf;
-        job.samples = outputs.len / 8 / job.count / (2 + job.states);
-        job.times_across = job.samples ? times.len / 8 / job.samples : 0;
-        fits = outputs.len == 8 * job.samples * job.count * (2 + job.states) && (job.times_across == 1 ||
-               job.times_across == job.count) && times.len == 8 * job.samples * job.times_across;
-    } else if (fits && outputs.len) {
-        job.outputs = outputs.buf;
-        fits = outputs.len == 8 * (int64_t)job.registers * job.count;
+    const double peak = fmax(fabs(AT(PEAK_OMEGA, 0)), LEAST_SIZE), reach = fmax(fabs(AT(REACH_ROTATION, 0)), LEAST_SIZE);
+    const double states = fmax(BETWEEN * times * fabs(AT(PEAK_OMEGA, 0)), ends) / reach;
+#undef AT
+    return Py_BuildValue("dddd", times / fmax(duration, LEAST_SIZE) + unlike, reaches / reach + unlike, peaks / peak + unlike,
+                         states + unlike);
+}
+
+static PyObject *spreads(PyObject *self, PyObject *args)
+{
+    (void)self;
+    Py_buffer cells;
+    Py_ssize_t count;
+    if (!PyArg_ParseTuple(args, "y*n", &cells, &count)) return NULL;
+    PyObject *result = NULL;
+    if (count > 0 && cells.len % (8 * count) == 0 && cells.len >= 8 * CELLS * count) result = differences(cells.buf, count);
+    else PyErr_SetString(PyExc_ValueError, "spreads: the cells are not those of as many lanes");
+    PyBuffer_Release(&cells);
+    return result;
+}
+
+/* Cells of runs, (cells, runs), from numbers by the name of the cell: times factors, (cells, runs), plus summands after
+ * them. */
+static int fill_runs(const Job *job, PyObject *start, PyObject *places, const double *moves)
+{
+    const double *const further = moves + job->cells * job->count;
+    PyObject *name, *value;
+    for (Py_ssize_t at = 0; PyDict_Next(start, &at, &name, &value);) {
+        PyObject *const place = PyDict_GetItemWithError(places, name);
+        if (place == NULL && !PyErr_Occurred()) continue;
+        const double number = PyFloat_AsDouble(value);
+        const int64_t row = place == NULL ? -1 : PyLong_AsLongLong(place) * job->count;
+        if (PyErr_Occurred() || row < 0 || row >= job->cells * job->count) return 0;
+        for (int64_t k = row; k < row + job->count; k++) job->all[k] = number * moves[k] + further[k];
     }
-    if (!fits) {
-        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
-        goto done;
+    return 1;
+}
+
+static PyObject *first_lane(const double *cells, int64_t count)
+{
+    PyObject *list = PyList_New(CELLS);
+    for (int i = 0; list != NULL && i < CELLS; i++) {
+        PyObject *number = PyFloat_FromDouble(cells[i * count]);
+        if (number == NULL || PyList_SetItem(list, i, number)) Py_CLEAR(list);
     }
-    job.notes = notes.buf, job.notes_room = notes.len / 32;
-    void *memory = calloc((size_t)(MOST_WORKING + job.cells + (int64_t)job.registers * STRIDE) + 1, WIDEST);
-    if (memory == NULL) {
-        PyErr_NoMemory();
-        goto done;
+    return list;
+}
+
+static PyObject *integrate_runs(PyObject *self, PyObject *args)
+{
+    (void)self;
+    Job job = {0};
+    Held held;
+    Py_buffer moves;
+    PyObject *program, *tables, *start, *places, *result = NULL;
+    int level;
+    Py_ssize_t budget;
+    if (!PyArg_ParseTuple(args, "OO!O!O!y*ni", &program, &PyTuple_Type, &tables, &PyDict_Type, &start, &PyDict_Type,
+                          &places, &moves, &budget, &level)) return NULL;
+    if (read_job(&job, &held, program, tables, level)) {
+        const int64_t size = moves.len / 16;
+        job.count = job.end = size / job.cells, job.budget = budget;
+        job.all = calloc((size_t)size + 1, 8);
+        const int fits = job.all != NULL && job.count > 0 && moves.len == 16 * job.cells * job.count &&
+                         fill_runs(&job, start, places, moves.buf);
+        if (!PyErr_Occurred()) {
+            const int64_t left = run(&job, &held, level, fits);
+            int ended = left == 0;
+            for (int64_t k = 0; ended && k < job.count; k++) ended = job.all[STATUS * job.count + k] < TOO_LONG;
+            if (ended) result = Py_BuildValue("NN", first_lane(job.all, job.count), differences(job.all, job.count));
+            else if (left >= 0) result = Py_BuildValue("");
+        }
+        free(job.all);
     }
-    job.memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
-    int64_t left;
-    Py_BEGIN_ALLOW_THREADS
-    left = levels[level].integrate(&job);
-    Py_END_ALLOW_THREADS
-    free(memory);
-    if (left < 0) PyErr_SetString(PyExc_ValueError, "integrate: an order does not fit");
-    else result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
-done:
-    while (views--) PyBuffer_Release(held + views);
-    PyBuffer_Release(&program), PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs);
-    PyBuffer_Release(&notes);
+    release(&held);
+    PyBuffer_Release(&moves);
     return result;
 }
 
@@ -355,6 +492,14 @@ static PyObject *straight_line(PyObject *self, PyObject *args)
 
 static PyMethodDef methods[] = {
     {"integrate", integrate, METH_VARARGS, doc},
+    {"integrate_runs", integrate_runs, METH_VARARGS,
+     "integrate_runs(program, tables, start, places, moves, budget, level)\n--\n\n"
+     "Integrate runs of one motion. Their cells are numbers `start` by name, at `places` by name, times the first of `moves`,\n"
+     "(2, cells, runs), plus the second. Returns the final cells of the first run, and `spreads` of all; None where a run has\n"
+     "not ended."},
+    {"spreads", spreads, METH_VARARGS,
+     "spreads(cells, runs)\n--\n\n"
+     "Greatest relative differences of the duration, run-out and peak velocity of runs from the first one, and of states."},
     {"straight_line", straight_line, METH_VARARGS,
      "straight_line(program, level)\n--\n\nWhich of the programs with functions of their own it is there, or -1."},
     {NULL, NULL, 0, NULL},
@@ -412,6 +557,8 @@ enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
 #define CARRIED 0.001
 #define SETTLED 1.4210854715202004e-14
+#define BETWEEN 2.0
+#define LEAST_SIZE 1e-300
 _Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
 /* The lanes that are integrated now, beside their cells. */
 typedef struct {
@@ -1283,12 +1430,11 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
 static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
 static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
-#define TO_PEAK 24
-#define FROM_PEAK 12
-static const double NODES[] = {0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596};
-static const double SHARES[] = {0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183};
-static const double LAST_SHARES[] = {-0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944, -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658, 1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313};
-static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719};
+#define SHORTEST 12
+static const double NODES[] = {0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
+static const double SHARES[] = {0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
+static const double LAST_SHARES[] = {-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658, 1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944, -0.007790034178160956, 0.027210382191082905, -0.053218548447853446, 0.08410186396997914, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.2802924835319247, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451521, 0.5604330646255685, -0.5923691692370726, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.7117839566284571, -0.7117839566284571, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370726, -0.5604330646255685, 0.5256376989451521, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.2802924835319247, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997912, 0.053218548447853446, -0.02721038219108291, 0.007790034178160959};
+static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.015395378857163744, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.35190757413026297, -0.4124853958917247, 0.46787201596605255, -0.5161184901411058, 0.5555142313787836, -0.5846181008158504, 0.6022867338773648, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595776, 0.44601843579385353, -0.37969175876655653, 0.3047302106486445, -0.2228033001446087, 0.13576509711972842, -0.04560499610629583, -0.04560499610629583, 0.13576509711972842, -0.2228033001446087, 0.3047302106486445, -0.37969175876655653, 0.44601843579385353, -0.5022697983595776, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773648, -0.5846181008158504, 0.5555142313787836, -0.5161184901411058, 0.46787201596605255, -0.4124853958917247, 0.35190757413026297, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.1036330300190351, -0.05349347277944267, 0.015395378857163744};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define BEYOND 0x1.2000000000000p+0
@@ -1308,27 +1454,32 @@ static const double NEXT_SHARES[] = {0.05870297804143083, -0.1992967279249246, 0
 #define NEWTON 3
 #define NEAREST 0x1.ccccccccccccdp-1
 #define EVEN 0x1.0000000000000p-20
+#define FINEST 18
 #define CLOSER 0x1.0000000000000p-25
 #define MOST_HALVINGS 30
-#define SHORTEST 0x1.ad7f29abcaf48p-24
+#define BRIEFEST 0x1.ad7f29abcaf48p-24
 #define LAST 7
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
-#define PAIRS 10
+#define PAIRS 12
 #define LEAST 0x1.bff2ee48e0530p-333
-#define EXPONENT 5
+#define SHIFT 5
+#define FIRST 6
+#define POLE 7
 #define POWER 8
-#define FINEST 0x1.2000000000000p+4
+#define LOAD 33
+#define NET 36
 #define TERMS 8
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
-#define BENT 0x1.4cccccccccccdp+0
-#define CLOSER_AT_START 0x1.8000000000000p+3
+#define PER_STEP 0x1.0000000000000p+2
+#define PER_STEP_TO_ROUNDING 0x1.d8e64b8d4ddaep+2
+#define BENT 0x1.4cccccccccccdp-2
+#define CLOSER_TO_POLE 0x1.8000000000000p+1
 #define LEAST_EXPONENT -0x1.0000000000000p-1
 #define WIDEST 0x1.0000000000000p+1
-#define SHIFT 5
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
@@ -3153,14 +3304,6 @@ static void make_step(Batch *b, M here)
     arrive(b, here, until, rate, steady, at_limit, endless);
 }
 
-/* Return whether the last coefficients of an integrand are small enough beside its integral. */
-INLINE M is_even(V last, V last_but_one, V total, int fine)
-{
-    V most = broadcast(fine ? CLOSER : EVEN);
-    V unevenness = magnitude(last) + magnitude(last_but_one);
-    return unevenness <= (most * total);
-}
-
 /* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain. E
  * is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the
  * motion if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the
@@ -3177,9 +3320,8 @@ INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
-    int k_first = fine ? 0 : TO_PEAK;
-    int k_last = fine ? (TO_PEAK - 1) : ((TO_PEAK + FROM_PEAK) - 1);
-    for (int k = k_first; k <= k_last; k++) {
+    int k_first = fine ? SHORTEST : 0;
+    for (int k = k_first; k <= ((2 * k_first) + SHORTEST) - 1; k++) {
         V past = span * NODES[k];
         V v = first + past;
         V square = v * v;
@@ -3192,7 +3334,9 @@ INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
     V time = (span * stretch) * total;
-    time = pick(is_even(last, last_but_one, total, fine), time, broadcast(INFINITY));
+    V most = broadcast(fine ? CLOSER : EVEN);
+    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
+    time = pick(accurate, time, broadcast(INFINITY));
     return pick(size > 0.0, time, broadcast(0.0));
 }
 
@@ -3241,7 +3385,7 @@ INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
     V step = c[STEP];
     M peaks = peak < INFINITY;
     V far = STRAIGHT * step;
-    int fine = job->order > 18;
+    int fine = job->order > FINEST;
     V of_end[STRIDE];
     expand_about_end(b, of_end, top);
     V to_end = distance_of_rest(of_end, top, broadcast(1.0), far);
@@ -3363,7 +3507,7 @@ static void turn_on(Batch *b, M here)
     V duration = before + after;
     V until = c[TIME] + duration;
     M stands = c[STEP] == 0.0;
-    M regular = (duration > SHORTEST) | stands;
+    M regular = (duration > BRIEFEST) | stands;
     M fits = here & regular & (until < c[END_TIME]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[CLOCKED] = pick(here, pick(fits, broadcast(0.0), broadcast(1.0)), c[CLOCKED]);
@@ -3462,16 +3606,23 @@ INLINE V bend_of(V *e, V *f)
     return faded_part + turned_part;
 }
 
-/* Compute the factors of E about the end of a phase, from the four functions there. */
-INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+/* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
+ * are stored from place ``first`` on; ``f`` are the four functions at the end. */
+INLINE void look_back(V *back, int first, V drive, V sine, V vers, V *f)
 {
     V sine_end = f[0] - f[3];
     V cosine = 1.0 - f[2];
     V change = (sine * sine_end) + (vers * f[2]);
-    V at_end = drive + change;
-    V sine_back = (sine * cosine) + (vers * sine_end);
-    V vers_back = (sine * sine_end) - (vers * cosine);
-    factors(back, -at_end, sine_back, vers_back, -q);
+    back[first] = -(drive + change);
+    back[first + 1] = (sine * cosine) + (vers * sine_end);
+    back[first + 2] = (sine * sine_end) - (vers * cosine);
+}
+
+/* Compute the factors of E about the end of a phase, from the four functions there. */
+INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+{
+    look_back(back, 0, drive, sine, vers, f);
+    factors(back, back[0], back[1], back[2], -q);
 }
 
 /* Replace the functions for q by those for -q. */
@@ -3484,62 +3635,74 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
-/* Compute p, -w/p and the power series. Drive, sine and vers are factors of the net moment without load. */
-INLINE void hyperbolic_factors(Batch *b, V *e, V drive, V sine, V vers)
+/* Compute -w/p and the power series, for the drive with the load. */
+INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
 {
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V q = e[4];
-    V pole = 1.0 / c[job->role->per_pole];
-    V p = ((-2.0) * c[job->role->net_loss_square]) * pole;
-    e[EXPONENT] = pick(p == 0.0, broadcast(LEAST), p);
+    V pole = e[POLE];
+    e[4] = q;
+    e[SHIFT] = pick(e[SHIFT] == 0.0, broadcast(LEAST), e[SHIFT]);
+    V whole_sine = e[NET + 1] + (e[FIRST] * e[LOAD + 1]);
+    V whole_vers = e[NET + 2] + (e[FIRST] * e[LOAD + 2]);
     V fading = broadcast(2.0);
     V even = broadcast(2.0);
     V odd = broadcast(0.0);
     V before = broadcast(0.0);
     for (int k = 0; k <= 2 * PAIRS; k++) {
         V versine = fading - even;
-        V loaded = (c[job->role->drive] * fading) + ((c[job->role->net_sine] * odd) + (c[job->role->net_vers] * versine));
-        e[POWER + k] = (pole * loaded) + before;
-        before = (drive * fading) + ((sine * odd) + (vers * versine));
-        V per = broadcast(1.0 / (double)(k + 1));
+        V whole = (drive * fading) + ((whole_sine * odd) + (whole_vers * versine));
+        e[POWER + k] = (pole * whole) + before;
+        before = (e[NET] * fading) + ((e[NET + 1] * odd) + (e[NET + 2] * versine));
         V of_sine = (odd * q) + even;
         V of_cosine = (even * q) - odd;
-        fading = (fading * q) * per;
-        even = of_cosine * per;
-        odd = of_sine * per;
+        fading = (fading * q) * b->inverse[k + 1];
+        even = of_cosine * b->inverse[k + 1];
+        odd = of_sine * b->inverse[k + 1];
     }
     V higher = broadcast(0.0);
     for (int k = 2 * PAIRS; k >= 1; k--) {
-        V rest = e[POWER + k] - (((double)(k + 1) * pole) * higher);
-        higher = rest / (e[EXPONENT] + (double)k);
+        V per = 1.0 / (e[SHIFT] + (double)k);
+        V shrink = ((double)(k + 1) * pole) * per;
+        higher = (e[POWER + k] * per) - (shrink * higher);
         e[POWER + k] = higher;
     }
     V weight = e[POWER] - (pole * higher);
-    e[POWER] = weight / (-e[EXPONENT]);
+    e[POWER] = (-weight) / e[SHIFT];
 }
 
-/* Compute the functions of which E consists at x. ``passed`` is the logarithm of 1 + x/pole. */
-INLINE void hyperbolic_functions(V *e, V *f, V x, V passed)
+/* Return E, and compute x in place 0, where the logarithm of 1 + x/pole is ``passed``. */
+INLINE V hyperbolic_energy(V *e, V *f, V passed)
 {
-    V p = e[EXPONENT];
+    V x = e[POLE] * expm1_of(passed);
     f[0] = x;
-    f[1] = 1.0 + expm1_of((-e[4]) * x);
-    f[2] = expm1_of((-p) * passed);
-}
-
-/* Return E from its factors and its functions. */
-INLINE V hyperbolic_energy(V *e, V *f)
-{
-    V square = f[0] * f[0];
+    V square = x * x;
     V even = e[POWER + (2 * PAIRS)];
     V odd = e[(POWER + (2 * PAIRS)) - 1];
     for (int k = PAIRS - 1; k >= 1; k--) {
         even = (even * square) + e[POWER + (2 * k)];
         odd = (odd * square) + e[(POWER + (2 * k)) - 1];
     }
-    V series = f[0] * (odd + (f[0] * even));
-    return f[1] * (series + (e[POWER] * f[2]));
+    V series = x * (odd + (x * even));
+    V singular = e[POWER] * expm1_of((-e[SHIFT]) * passed);
+    return (1.0 + expm1_of((-e[4]) * x)) * (series + singular);
+}
+
+/* Compute the factors of all terms from the numbers of the net moment without the load, and of the load. */
+INLINE void factors_of_terms(V *e, V q, V rate)
+{
+    factors(e, e[NET], e[NET + 1], e[NET + 2], q);
+    V part[STRIDE];
+    V weight = broadcast(1.0);
+    for (int j = 1; j <= TERMS; j++) {
+        V before = weight;
+        weight = (weight * e[SHIFT]) / (double)(-j);
+        V drive = (weight * e[NET]) + (before * e[LOAD]);
+        V sine = (weight * e[NET + 1]) + (before * e[LOAD + 1]);
+        V vers = (weight * e[NET + 2]) + (before * e[LOAD + 2]);
+        factors(part, drive, sine, vers, q + ((double)j * rate));
+        e[CONSTANT + j] = (part[0] + part[3]) / part[4];
+        e[SINE + j] = part[3];
+        e[VERS + j] = part[2];
+    }
 }
 
 /* Compute the factors of E. */
@@ -3547,28 +3710,41 @@ INLINE void softening_factors(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V drive = c[job->role->drive] - c[job->role->net_loss];
-    V sine = c[job->role->net_sine] - c[job->role->net_loss_sine];
-    V vers = c[job->role->net_vers] - c[job->role->net_loss_vers];
+    e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
+    e[FIRST] = broadcast(1.0);
+    e[LOAD] = c[job->role->net_loss];
+    e[LOAD + 1] = c[job->role->net_loss_sine];
+    e[LOAD + 2] = c[job->role->net_loss_vers];
+    e[NET] = c[job->role->drive] - c[job->role->net_loss];
+    e[NET + 1] = c[job->role->net_sine] - c[job->role->net_loss_sine];
+    e[NET + 2] = c[job->role->net_vers] - c[job->role->net_loss_vers];
     V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
-    factors(e, drive, sine, vers, q);
     if (job->role->per_pole >= 0) {
-        hyperbolic_factors(b, e, drive, sine, vers);
+        e[0] = 2.0 * e[NET];
+        e[POLE] = 1.0 / c[job->role->per_pole];
+        hyperbolic_factors(b, e, q, c[job->role->drive]);
         return;
     }
-    e[SHIFT] = (2.0 * c[job->role->net_loss_square]) / c[job->role->loss_rate];
-    V part[STRIDE];
-    V weight = broadcast(1.0);
-    for (int j = 1; j <= TERMS; j++) {
-        V before = weight;
-        weight = (weight * e[SHIFT]) / (double)(-j);
-        V of_sine = (weight * sine) + (before * c[job->role->net_loss_sine]);
-        V of_vers = (weight * vers) + (before * c[job->role->net_loss_vers]);
-        factors(part, (weight * drive) + (before * c[job->role->net_loss]), of_sine, of_vers, q + ((double)j * c[job->role->loss_rate]));
-        e[CONSTANT + j] = (part[0] + part[3]) / part[4];
-        e[SINE + j] = part[3];
-        e[VERS + j] = part[2];
+    factors_of_terms(e, q, c[job->role->loss_rate]);
+}
+
+/* Compute the factors of E as a function of the distance from the end of a phase, from the functions there. Near
+ * the end E is small, and without a rounding error of the terms of which it is the sum. */
+INLINE void factors_about_end(Batch *b, V *back, V *e, V *f)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    back[SHIFT] = e[SHIFT];
+    back[FIRST] = 1.0 + f[4];
+    look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f);
+    look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f);
+    if (job->role->per_pole >= 0) {
+        back[POLE] = (-e[POLE]) - f[0];
+        V drive = back[NET] + (back[FIRST] * back[LOAD]);
+        hyperbolic_factors(b, back, -e[4], drive);
+        return;
     }
+    factors_of_terms(back, -e[4], -c[job->role->loss_rate]);
 }
 
 /* Return whether the series is as accurate as the order of a lane requires, and no term is in resonance. */
@@ -3576,32 +3752,47 @@ INLINE M series_suffices(Batch *b, V *e)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M fits = (c[ORDER] <= FINEST) & (magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]));
+    M driven = magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]);
     if (job->role->per_pole >= 0) {
-        return fits & (e[EXPONENT] > LEAST_EXPONENT);
+        return driven & (e[SHIFT] > LEAST_EXPONENT);
     }
-    return fits & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
+    return driven & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
 }
 
-/* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
+/* Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1. */
 INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    functions(f, x, e[4]);
+    functions(f, x, magnitude(e[4]));
+    if (job->role->per_pole >= 0) {
+        V change = c[job->role->loss_rate] * x;
+        f[4] = change / (1.0 - change);
+        return;
+    }
     f[4] = expm1_of(c[job->role->loss_rate] * x);
+}
+
+/* Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``. */
+INLINE void count_from_end(Batch *b, V *back, V *f, V x)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    reverse(f, -back[4]);
+    f[4] = (-f[4]) * (1.0 + expm1_of(c[job->role->loss_rate] * x));
 }
 
 /* Return E from its factors and its functions. */
 INLINE V softening_energy(V *e, V *f)
 {
-    V left = 1.0 + f[4];
+    V first = e[FIRST];
+    V left = first + f[4];
     V above = broadcast(0.0);
     V constant = broadcast(0.0);
     V of_sine = broadcast(0.0);
     V of_vers = broadcast(0.0);
     for (int j = TERMS; j >= 1; j--) {
-        above = above + e[CONSTANT + j];
+        above = (above * first) + e[CONSTANT + j];
         constant = (constant * left) + above;
         of_sine = (of_sine + e[SINE + j]) * left;
         of_vers = (of_vers + e[VERS + j]) * left;
@@ -3614,11 +3805,11 @@ INLINE V softening_energy(V *e, V *f)
     }
     V square = shift * shift;
     grown = 1.0 + (shift + (square * grown));
-    V faded_part = (e[4] * above) * (f[0] - (e[4] * f[1]));
+    V faded_part = (e[4] * (above * first)) * (f[0] - (e[4] * f[1]));
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
-/* Return the variable of the rules: the rotation, or the logarithm of its distance from the pole of friction. */
+/* Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole. */
 INLINE V passed_to(Batch *b, V x)
 {
     const Job *const job = b->job;
@@ -3629,35 +3820,18 @@ INLINE V passed_to(Batch *b, V x)
     return x;
 }
 
-/* Return E at a rotation, and compute the functions of which it consists. */
-INLINE V energy_at(Batch *b, V *e, V *f, V x, V passed)
-{
-    const Job *const job = b->job;
-    if (job->role->per_pole >= 0) {
-        hyperbolic_functions(e, f, x, passed);
-        return hyperbolic_energy(e, f);
-    }
-    softening_functions(b, e, f, x);
-    return softening_energy(e, f);
-}
-
 /* Compute E and its first two derivatives behind the functions of which it consists. */
 INLINE void soften(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V passed = passed_to(b, x);
-    V at = energy_at(b, e, f, x, passed);
-    V rate = c[job->role->loss_rate] * (1.0 + f[4]);
+    softening_functions(b, e, f, x);
+    V left = 1.0 + f[4];
+    V rate = c[job->role->loss_rate] * left;
     if (job->role->per_pole >= 0) {
-        V left = 1.0 / (1.0 + (c[job->role->per_pole] * x));
-        const Pair lag_versine = turned(x);
-        V lag = lag_versine.one, versine = lag_versine.other;
-        f[2] = versine;
-        f[3] = lag;
-        f[4] = (c[job->role->loss_rate] * x) * left;
-        rate = c[job->role->loss_rate] * (left * left);
+        rate = rate * left;
     }
+    V at = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
     V sine = f[0] - f[3];
     V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
     V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
@@ -3673,42 +3847,49 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     f[7] = 2.0 * (turns + (rate * loss));
 }
 
+/* Return E at a distance from rest, and compute the functions of which it consists. */
+INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
+{
+    softening_functions(b, e, f, past);
+    if (part) {
+        count_from_end(b, e, f, end - past);
+    }
+    return softening_energy(e, f);
+}
+
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
- * distances to both rests in `passed_to`. E rises from node to node. */
+ * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node. */
 INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
     const Job *const job = b->job;
-    V *const c = b->c;
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
     V lower = broadcast(0.0);
-    V pole = broadcast(1.0);
-    if (job->role->per_pole >= 0) {
-        pole = 1.0 / c[job->role->per_pole];
-    }
     V f[STRIDE];
-    for (int k = TO_PEAK * part; k <= (TO_PEAK + (FROM_PEAK * part)) - 1; k++) {
+    int fine = job->order > FINEST;
+    int times = fine ? 2 : 1;
+    times = part ? times : (2 * times);
+    int k_first = SHORTEST * (times - 1);
+    for (int k = k_first; k <= (k_first + (SHORTEST * times)) - 1; k++) {
         V here = unit * (NODES[k] * NODES[k]);
         V other = 1.0 + (bend * (1.0 - NODES[k]));
         V share = 1.0 / (here + (other * other));
         V past = end * (here * share);
-        V passed = (part == 0) ? past : end - past;
-        V x = 1.0 * passed;
-        V per_passed = broadcast(1.0);
+        V passed = part ? -past : past;
+        V at = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed) : energy_past(b, e, f, past, end, part);
+        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
         if (job->role->per_pole >= 0) {
-            x = pole * expm1_of(passed);
-            per_passed = pole + x;
+            slowness = slowness * magnitude(e[POLE] + f[0]);
         }
-        V at = energy_at(b, e, f, x, passed);
-        V slowness = (((share * share) * (other * NODES[k])) * per_passed) / sqrt_of(at);
         total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
         lower = at;
         last = last + (LAST_SHARES[k] * slowness);
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
-    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (ALIKE * total);
+    V most = broadcast(fine ? CLOSER : ALIKE);
+    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
     return pick(accurate, ((end * unit) * (1.0 + bend)) * total, broadcast(INFINITY));
 }
 
@@ -3722,16 +3903,20 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     V to_end = passed_to(b, end);
     V unit = to_peak / (to_end - to_peak);
     V softened = 1.0 - (peak * c[job->role->loss_rate]);
-    V bend = (c[FACTOR] * BENT) * sqrt_of(softened);
+    V unchanged = pick(c[FACTOR] < 0.2, broadcast(PER_STEP_TO_ROUNDING), broadcast(PER_STEP));
+    V change = c[FACTOR] * unchanged;
+    V bend = (change * BENT) * sqrt_of(softened);
     if (job->role->per_pole >= 0) {
-        bend = c[FACTOR] * CLOSER_AT_START;
+        bend = change * CLOSER_TO_POLE;
+        M complete = (end + e[POLE]) < WIDEST;
+        to_end = pick(complete, to_end, broadcast(INFINITY));
     }
     V before = time_of_part(b, e, to_end, unit, bend, 0);
-    if (job->role->per_pole >= 0) {
-        M complete = (end + (1.0 / c[job->role->per_pole])) < WIDEST;
-        before = pick(complete, before, broadcast(INFINITY));
-    }
-    V after = time_of_part(b, e, to_end, 1.0 / unit, (4.0 * c[FACTOR]) - 1.0, 1);
+    V f[STRIDE];
+    V back[STRIDE];
+    softening_functions(b, e, f, end);
+    factors_about_end(b, back, e, f);
+    V after = time_of_part(b, back, to_end, 1.0 / unit, change - 1.0, 1);
     return (Pair){before, (before + after)};
 }
 

@@ -1,12 +1,12 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fabdcaa43460ed95b9c422ce795560ac16a08e6bd60a43881de1a644f3ad8bc8
+# sha256 of the text below: 519adba015f59e1442c6b05d3f4e7f744d8dfd396dea980a31ea6a298ecaba23
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
 ``cells``, and `generated.layout` names the rows. Lanes are integrated side by side.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -274,40 +274,75 @@ PLACES = (0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.188
 WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
     0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
     0.028531388628933663, 0.0123412297999872)
-TO_PEAK = 24
-FROM_PEAK = 12
-NODES = (0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853,
-    0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183,
-    0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817,
-    0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515,
-    0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.009219682876640378,
-    0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554,
-    0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375,
-    0.9907803171233596)
-SHARES = (0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803,
-    0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339,
-    0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339,
-    0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803,
-    0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.04717533638651183,
-    0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277,
-    0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843,
-    0.04717533638651183)
-LAST_SHARES = (-0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993,
-    -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932,
-    0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022,
-    -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339,
-    0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944,
-    -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658,
+SHORTEST = 12
+NODES = (0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994,
+    0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523,
+    0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336,
+    0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022,
+    0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028,
+    0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878,
+    0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547,
+    0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364,
+    0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326,
+    0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432,
+    0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965,
+    0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653,
+    0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277,
+    0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863,
+    0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213,
+    0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155,
+    0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213)
+SHARES = (0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548,
+    0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622,
+    0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981,
+    0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563,
+    0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216,
+    0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388,
+    0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663,
+    0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849,
+    0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044,
+    0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447,
+    0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388,
+    0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392,
+    0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665,
+    0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367,
+    0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071,
+    0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553,
+    0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385)
+LAST_SHARES = (-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658,
     1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439,
-    -0.3787454113112651, 0.11253711127058313)
-NEXT_SHARES = (0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017,
-    -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826,
-    0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826,
-    0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017,
-    -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.2108819967832719,
-    -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808,
-    -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008,
-    0.2108819967832719)
+    -0.3787454113112651, 0.11253711127058313, -0.030148844086217937, 0.10450373227140304, -0.20157312656922505,
+    0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468,
+    -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926,
+    0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751,
+    -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304,
+    0.030148844086217944, -0.007790034178160956, 0.027210382191082905, -0.053218548447853446, 0.08410186396997914,
+    -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.2802924835319247,
+    0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185,
+    -0.5256376989451521, 0.5604330646255685, -0.5923691692370726, 0.6211002458494637, -0.6463178840446435,
+    0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.7117839566284571,
+    -0.7117839566284571, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436,
+    0.6463178840446435, -0.6211002458494637, 0.5923691692370726, -0.5604330646255685, 0.5256376989451521,
+    -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484,
+    0.2802924835319247, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847,
+    -0.08410186396997912, 0.053218548447853446, -0.02721038219108291, 0.007790034178160959)
+NEXT_SHARES = (0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606,
+    -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414,
+    -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.3700387859234278,
+    -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835,
+    0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701,
+    0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908,
+    -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246,
+    0.058702978041430834, 0.015395378857163744, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088,
+    0.22399186460403825, -0.28829564702411775, 0.35190757413026297, -0.4124853958917247, 0.46787201596605255,
+    -0.5161184901411058, 0.5555142313787836, -0.5846181008158504, 0.6022867338773648, -0.6076977904534808,
+    0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595776, 0.44601843579385353,
+    -0.37969175876655653, 0.3047302106486445, -0.2228033001446087, 0.13576509711972842, -0.04560499610629583,
+    -0.04560499610629583, 0.13576509711972842, -0.2228033001446087, 0.3047302106486445, -0.37969175876655653,
+    0.44601843579385353, -0.5022697983595776, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669,
+    -0.6076977904534808, 0.6022867338773648, -0.5846181008158504, 0.5555142313787836, -0.5161184901411058,
+    0.46787201596605255, -0.4124853958917247, 0.35190757413026297, -0.28829564702411775, 0.22399186460403825,
+    -0.16152034625672088, 0.1036330300190351, -0.05349347277944267, 0.015395378857163744)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 BEYOND = 1.125
@@ -327,9 +362,10 @@ STRAIGHT = 16.0
 NEWTON = 3
 NEAREST = 0.9
 EVEN = 9.5367431640625e-07
+FINEST = 18
 CLOSER = 2.9802322387695312e-08
 MOST_HALVINGS = 30
-SHORTEST = 1e-07
+BRIEFEST = 1e-07
 LAST = 7
 VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
     -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
@@ -339,20 +375,24 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
     -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
     -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
     -7.647163731819816e-13, 4.779477332387385e-14)
-PAIRS = 10
+PAIRS = 12
 LEAST = 1e-100
-EXPONENT = 5
+SHIFT = 5
+FIRST = 6
+POLE = 7
 POWER = 8
-FINEST = 18.0
+LOAD = 33
+NET = 36
 TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
 ALIKE = 3.814697265625e-06
-BENT = 1.3
-CLOSER_AT_START = 12.0
+PER_STEP = 4.0
+PER_STEP_TO_ROUNDING = 7.38905609893065
+BENT = 0.325
+CLOSER_TO_POLE = 3.0
 LEAST_EXPONENT = -0.5
 WIDEST = 2.0
-SHIFT = 5
 CONSTANT = 8
 SINE = 16
 VERS = 24
@@ -2017,13 +2057,6 @@ def make_step(s: Lanes, here: Mask) -> None:
     arrive(s, here, until, rate, steady, at_limit, endless)
 
 
-def is_even(last: Floats, last_but_one: Floats, total: Floats, fine: int) -> Mask:
-    """Return whether the last coefficients of an integrand are small enough beside its integral."""
-    most: Floats = CLOSER if fine else EVEN
-    unevenness = np.abs(last) + np.abs(last_but_one)
-    return unevenness <= most * total
-
-
 def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Floats) -> Floats:
     """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain."""
     size = np.abs(way)
@@ -2036,9 +2069,8 @@ def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Fl
     total: Floats = 0.0
     last: Floats = 0.0
     last_but_one: Floats = 0.0
-    k_first = 0 if fine else TO_PEAK
-    k_last = TO_PEAK - 1 if fine else TO_PEAK + FROM_PEAK - 1
-    for k in range(k_first, k_last + 1):
+    k_first = SHORTEST if fine else 0
+    for k in range(k_first, 2 * k_first + SHORTEST - 1 + 1):
         past = span * NODES[k]
         v = first + past
         square = v * v
@@ -2050,7 +2082,9 @@ def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Fl
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     time = span * stretch * total
-    time = np.where(is_even(last, last_but_one, total, fine), time, INFINITY)
+    most: Floats = CLOSER if fine else EVEN
+    accurate = np.abs(last) + np.abs(last_but_one) <= most * total
+    time = np.where(accurate, time, INFINITY)
     return np.where(size > 0.0, time, 0.0)
 
 
@@ -2086,7 +2120,7 @@ def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats,
     step = c[ix.STEP].copy()
     peaks = peak < INFINITY
     far = STRAIGHT * step
-    fine = s.highest > 18
+    fine = s.highest > FINEST
     of_end = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     expand_about_end(s, of_end, top)
     to_end = distance_of_rest(of_end, top, 1.0, far)
@@ -2189,7 +2223,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
     duration = before + after
     until = c[ix.TIME] + duration
     stands = c[ix.STEP] == 0.0
-    regular = (duration > SHORTEST) | stands
+    regular = (duration > BRIEFEST) | stands
     fits = here & regular & (until < c[ix.END_TIME])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
     c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
@@ -2275,15 +2309,20 @@ def bend_of(e: Floats, f: Floats) -> Floats:
     return faded_part + turned_part
 
 
-def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
-    """Compute the factors of E about the end of a phase, from the four functions there."""
+def look_back(back: Floats, first: int, drive: Floats, sine: Floats, vers: Floats, f: Floats) -> None:
+    """Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase."""
     sine_end = f[0] - f[3]
     cosine = 1.0 - f[2]
     change = sine * sine_end + vers * f[2]
-    at_end = drive + change
-    sine_back = sine * cosine + vers * sine_end
-    vers_back = sine * sine_end - vers * cosine
-    factors(back, -at_end, sine_back, vers_back, -q)
+    back[first] = -(drive + change)
+    back[first + 1] = sine * cosine + vers * sine_end
+    back[first + 2] = sine * sine_end - vers * cosine
+
+
+def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    look_back(back, 0, drive, sine, vers, f)
+    factors(back, back[0], back[1], back[2], -q)
 
 
 def reverse(f: Floats, q: Floats) -> None:
@@ -2295,108 +2334,141 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = rest / faded_by
 
 
-def hyperbolic_factors(s: Lanes, e: Floats, drive: Floats, sine: Floats, vers: Floats) -> None:
-    """Compute p, -w/p and the power series. Drive, sine and vers are factors of the net moment without load."""
-    c = s.cells
-    q = e[4]
-    pole = 1.0 / c[s.roles.per_pole]
-    p = -2.0 * c[s.roles.net_loss_square] * pole
-    e[EXPONENT] = np.where(p == 0.0, LEAST, p)
+def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
+    """Compute -w/p and the power series, for the drive with the load."""
+    pole = e[POLE]
+    e[4] = q
+    e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
+    whole_sine = e[NET + 1] + e[FIRST] * e[LOAD + 1]
+    whole_vers = e[NET + 2] + e[FIRST] * e[LOAD + 2]
     fading: Floats = 2.0
     even: Floats = 2.0
     odd: Floats = 0.0
     before: Floats = 0.0
     for k in range(2 * PAIRS + 1):
         versine = fading - even
-        loaded = c[s.roles.drive] * fading + (c[s.roles.net_sine] * odd + c[s.roles.net_vers] * versine)
-        e[POWER + k] = pole * loaded + before
-        before = drive * fading + (sine * odd + vers * versine)
-        per: Floats = 1.0 / float(k + 1)
+        whole = drive * fading + (whole_sine * odd + whole_vers * versine)
+        e[POWER + k] = pole * whole + before
+        before = e[NET] * fading + (e[NET + 1] * odd + e[NET + 2] * versine)
         of_sine = odd * q + even
         of_cosine = even * q - odd
-        fading = fading * q * per
-        even = of_cosine * per
-        odd = of_sine * per
+        fading = fading * q * (1.0 / (k + 1))
+        even = of_cosine * (1.0 / (k + 1))
+        odd = of_sine * (1.0 / (k + 1))
     higher: Floats = 0.0
     for k in range(2 * PAIRS, 1 - 1, -1):
-        rest = e[POWER + k] - float(k + 1) * pole * higher
-        higher = rest / (e[EXPONENT] + float(k))
+        per = 1.0 / (e[SHIFT] + float(k))
+        shrink = float(k + 1) * pole * per
+        higher = e[POWER + k] * per - shrink * higher
         e[POWER + k] = higher
     weight = e[POWER] - pole * higher
-    e[POWER] = weight / -e[EXPONENT]
+    e[POWER] = -weight / e[SHIFT]
 
 
-def hyperbolic_functions(e: Floats, f: Floats, x: Floats, passed: Floats) -> None:
-    """Compute the functions of which E consists at x. ``passed`` is the logarithm of 1 + x/pole."""
-    p = e[EXPONENT]
+def hyperbolic_energy(e: Floats, f: Floats, passed: Floats) -> Floats:
+    """Return E, and compute x in place 0, where the logarithm of 1 + x/pole is ``passed``."""
+    x = e[POLE] * np.expm1(passed)
     f[0] = x
-    f[1] = 1.0 + np.expm1(-e[4] * x)
-    f[2] = np.expm1(-p * passed)
-
-
-def hyperbolic_energy(e: Floats, f: Floats) -> Floats:
-    """Return E from its factors and its functions."""
-    square = f[0] * f[0]
+    square = x * x
     even = e[POWER + 2 * PAIRS]
     odd = e[POWER + 2 * PAIRS - 1]
     for k in range(PAIRS - 1, 1 - 1, -1):
         even = even * square + e[POWER + 2 * k]
         odd = odd * square + e[POWER + 2 * k - 1]
-    series = f[0] * (odd + f[0] * even)
-    return f[1] * (series + e[POWER] * f[2])
+    series = x * (odd + x * even)
+    singular = e[POWER] * np.expm1(-e[SHIFT] * passed)
+    return (1.0 + np.expm1(-e[4] * x)) * (series + singular)
 
 
-def softening_factors(s: Lanes, e: Floats) -> None:
-    """Compute the factors of E."""
-    c = s.cells
-    drive = c[s.roles.drive] - c[s.roles.net_loss]
-    sine = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
-    vers = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
-    q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
-    factors(e, drive, sine, vers, q)
-    if s.roles.per_pole >= 0:
-        hyperbolic_factors(s, e, drive, sine, vers)
-        return
-    e[SHIFT] = 2.0 * c[s.roles.net_loss_square] / c[s.roles.loss_rate]
+def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
+    """Compute the factors of all terms from the numbers of the net moment without the load, and of the load."""
+    factors(e, e[NET], e[NET + 1], e[NET + 2], q)
     part = np.zeros((ix.STRIDE, e.shape[1]))
     weight: Floats = 1.0
     for j in range(1, TERMS + 1):
         before = weight
         weight = weight * e[SHIFT] / float(-j)
-        of_sine = weight * sine + before * c[s.roles.net_loss_sine]
-        of_vers = weight * vers + before * c[s.roles.net_loss_vers]
-        factors(part, weight * drive + before * c[s.roles.net_loss], of_sine, of_vers,
-            q + float(j) * c[s.roles.loss_rate])
+        drive = weight * e[NET] + before * e[LOAD]
+        sine = weight * e[NET + 1] + before * e[LOAD + 1]
+        vers = weight * e[NET + 2] + before * e[LOAD + 2]
+        factors(part, drive, sine, vers, q + float(j) * rate)
         e[CONSTANT + j] = (part[0] + part[3]) / part[4]
         e[SINE + j] = part[3]
         e[VERS + j] = part[2]
 
 
+def softening_factors(s: Lanes, e: Floats) -> None:
+    """Compute the factors of E."""
+    c = s.cells
+    e[SHIFT] = 2.0 * c[s.roles.net_loss_square] / c[s.roles.loss_rate]
+    e[FIRST] = 1.0
+    e[LOAD] = c[s.roles.net_loss]
+    e[LOAD + 1] = c[s.roles.net_loss_sine]
+    e[LOAD + 2] = c[s.roles.net_loss_vers]
+    e[NET] = c[s.roles.drive] - c[s.roles.net_loss]
+    e[NET + 1] = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
+    e[NET + 2] = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
+    q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
+    if s.roles.per_pole >= 0:
+        e[0] = 2.0 * e[NET]
+        e[POLE] = 1.0 / c[s.roles.per_pole]
+        hyperbolic_factors(s, e, q, c[s.roles.drive])
+        return
+    factors_of_terms(e, q, c[s.roles.loss_rate])
+
+
+def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
+    """Compute the factors of E as a function of the distance from the end of a phase, from the functions there."""
+    c = s.cells
+    back[SHIFT] = e[SHIFT]
+    back[FIRST] = 1.0 + f[4]
+    look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
+    look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
+    if s.roles.per_pole >= 0:
+        back[POLE] = -e[POLE] - f[0]
+        drive = back[NET] + back[FIRST] * back[LOAD]
+        hyperbolic_factors(s, back, -e[4], drive)
+        return
+    factors_of_terms(back, -e[4], -c[s.roles.loss_rate])
+
+
 def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
-    fits = (c[ix.ORDER] <= FINEST) & (np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive])
+    driven = np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive]
     if s.roles.per_pole >= 0:
-        return fits & (e[EXPONENT] > LEAST_EXPONENT)
-    return fits & (np.abs(e[SHIFT]) <= GREATEST) & (2.0 * e[4] + c[s.roles.loss_rate] < 0.0)
+        return driven & (e[SHIFT] > LEAST_EXPONENT)
+    return driven & (np.abs(e[SHIFT]) <= GREATEST) & (2.0 * e[4] + c[s.roles.loss_rate] < 0.0)
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
+    """Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1."""
     c = s.cells
-    functions(f, x, e[4])
+    functions(f, x, np.abs(e[4]))
+    if s.roles.per_pole >= 0:
+        change = c[s.roles.loss_rate] * x
+        f[4] = change / (1.0 - change)
+        return
     f[4] = np.expm1(c[s.roles.loss_rate] * x)
+
+
+def count_from_end(s: Lanes, back: Floats, f: Floats, x: Floats) -> None:
+    """Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``."""
+    c = s.cells
+    reverse(f, -back[4])
+    f[4] = -f[4] * (1.0 + np.expm1(c[s.roles.loss_rate] * x))
 
 
 def softening_energy(e: Floats, f: Floats) -> Floats:
     """Return E from its factors and its functions."""
-    left = 1.0 + f[4]
+    first = e[FIRST]
+    left = first + f[4]
     above: Floats = 0.0
     constant: Floats = 0.0
     of_sine: Floats = 0.0
     of_vers: Floats = 0.0
     for j in range(TERMS, 1 - 1, -1):
-        above = above + e[CONSTANT + j]
+        above = above * first + e[CONSTANT + j]
         constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
@@ -2407,40 +2479,27 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
         grown = FADING[k] - grown * shift
     square = shift * shift
     grown = 1.0 + (shift + square * grown)
-    faded_part = e[4] * above * (f[0] - e[4] * f[1])
+    faded_part = e[4] * (above * first) * (f[0] - e[4] * f[1])
     return grown * (energy(e, f) + (terms + faded_part))
 
 
 def passed_to(s: Lanes, x: Floats) -> Floats:
-    """Return the variable of the rules: the rotation, or the logarithm of its distance from the pole of friction."""
+    """Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole."""
     c = s.cells
     if s.roles.per_pole >= 0:
         return np.log1p(c[s.roles.per_pole] * x)
     return x
 
 
-def energy_at(s: Lanes, e: Floats, f: Floats, x: Floats, passed: Floats) -> Floats:
-    """Return E at a rotation, and compute the functions of which it consists."""
-    if s.roles.per_pole >= 0:
-        hyperbolic_functions(e, f, x, passed)
-        return hyperbolic_energy(e, f)
-    softening_functions(s, e, f, x)
-    return softening_energy(e, f)
-
-
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
     c = s.cells
-    passed = passed_to(s, x)
-    at = energy_at(s, e, f, x, passed)
-    rate = c[s.roles.loss_rate] * (1.0 + f[4])
+    softening_functions(s, e, f, x)
+    left = 1.0 + f[4]
+    rate = c[s.roles.loss_rate] * left
     if s.roles.per_pole >= 0:
-        left = 1.0 / (1.0 + c[s.roles.per_pole] * x)
-        lag, versine = turned(x)
-        f[2] = versine
-        f[3] = lag
-        f[4] = c[s.roles.loss_rate] * x * left
-        rate = c[s.roles.loss_rate] * (left * left)
+        rate = rate * left
+    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
     sine = f[0] - f[3]
     of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
     of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
@@ -2456,35 +2515,41 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     f[7] = 2.0 * (turns + rate * loss)
 
 
+def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
+    """Return E at a distance from rest, and compute the functions of which it consists."""
+    softening_functions(s, e, f, past)
+    if part:
+        count_from_end(s, e, f, end - past)
+    return softening_energy(e, f)
+
+
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain."""
-    c = s.cells
     total: Floats = 0.0
     last: Floats = 0.0
     last_but_one: Floats = 0.0
     lower: Floats = 0.0
-    pole: Floats = 1.0
-    if s.roles.per_pole >= 0:
-        pole = 1.0 / c[s.roles.per_pole]
     f = np.zeros((ix.STRIDE, e.shape[1]))
-    for k in range(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1 + 1):
+    fine = s.highest > FINEST
+    times = 2 if fine else 1
+    times = times if part else 2 * times
+    k_first = SHORTEST * (times - 1)
+    for k in range(k_first, k_first + SHORTEST * times - 1 + 1):
         here = unit * (NODES[k] * NODES[k])
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        passed = past if part == 0 else end - past
-        x = 1.0 * passed
-        per_passed: Floats = 1.0
+        passed = -past if part else past
+        at = hyperbolic_energy(e, f, passed) if s.roles.per_pole >= 0 else energy_past(s, e, f, past, end, part)
+        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
         if s.roles.per_pole >= 0:
-            x = pole * np.expm1(passed)
-            per_passed = pole + x
-        at = energy_at(s, e, f, x, passed)
-        slowness = share * share * (other * NODES[k]) * per_passed / np.sqrt(at)
+            slowness = slowness * np.abs(e[POLE] + f[0])
         total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    accurate = np.abs(last) + np.abs(last_but_one) <= ALIKE * total
+    most: Floats = CLOSER if fine else ALIKE
+    accurate = np.abs(last) + np.abs(last_but_one) <= most * total
     return np.where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
 
 
@@ -2495,14 +2560,19 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
     to_end = passed_to(s, end)
     unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * c[s.roles.loss_rate]
-    bend = c[ix.FACTOR] * BENT * np.sqrt(softened)
+    unchanged = np.where(c[ix.FACTOR] < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
+    change = c[ix.FACTOR] * unchanged
+    bend = change * BENT * np.sqrt(softened)
     if s.roles.per_pole >= 0:
-        bend = c[ix.FACTOR] * CLOSER_AT_START
+        bend = change * CLOSER_TO_POLE
+        complete = end + e[POLE] < WIDEST
+        to_end = np.where(complete, to_end, INFINITY)
     before = time_of_part(s, e, to_end, unit, bend, 0)
-    if s.roles.per_pole >= 0:
-        complete = end + 1.0 / c[s.roles.per_pole] < WIDEST
-        before = np.where(complete, before, INFINITY)
-    after = time_of_part(s, e, to_end, 1.0 / unit, 4.0 * c[ix.FACTOR] - 1.0, 1)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
+    back = np.zeros((ix.STRIDE, e.shape[1]))
+    softening_functions(s, e, f, end)
+    factors_about_end(s, back, e, f)
+    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1)
     return (before, before + after)
 
 
@@ -2906,6 +2976,56 @@ def integrate(
                 advance(s, status <= ix.RESTING)
             cells[:, alike] = s.stored
             live = live[cells[ix.STATUS, live] <= ix.RESTING]
+
+
+def integrate_runs(program: Program, tables: Sequence[Any], start: Mapping[str, float], moves: Floats) -> Any:
+    """Integrate runs of one motion; return the final cells of the first run, a list, and the `spreads` of all.
+
+    Parameters
+    ----------
+    program, tables
+        Arguments of `integrate`.
+    start : mapping
+        Initial cells by name.
+    moves : ndarray
+        Factors and summands of the cells in each run, (2, cells, runs).
+
+    Returns
+    -------
+    tuple or None
+        None if a run has not ended.
+    """
+    column = np.zeros((len(program.cells), 1))
+    for name in start.keys() & program.places.keys():
+        column[program.places[name]] = start[name]
+    cells = column * moves[0] + moves[1]
+    integrate(program, tables, cells)
+    if np.any(cells[ix.STATUS] >= ix.TOO_LONG):
+        return None
+    return cells[: len(ix.CELLS), 0].tolist(), spreads(cells)
+
+
+def spreads(cells: Floats) -> tuple[float, ...]:
+    """Return relative differences of runs of a motion from the first run, from their final cells, (cells, runs).
+
+    They are the greatest differences of duration, run-out and peak velocity, and of states during the motion, which
+    differ by the spread of times, at the peak velocity, or by the spread of rotations. All are infinite if a run ends
+    otherwise.
+    """
+    rests = (cells[ix.STATUS] >= ix.ARRESTED) & (cells[ix.STATUS] <= ix.ENDED)
+    unlike = (cells[ix.STATUS] != cells[ix.STATUS, 0]) & ~(rests & rests[0])
+    moves = cells[ix.PHASES] > 0.0
+    if np.any(unlike | (moves != moves[0])):
+        return (np.inf,) * 4
+    ended = (cells[ix.STATUS] == ix.ENDED) & (cells[ix.TIME, 0] < np.inf)
+    times = np.where(ended, cells[ix.END_TIME], cells[ix.REST_SINCE])
+    results = np.array([times, cells[ix.REACH_ROTATION], abs(cells[ix.PEAK_OMEGA]), cells[ix.END_ROTATION]])
+    first = abs(results[:, 0])
+    sizes = np.maximum(first, ix.LEAST_SIZE)
+    with np.errstate(invalid="ignore"):  # of times, which may be infinite
+        most = np.fmax.reduce(abs(results - results[:, :1]), axis=1)
+    states = max(ix.BETWEEN * most[0] * first[2], most[3]) / sizes[1]
+    return (*(most / sizes)[:3].tolist(), float(states))
 
 
 def registers(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 30a5a33c55f6e190bfcea3c61f66a64dd76be33b9982054fe2d0ec50b6734e9a
+# sha256 of the text below: 7f4d06af70eb31e757b362203b4615d7282d66b572b8da09622134dcac11e2b8
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -133,4 +133,6 @@ MOST_TURNS = 2000
 STIFF_CHANGE = 0.001
 CARRIED = 0.001
 SETTLED = 1.4210854715202004e-14
+BETWEEN = 2.0
+LEAST_SIZE = 1e-300
 STRIDE = 42

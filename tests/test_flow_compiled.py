@@ -178,6 +178,54 @@ def test_threads_walk_side_by_side() -> None:
     assert np.array_equal(np.concatenate(halves, axis=1), integrate(bound), equal_nan=True)
 
 
+# Runs of a motion by cells in which they differ, and their relative differences: of duration, run-out, peak velocity,
+# and states, by twice the spread of times at the peak velocity, or by the spread of rotations.
+RUNS: dict[str, tuple[dict[int, list[float]], tuple[float, ...]]] = {
+    "equal": ({}, (0.0, 0.0, 0.0, 0.0)),
+    "times": ({ix.REST_SINCE: [8.0, 8.0, 10.0]}, (0.25, 0.0, 0.0, 2 * 2.0 * 3.0 / 4.0)),
+    "rotations": ({ix.END_ROTATION: [3.0, 1.0, 4.0]}, (0.0, 0.0, 0.0, 0.5)),
+    "results": ({ix.REACH_ROTATION: [4.0, 5.0, 3.5], ix.PEAK_OMEGA: [3.0, -3.0, -1.5]}, (0.0, 0.25, 0.5, 0.0)),
+    "ended": ({ix.STATUS: [ix.ENDED, ix.ARRESTED, ix.PAUSED]}, (0.2, 0.0, 0.0, 2 * 2.0 * 3.0 / 4.0)),
+    "otherwise": ({ix.STATUS: [ix.ARRESTED, ix.UPRIGHT, ix.ARRESTED]}, (np.inf,) * 4),
+    "still": ({ix.PHASES: [0.0, 0.0, 1.0]}, (np.inf,) * 4),
+}
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_spreads_of_runs(name: str) -> None:
+    cells = np.zeros((len(ix.CELLS), 3))
+    usual = {ix.STATUS: ix.ARRESTED, ix.PHASES: 1.0, ix.END_TIME: 10.0, ix.REST_SINCE: 8.0, ix.REACH_ROTATION: 4.0}
+    for cell, values in (usual | {ix.PEAK_OMEGA: 3.0, ix.END_ROTATION: 3.0} | RUNS[name][0]).items():
+        cells[cell] = values
+    for module in (compiled, in_numpy):
+        assert module.spreads(cells) == pytest.approx(RUNS[name][1], rel=1e-15)
+
+
+@pytest.mark.parametrize("name", ["constant", "softening"])
+def test_runs_of_a_motion_are_lanes(name: str) -> None:
+    """The cells of runs are products and sums of one lane's, and are integrated as lanes are."""
+    bound = problem(name)
+    start = {key: value[0] if isinstance(value, np.ndarray) else value for key, value in bound.start.items()}
+    moves = np.zeros((2, len(bound.program.cells), 3))
+    moves[0] = 1.0 + np.array([0.0, 1e-3, 2e-3])
+    moves[0, len(bound.program.cells) - len(bound.program.constants) :] = 1.0
+    moves[0, ix.ORDER], moves[1, ix.ORDER] = 1.0, [0.0, 1.0, 2.0]
+    column = np.zeros((len(bound.program.cells), 1))
+    for key in start.keys() & bound.program.places.keys():
+        column[bound.program.places[key]] = start[key]
+    lanes = column * moves[0] + moves[1]
+    compiled.integrate(bound.program, bound.tables(), lanes)
+    for module in (compiled, in_numpy):
+        final, spreads = module.integrate_runs(bound.program, bound.tables(), start, moves)
+        within = 0.0 if module is compiled else 1e-11
+        alike(np.array(final)[:, None], lanes[: len(final), :1], within)
+        assert spreads == pytest.approx(in_numpy.spreads(lanes), rel=1e3 * within)
+    with pytest.raises(ValueError, match="not those of as many lanes"):
+        compiled.integrate_runs(bound.program, bound.tables(), start, moves[:, 1:].copy())
+    with pytest.raises(TypeError, match="real number"):
+        compiled.integrate_runs(bound.program, bound.tables(), start | {"ORDER": None}, moves)
+
+
 MALFORMED = {  # integers of a program by their places, and what they become
     "cells": (0, -1), "no cells": (0, 0), "made": (1, 10**6), "registers": (2, 10**8), "fewer registers": (2, 3),
     "states": (3, 10**8), "no states": (3, 0), "tables": (4, 10**8), "numbers": (5, -4), "series": (6, 2**31 - 1),

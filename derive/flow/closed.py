@@ -6,20 +6,20 @@ from types import SimpleNamespace
 from typing import Any
 
 import mpmath
-from sympy import Expr, Float, Function, Rational, Symbol, cos, exp, expand_trig, lambdify, nsimplify, sin, symbols
+from sympy import Expr, Float, Function, Rational, cos, exp, expand_trig, lambdify, nsimplify, sin, symbols
 
 from derive.algebra import phase_plane
 from derive.algebra.phase_plane import BASIS, NET, SOFTENING, drive, q, sine, vers, x
 from derive.algebra.prove import prove_zero
 from derive.check.proof import ProofError
 from derive.flow.integrator import energy, softening
-from derive.flow.integrator.hyperbolic import EXPONENT, PAIRS, hyperbolic_energy
-from derive.flow.integrator.softening import SHIFT, TERMS
+from derive.flow.integrator.hyperbolic import FIRST, PAIRS, SHIFT, hyperbolic_energy
+from derive.flow.integrator.softening import TERMS
 from derive.flow.layout import STRIDE
 
 PROBLEM = (drive, sine, vers, q, *SOFTENING)
-DIGITS = 700  # of a proof by substitution, more than the terms of E have so close to its start
 NEAR_START = 2.0**-100
+DIGITS = 800  # more than terms of E have so close to its start
 
 
 def _factors(*problem: Any) -> list[Expr]:
@@ -91,15 +91,22 @@ def _prove_softening() -> None:
     e: list[Any] = [0] * STRIDE
     softening.softening_factors(_lane({symbol: symbol for symbol in PROBLEM}), e)
     e[SHIFT] = 0  # without the factor exp(brake W/slope)
-    found = softening.softening_energy(e, [*BASIS, exp(-slope * x) - 1])
+    first = symbols("first")
+    e[FIRST] = first
+    fall = first * exp(-slope * x)
+    found = softening.softening_energy(e, [*BASIS, fall - first])
     for j, problem in enumerate(islice(phase_plane.softening(), TERMS + 1)):
-        found -= exp(-j * slope * x) * phase_plane.energy_from_rest(problem)
-    numbers = {symbol: Rational(k, 7) for k, symbol in enumerate(PROBLEM, 2)}
+        found -= fall**j * phase_plane.energy_from_rest(problem)
+    numbers = {symbol: Rational(k, 7) for k, symbol in enumerate((*PROBLEM, first), 2)}
     prove_zero(_exact(found).xreplace(numbers), "E under softening friction in the integrator")
 
 
 def _prove_hyperbolic() -> None:
     """Prove E under hyperbolic softening by substitution: near the start the equation misses the omitted terms only."""
+    energy_of_x = Function("E")(x)
+    unknown = symbols("E slope_of_E")
+    equation = phase_plane.hyperbolic().subs(energy_of_x.diff(x), unknown[1]).subs(energy_of_x, unknown[0])
+    missed = lambdify((*PROBLEM, x, *unknown), equation, "mpmath")
     with mpmath.workdps(2 * DIGITS):
         values = {symbol: mpmath.mpf(k) / 7 for k, symbol in enumerate(PROBLEM, 2)}
         slope = values[SOFTENING[0]]
@@ -107,14 +114,9 @@ def _prove_hyperbolic() -> None:
         softening.softening_factors(_lane(values, slope), e)
 
         def energy_at(place: Any) -> Any:
-            passed = mpmath.log1p(slope * place)
-            functions = [place, mpmath.exp(-values[q] * place), mpmath.expm1(-e[EXPONENT] * passed)]
-            return hyperbolic_energy(e, functions)
+            return hyperbolic_energy(e, [0], mpmath.log1p(slope * place))
 
         place = mpmath.mpf(NEAR_START)
-        unknown = Function("E")(x)
-        equation = phase_plane.hyperbolic().subs(unknown.diff(x), Symbol("slope_of_E")).subs(unknown, Symbol("E"))
-        missed = lambdify((*PROBLEM, x, Symbol("E"), Symbol("slope_of_E")), equation, "mpmath")
         found = missed(*values.values(), place, energy_at(place), mpmath.diff(energy_at, place))
         if abs(found) > place ** (2 * PAIRS):
             raise ProofError("E under hyperbolic friction in the integrator", found)

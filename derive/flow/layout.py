@@ -152,8 +152,9 @@ STRIDE = HIGHEST + 2  # distance of registers: states have one more coefficient,
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
 # A mass whose weight is carried except for a share swings for ever: friction reduces the width of each swing by 2 mu
 # times this share, so that it would need more swings than are integrated. A speed that changes by less than the last
-# share in a step has settled.
-SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3, "SETTLED": 2.0**-46}
+# share in a step has settled. States during a motion differ by the spread of times at the peak velocity, times BETWEEN:
+# in 325 scenes by up to 2.1 times the spread of results, for which estimates have room. LEAST_SIZE is a divisor for 0.
+SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3, "SETTLED": 2.0**-46, "BETWEEN": 2.0, "LEAST_SIZE": 1e-300}
 
 
 class Numbered(NamedTuple):

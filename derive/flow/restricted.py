@@ -80,7 +80,7 @@ PRIMITIVES = {
 
 
 # Constants that `one_lane` defines.
-GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS", "TO_PEAK", "FROM_PEAK", "NODES", "SHARES", "LAST_SHARES",
+GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS", "SHORTEST", "NODES", "SHARES", "LAST_SHARES",
          "NEXT_SHARES")  # fmt: skip
 
 

@@ -1,6 +1,6 @@
 """Error estimate of a motion from seven further runs with longer series, other steps and perturbed inputs."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -9,9 +9,9 @@ import numpy as np
 from generated import layout as ix
 from slipcircle.base.arrays import EPS, INFINITY, choose, quiet
 from slipcircle.base.kinds import Floats
-from slipcircle.core.integrator.compiled import OutputSamples
+from slipcircle.core.integrator.compiled import OutputSamples, engine
 from slipcircle.core.integrator.lanes import integrate_problem
-from slipcircle.core.integrator.neighbours import RUNS, Rows, compared, perturbed_runs
+from slipcircle.core.integrator.neighbours import RUNS, perturbed_runs
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
 
@@ -21,7 +21,6 @@ Final = Mapping[int, Any]  # entries of lanes at their end, by index
 # rounding dominates, as in single scenes (in 2,000 random scenes the error was at most 5.1 times the spread).
 CUT = 4.5
 ROUNDED = 6.0
-LEAST_SIZE = 1e-300  # divisor in place of 0
 LEAST = 8 * EPS / 2  # least estimate
 UNDECIDED = 8.0  # units of rounding below which it is uncertain whether the mass moves
 # Functions of the rotation are interpolated to a fraction of the accuracy, in the further runs down to rounding, and
@@ -30,24 +29,21 @@ CLOSER = 1e-3
 CLOSE = 1e-10
 CLOSEST = 1e-13
 AT_END = {ix.ARRESTED, ix.PAUSED, ix.ENDED}  # at rest and at the end time, which differ in their durations only
-# Ratio of the spread of states during a motion to the spread of times, at the peak velocity. In 325 scenes states
-# differed at most 2.1 times as much as results, for which ROUNDED has room.
-BETWEEN = 2.0
 # Fractions of the duration at which states are compared where runs are not integrated with their motion.
 SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
 
-def estimate(plan: Plan, problem: Problem, final: Final, runs: Rows | None = None) -> Any:
+def estimate(plan: Plan, problem: Problem, final: Final, spreads: Any = None) -> Any:
     """Return the estimated relative error of each lane's peak velocity, run-out and duration.
 
-    ``final`` are the final cells of the motion by index, and ``runs`` the `compared` cells of all runs of a single
-    scene, if they were integrated with it.
+    ``final`` are the final cells of the motion by index, and ``spreads`` the relative differences of all runs of a
+    single scene, if they were integrated with it.
 
     For a single lane it includes the states during the motion, relative to peak velocity and run-out. It is 1 if
     rounding decides whether the mass moves.
     """
     if problem.lanes == 1:
-        spread: Any = max(_of_runs(final, runs) if runs else _of_single(problem, final))
+        spread: Any = max(spreads or _of_single(problem, final))
         error: Any = min(max(ROUNDED * spread, LEAST), 1.0)
     else:
         spread = _of_ensemble(_closer(plan, problem), final)
@@ -62,7 +58,7 @@ def _of_ensemble(problem: Problem, final: Final) -> Floats:
     It is infinite if a run ends otherwise.
     """
     of_motion = np.array(_summary(final))
-    sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
+    sizes = np.maximum(np.abs(of_motion), ix.LEAST_SIZE)
     spread = np.zeros(problem.lanes)
     for run in range(1, RUNS):
         with quiet():  # cells that are not initial may contain anything
@@ -92,41 +88,12 @@ def _of_single(problem: Problem, final: Final) -> tuple[float, ...]:
     states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
     duration, *sizes = _summary(final)
     samples = OutputSamples(duration * SHARES, states)
-    runs = compared(integrate_problem(problem, perturbed_runs(problem), samples))
+    runs = integrate_problem(problem, perturbed_runs(problem), samples)[: len(ix.CELLS)]
     rotation_and_velocity = states[:2]
     change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
     greatest = np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
-    *of_results, _ = _of_runs(final, runs)
-    return *of_results, *(of / max(abs(size), LEAST_SIZE) for of, size in zip(greatest, sizes, strict=True))
-
-
-def _of_runs(final: Final, runs: Rows) -> tuple[float, float, float, float]:
-    """Return the greatest relative differences of any run from duration, run-out and peak velocity, and from states.
-
-    ``runs`` are the `compared` cells. States during the motion are not compared, but bounded: they differ by the spread
-    of times, at the peak velocity, or by the spread of rotations. All differences are infinite if a run ends otherwise.
-    Results are compared as Python floats, since a few floats cost less than an array.
-    """
-    status, phases, end_times, rests, run_outs, peaks, ends = runs
-    endings = {*status}
-    end_alike = len(endings) == 1 or endings <= AT_END
-    if not end_alike or min(phases) == 0.0 < max(phases):
-        return INFINITY, INFINITY, INFINITY, INFINITY
-    if ix.ENDED in endings and final[ix.TIME] < INFINITY:
-        rests = [end if code == ix.ENDED else rest for code, end, rest in zip(status, end_times, rests, strict=True)]
-    duration, run_out, peak = _summary(final)
-    farthest = abs(run_out) or LEAST_SIZE
-    of_times = _greatest(rests, duration)
-    of_states = max(BETWEEN * of_times * peak, _greatest(ends, ends[0])) / farthest
-    if min(peaks) < 0.0:
-        peaks = [*map(abs, peaks)]
-    of_peak = _greatest(peaks, peak) / (peak or LEAST_SIZE)
-    return of_times / (duration or LEAST_SIZE), _greatest(run_outs, run_out) / farthest, of_peak, of_states
-
-
-def _greatest(values: Sequence[float], of: float) -> float:
-    """Return the greatest difference of any value from one of them."""
-    return max(max(values) - of, of - min(values))
+    *of_results, _ = engine().spreads(np.column_stack([list(final), runs]))
+    return *of_results, *(of / max(abs(size), ix.LEAST_SIZE) for of, size in zip(greatest, sizes, strict=True))
 
 
 def _ending(status: Floats) -> Floats:

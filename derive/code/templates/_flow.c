@@ -113,9 +113,11 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 /* --- the module --------------------------------------------------------------------------------------------------- */
 
 #include <Python.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+@CELLS@
 #if defined(__x86_64__)
 #define LEVELS(X) X(avx512) X(avx2) X(baseline)
 @PROCESSOR@
@@ -203,68 +205,189 @@ static const char doc[] = "integrate(program, tables, cells, begin, end, budget,
     "With `outputs`, (registers, lanes), and no times nothing is integrated: all registers are evaluated where each lane is;\n"
     "with a budget a phase begins there first, in the direction that is set.";
 
+/* Buffers of a call, released together. */
+typedef struct { Py_buffer program, tables[3 * MOST_TABLES]; int views; } Held;
+
+/* Read the program and its tables; 0 with an exception where they do not fit. */
+static int read_job(Job *job, Held *held, PyObject *program, PyObject *tables, int level)
+{
+    held->views = 0;
+    if (PyObject_GetBuffer(program, &held->program, PyBUF_SIMPLE)) return 0;
+    const int32_t *const code = held->program.buf;
+    if (read_program(job, code, code + held->program.len / 4) || !program_fits(job) || PyTuple_Size(tables) != job->tables ||
+        level < 0 || level >= KINDS || !runs(level)) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables or level do not fit");
+        return 0;
+    }
+    for (int t = 0; t < job->tables; t++, held->views += 3) {
+        Data *d = job->data + t;
+        long long across;
+        Py_buffer *b = held->tables + held->views;
+        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
+                              &d->open)) return 0;
+        d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
+        d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
+    }
+    return 1;
+}
+
+static void release(Held *held)
+{
+    while (held->views--) PyBuffer_Release(held->tables + held->views);
+    PyBuffer_Release(&held->program);
+}
+
+/* Lanes that have not ended, or -1 with an exception where cells, tables, times, registers or an order do not fit. */
+static int64_t run(Job *job, const Held *held, int level, int fits)
+{
+    for (int t = 0; t < job->tables; t++) fits = fits && table_fits(job->data + t, held->tables + 3 * t, job->count);
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
+        return -1;
+    }
+    void *memory = calloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE) + 1, WIDEST);
+    if (memory == NULL) {
+        PyErr_NoMemory();
+        return -1;
+    }
+    job->memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
+    int64_t left;
+    Py_BEGIN_ALLOW_THREADS
+    left = levels[level].integrate(job);
+    Py_END_ALLOW_THREADS
+    free(memory);
+    if (left < 0) PyErr_SetString(PyExc_ValueError, "integrate: an order does not fit");
+    return left;
+}
+
 static PyObject *integrate(PyObject *self, PyObject *args)
 {
     (void)self;
     Job job = {0};
-    Py_buffer program, cells, times, outputs, notes, held[3 * MOST_TABLES];
-    PyObject *tables, *result = NULL;
-    int level, views = 0;
+    Held held;
+    Py_buffer cells, times, outputs, notes;
+    PyObject *program, *tables, *result = NULL;
+    int level;
     Py_ssize_t begin, end, budget;
-    if (!PyArg_ParseTuple(args, "y*O!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
+    if (!PyArg_ParseTuple(args, "OO!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
                           &times, &outputs, &notes, &level)) return NULL;
-    const int32_t *const code = program.buf;
-    const int bad = read_program(&job, code, code + program.len / 4) || !program_fits(&job) ||
-                    PyTuple_Size(tables) != job.tables;
-    if (bad || level < 0 || level >= KINDS || !runs(level)) {
-        PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables or level do not fit");
-        goto done;
+    if (read_job(&job, &held, program, tables, level)) {
+        job.all = cells.buf, job.count = cells.len / 8 / job.cells;
+        job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
+        int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
+        if (fits && times.len) {
+            job.times = times.buf, job.outputs = outputs.buf;
+            job.samples = outputs.len / 8 / job.count / (2 + job.states);
+            job.times_across = job.samples ? times.len / 8 / job.samples : 0;
+            fits = outputs.len == 8 * job.samples * job.count * (2 + job.states) && (job.times_across == 1 ||
+                   job.times_across == job.count) && times.len == 8 * job.samples * job.times_across;
+        } else if (fits && outputs.len) {
+            job.outputs = outputs.buf;
+            fits = outputs.len == 8 * (int64_t)job.registers * job.count;
+        }
+        job.notes = notes.buf, job.notes_room = notes.len / 32;
+        const int64_t left = run(&job, &held, level, fits);
+        if (left >= 0) result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
     }
-    for (int t = 0; t < job.tables; t++, views += 3) {
-        Data *d = job.data + t;
-        long long across;
-        Py_buffer *b = held + views;
-        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
-                              &d->open)) goto done;
-        d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
-        d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
+    release(&held);
+    PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs), PyBuffer_Release(&notes);
+    return result;
+}
+
+/* Relative differences of runs of a motion, of which the first is the motion: of duration, run-out, peak velocity, and of
+ * states before the end. States differ by the spread of times, at the peak velocity, or by the spread of rotations. All
+ * differences are infinite where a run ends otherwise. */
+static PyObject *differences(const double *cells, int64_t count)
+{
+#define AT(cell, k) cells[(cell) * count + (k)]
+    const int creeps = AT(TIME, 0) == INFINITY;
+    double duration = 0.0, times = 0.0, reaches = 0.0, peaks = 0.0, ends = 0.0, unlike = 0.0;
+    for (int64_t k = 0; k < count; k++) {
+        const double status = AT(STATUS, k);
+        const int rest = status >= ARRESTED && status <= ENDED && AT(STATUS, 0) >= ARRESTED && AT(STATUS, 0) <= ENDED;
+        if ((status != AT(STATUS, 0) && !rest) || (AT(PHASES, k) > 0.0) != (AT(PHASES, 0) > 0.0)) unlike = INFINITY;
+        const double time = status == ENDED && !creeps ? AT(END_TIME, k) : AT(REST_SINCE, k);
+        if (k == 0) duration = time;
+        times = fmax(times, fabs(time - duration));
+        reaches = fmax(reaches, fabs(AT(REACH_ROTATION, k) - AT(REACH_ROTATION, 0)));
+        peaks = fmax(peaks, fabs(fabs(AT(PEAK_OMEGA, k)) - fabs(AT(PEAK_OMEGA, 0))));
+        ends = fmax(ends, fabs(AT(END_ROTATION, k) - AT(END_ROTATION, 0)));
     }
-    job.all = cells.buf, job.count = cells.len / 8 / job.cells;
-    job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
-    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
-    for (int t = 0; t < job.tables; t++) fits = fits && table_fits(job.data + t, held + 3 * t, job.count);
-    if (fits && times.len) {
-        job.times = times.buf, job.outputs = outputs.buf;
-        job.samples = outputs.len / 8 / job.count / (2 + job.states);
-        job.times_across = job.samples ? times.len / 8 / job.samples : 0;
-        fits = outputs.len == 8 * job.samples * job.count * (2 + job.states) && (job.times_across == 1 ||
-               job.times_across == job.count) && times.len == 8 * job.samples * job.times_across;
-    } else if (fits && outputs.len) {
-        job.outputs = outputs.buf;
-        fits = outputs.len == 8 * (int64_t)job.registers * job.count;
+    const double peak = fmax(fabs(AT(PEAK_OMEGA, 0)), LEAST_SIZE), reach = fmax(fabs(AT(REACH_ROTATION, 0)), LEAST_SIZE);
+    const double states = fmax(BETWEEN * times * fabs(AT(PEAK_OMEGA, 0)), ends) / reach;
+#undef AT
+    return Py_BuildValue("dddd", times / fmax(duration, LEAST_SIZE) + unlike, reaches / reach + unlike, peaks / peak + unlike,
+                         states + unlike);
+}
+
+static PyObject *spreads(PyObject *self, PyObject *args)
+{
+    (void)self;
+    Py_buffer cells;
+    Py_ssize_t count;
+    if (!PyArg_ParseTuple(args, "y*n", &cells, &count)) return NULL;
+    PyObject *result = NULL;
+    if (count > 0 && cells.len % (8 * count) == 0 && cells.len >= 8 * CELLS * count) result = differences(cells.buf, count);
+    else PyErr_SetString(PyExc_ValueError, "spreads: the cells are not those of as many lanes");
+    PyBuffer_Release(&cells);
+    return result;
+}
+
+/* Cells of runs, (cells, runs), from numbers by the name of the cell: times factors, (cells, runs), plus summands after
+ * them. */
+static int fill_runs(const Job *job, PyObject *start, PyObject *places, const double *moves)
+{
+    const double *const further = moves + job->cells * job->count;
+    PyObject *name, *value;
+    for (Py_ssize_t at = 0; PyDict_Next(start, &at, &name, &value);) {
+        PyObject *const place = PyDict_GetItemWithError(places, name);
+        if (place == NULL && !PyErr_Occurred()) continue;
+        const double number = PyFloat_AsDouble(value);
+        const int64_t row = place == NULL ? -1 : PyLong_AsLongLong(place) * job->count;
+        if (PyErr_Occurred() || row < 0 || row >= job->cells * job->count) return 0;
+        for (int64_t k = row; k < row + job->count; k++) job->all[k] = number * moves[k] + further[k];
     }
-    if (!fits) {
-        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
-        goto done;
+    return 1;
+}
+
+static PyObject *first_lane(const double *cells, int64_t count)
+{
+    PyObject *list = PyList_New(CELLS);
+    for (int i = 0; list != NULL && i < CELLS; i++) {
+        PyObject *number = PyFloat_FromDouble(cells[i * count]);
+        if (number == NULL || PyList_SetItem(list, i, number)) Py_CLEAR(list);
     }
-    job.notes = notes.buf, job.notes_room = notes.len / 32;
-    void *memory = calloc((size_t)(MOST_WORKING + job.cells + (int64_t)job.registers * STRIDE) + 1, WIDEST);
-    if (memory == NULL) {
-        PyErr_NoMemory();
-        goto done;
+    return list;
+}
+
+static PyObject *integrate_runs(PyObject *self, PyObject *args)
+{
+    (void)self;
+    Job job = {0};
+    Held held;
+    Py_buffer moves;
+    PyObject *program, *tables, *start, *places, *result = NULL;
+    int level;
+    Py_ssize_t budget;
+    if (!PyArg_ParseTuple(args, "OO!O!O!y*ni", &program, &PyTuple_Type, &tables, &PyDict_Type, &start, &PyDict_Type,
+                          &places, &moves, &budget, &level)) return NULL;
+    if (read_job(&job, &held, program, tables, level)) {
+        const int64_t size = moves.len / 16;
+        job.count = job.end = size / job.cells, job.budget = budget;
+        job.all = calloc((size_t)size + 1, 8);
+        const int fits = job.all != NULL && job.count > 0 && moves.len == 16 * job.cells * job.count &&
+                         fill_runs(&job, start, places, moves.buf);
+        if (!PyErr_Occurred()) {
+            const int64_t left = run(&job, &held, level, fits);
+            int ended = left == 0;
+            for (int64_t k = 0; ended && k < job.count; k++) ended = job.all[STATUS * job.count + k] < TOO_LONG;
+            if (ended) result = Py_BuildValue("NN", first_lane(job.all, job.count), differences(job.all, job.count));
+            else if (left >= 0) result = Py_BuildValue("");
+        }
+        free(job.all);
     }
-    job.memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
-    int64_t left;
-    Py_BEGIN_ALLOW_THREADS
-    left = levels[level].integrate(&job);
-    Py_END_ALLOW_THREADS
-    free(memory);
-    if (left < 0) PyErr_SetString(PyExc_ValueError, "integrate: an order does not fit");
-    else result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
-done:
-    while (views--) PyBuffer_Release(held + views);
-    PyBuffer_Release(&program), PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs);
-    PyBuffer_Release(&notes);
+    release(&held);
+    PyBuffer_Release(&moves);
     return result;
 }
 
@@ -316,6 +439,14 @@ static PyObject *straight_line(PyObject *self, PyObject *args)
 
 static PyMethodDef methods[] = {
     {"integrate", integrate, METH_VARARGS, doc},
+    {"integrate_runs", integrate_runs, METH_VARARGS,
+     "integrate_runs(program, tables, start, places, moves, budget, level)\n--\n\n"
+     "Integrate runs of one motion. Their cells are numbers `start` by name, at `places` by name, times the first of `moves`,\n"
+     "(2, cells, runs), plus the second. Returns the final cells of the first run, and `spreads` of all; None where a run has\n"
+     "not ended."},
+    {"spreads", spreads, METH_VARARGS,
+     "spreads(cells, runs)\n--\n\n"
+     "Greatest relative differences of the duration, run-out and peak velocity of runs from the first one, and of states."},
     {"straight_line", straight_line, METH_VARARGS,
      "straight_line(program, level)\n--\n\nWhich of the programs with functions of their own it is there, or -1."},
     {NULL, NULL, 0, NULL},

@@ -12,7 +12,7 @@ and proves that the functions of this module are this solution.
 
 from math import factorial
 
-from derive.flow.integrator.one_lane import S, V, down, up
+from derive.flow.integrator.one_lane import N, S, V, down, up
 
 LAST = 7  # of the terms of these series
 VERSINE = tuple((-1) ** k / factorial(2 * k + 2) for k in range(LAST + 1))
@@ -98,15 +98,23 @@ def bend_of(e: S, f: S) -> V:
     return faded_part + turned_part
 
 
-def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
-    """Compute the factors of E about the end of a phase, from the four functions there."""
+def look_back(back: S, first: N, drive: V, sine: V, vers: V, f: S) -> None:
+    """Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase.
+
+    They are stored from place ``first`` on; ``f`` are the four functions at the end.
+    """
     sine_end = f[0] - f[3]
     cosine = 1.0 - f[2]
     change = sine * sine_end + vers * f[2]
-    at_end = drive + change
-    sine_back = sine * cosine + vers * sine_end
-    vers_back = sine * sine_end - vers * cosine
-    factors(back, -at_end, sine_back, vers_back, -q)
+    back[first] = -(drive + change)
+    back[first + 1] = sine * cosine + vers * sine_end
+    back[first + 2] = sine * sine_end - vers * cosine
+
+
+def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    look_back(back, 0, drive, sine, vers, f)
+    factors(back, back[0], back[1], back[2], -q)
 
 
 def reverse(f: S, q: V) -> None:

@@ -31,11 +31,11 @@ _gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
 SINES = tuple(float(mpmath.sin(mpmath.pi * k / 64) ** 2) for k in _ORDER)
 PLACES, WEIGHTS = zip(*sorted((float(x * x), float(weight)) for x, weight in _gauss(4, 120) if x > 0), strict=True)
 # Gauss's rules in `derive.flow.integrator.softening`, one after the other: nodes on [0, 1], weights on [-1, 1], and
-# weights of the last two coefficients of Legendre's series.
-TO_PEAK, FROM_PEAK = 24, 12
+# weights of the last two coefficients of Legendre's series. The first has SHORTEST nodes, each other one twice as many.
+SHORTEST = 12
 _RULES = [
     (0.5 + x / 2, weight, *((2 * n + 1) * mpmath.legendre(n, x) * weight for n in (count - 1, count - 2)))
-    for count, degree in ((TO_PEAK, 4), (FROM_PEAK, 3))
+    for count, degree in ((SHORTEST, 3), (2 * SHORTEST, 4), (4 * SHORTEST, 5))
     for x, weight in sorted(_gauss(degree, 120))
 ]
 NODES, SHARES, LAST_SHARES, NEXT_SHARES = (tuple(map(float, column)) for column in zip(*_RULES, strict=True))
@@ -72,6 +72,11 @@ def sqrt(x: V) -> V:
     return x**0.5
 
 
+def expm1(x: V) -> V:
+    """Return exp(x) - 1, with many digits if x has."""
+    return math.expm1(x) if isinstance(x, float) else mpmath.expm1(x)
+
+
 def new_series() -> list[Any]:
     """Return a series of zeros."""
     return [0.0] * layout.STRIDE
@@ -86,7 +91,6 @@ any_lane: Any = bool
 number: Any = float
 minimum: Any = min
 maximum: Any = max
-expm1 = math.expm1
 log1p = math.log1p
 numbers = tail = generated
 greatest = least = integer = generated

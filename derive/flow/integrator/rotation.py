@@ -9,13 +9,12 @@ is the root of the ratio of the distances from the rests before and after, estim
 """
 
 from derive.flow.integrator.one_lane import (
-    FROM_PEAK,
     INFINITY,
     LAST_SHARES,
     NEXT_SHARES,
     NODES,
     SHARES,
-    TO_PEAK,
+    SHORTEST,
     Event,
     Kind,
     Lanes,
@@ -46,16 +45,10 @@ STRAIGHT = 16.0  # distance of a rest, over the length of the path, from which t
 NEWTON = 3  # steps of the method by which a rest near a step is found
 NEAREST = 0.9  # of a rest that is estimated ahead: greatest path over its distance
 EVEN = 2.0**-20  # last coefficients of an integrand up to which its integral is accurate
-CLOSER = 2.0**-25  # the same for series of higher order than 18, with the rule of more nodes
+FINEST = 18  # order of the series in time for a relative error of 1e-9, beyond which rules have more nodes
+CLOSER = 2.0**-25  # the same as EVEN beyond this order
 MOST_HALVINGS = 30
-SHORTEST = 1e-7  # duration of a step below which series in time, which states are read from, may overflow
-
-
-def is_even(last: V, last_but_one: V, total: V, fine: N) -> M:
-    """Return whether the last coefficients of an integrand are small enough beside its integral."""
-    most: V = CLOSER if fine else EVEN
-    unevenness = abs(last) + abs(last_but_one)
-    return unevenness <= most * total
+BRIEFEST = 1e-7  # duration of a step below which series in time, which states are read from, may overflow
 
 
 def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
@@ -75,9 +68,8 @@ def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
     total: V = 0.0
     last: V = 0.0
     last_but_one: V = 0.0
-    k_first: N = 0 if fine else TO_PEAK
-    k_last: N = TO_PEAK - 1 if fine else TO_PEAK + FROM_PEAK - 1
-    for k in up(k_first, k_last):
+    k_first: N = SHORTEST if fine else 0
+    for k in up(k_first, 2 * k_first + SHORTEST - 1):
         past = span * NODES[k]
         v = first + past
         square = v * v
@@ -89,7 +81,9 @@ def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     time = span * stretch * total
-    time = where(is_even(last, last_but_one, total, fine), time, INFINITY)
+    most: V = CLOSER if fine else EVEN
+    accurate = abs(last) + abs(last_but_one) <= most * total
+    time = where(accurate, time, INFINITY)
     return where(size > 0.0, time, 0.0)
 
 
@@ -132,7 +126,7 @@ def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     step = s.step
     peaks = peak < INFINITY
     far = STRAIGHT * step
-    fine: N = s.highest > 18
+    fine: N = s.highest > FINEST
     of_end = new_series()
     expand_about_end(s, of_end, top)
     to_end = distance_of_rest(of_end, top, 1.0, far)
@@ -234,7 +228,7 @@ def turn_on(s: Lanes, here: M) -> None:
     duration = before + after
     until = s.time + duration
     stands = s.step == 0.0
-    regular = duration > SHORTEST or stands
+    regular = duration > BRIEFEST or stands
     fits = here and regular and until < s.end_time
     s.omega = omega
     s.clocked = where(fits, 0.0, 1.0)

@@ -1,6 +1,6 @@
 """E = omega^2 of a phase from rest under softening friction in closed form, and the duration of the phase.
 
-For hyperbolic friction see `derive.flow.integrator.hyperbolic`. For exponential friction, with W = exp(-slope x), E' + (q + brake W) E = 2 (net moment + W load) without the parts that E causes. E is
+`derive.flow.integrator.hyperbolic` has E under hyperbolic friction. Under exponential friction, with W = exp(-slope x), E' + (q + brake W) E = 2 (net moment + W load) without the parts that E causes. E is
 exp(brake W/slope) times the sum over j of W^j E_j, where E_j is E under constant friction with q - j slope for q, and
 t_j times the net moment plus t_(j-1) times the load, t_j = (-brake/slope)^j/j!. `derive.algebra.phase_plane` derives
 this series. The parts of the terms j > 0 that decay like exp(-(q - j slope) x) make one multiple of exp(-q x):
@@ -8,26 +8,20 @@ this series. The parts of the terms j > 0 that decay like exp(-(q - j slope) x) 
     W^j E_j = constant_j (W^j - exp(-q x)) + W^j (vers_j (1 - cos(x)) - sine_j sin(x))
 
 The duration has two parts, before and after the greatest speed, by Gauss's rule in a variable in which both ends are
-regular. The last coefficients of Legendre's series of an integrand measure the error, which is about their square.
-
-Series and rules are shorter than rounding requires: lanes of higher order than `FINEST` are integrated in time.
+regular. In the second part E is a function of the distance from the end, where W begins with W_0 instead of 1, and
+W_0^j exp(-q x) is in place of exp(-q x). The last coefficients of Legendre's series of an integrand measure the error,
+which is about their square. Rules have twice as many nodes if a series in time would have an order above `FINEST`.
 """
 
-from derive.flow.integrator.energy import FADING, LAST, energy, factors, functions, turned
-from derive.flow.integrator.hyperbolic import (
-    EXPONENT,
-    hyperbolic_energy,
-    hyperbolic_factors,
-    hyperbolic_functions,
-)
+from derive.flow.integrator.energy import FADING, LAST, energy, factors, functions, look_back, reverse
+from derive.flow.integrator.hyperbolic import FIRST, LOAD, NET, POLE, SHIFT, hyperbolic_energy, hyperbolic_factors
 from derive.flow.integrator.one_lane import (
-    FROM_PEAK,
     INFINITY,
     LAST_SHARES,
     NEXT_SHARES,
     NODES,
     SHARES,
-    TO_PEAK,
+    SHORTEST,
     Lanes,
     M,
     N,
@@ -42,70 +36,113 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
+from derive.flow.integrator.rotation import CLOSER, FINEST
 
-FINEST = 18.0  # order of the series in time for a relative error of 1e-9
 TERMS = 8  # of the series
 GREATEST = 0.0625  # brake/slope, of which powers above the last term are below rounding
 DRIVEN = 1024.0  # greatest load that friction loses over the drive, with which the digits lost by the sum increase
-ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate
-BENT = 1.3  # factor of the root of slope x in a rule with closer nodes where friction softens
-CLOSER_AT_START = 12.0  # the same without the root where the variable of the rule is a logarithm
-LEAST_EXPONENT = -0.5  # of hyperbolic friction
-WIDEST = 2.0  # end of a phase from the pole of hyperbolic friction, for which its series is complete
-# Places of further factors of E: brake/slope, and the factors of the terms from the first on.
-SHIFT = 5
+ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate, `CLOSER` beyond `FINEST`
+# Factors by which a step is the one that lanes usually have, over the radius of convergence, to rounding or not.
+PER_STEP = 4.0
+PER_STEP_TO_ROUNDING = 7.38905609893065
+BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
+CLOSER_TO_POLE = 3.0  # of nodes in the logarithm of the distance from the pole
+LEAST_EXPONENT = -0.5  # p of hyperbolic friction
+WIDEST = 2.0  # distance of the end of a phase from this pole for which the power series is complete
+# Places of the factors of the terms from the first on, beside those for hyperbolic friction: `SHIFT` has brake/slope,
+# `FIRST` W at the beginning.
 CONSTANT = 8
 SINE = 16
 VERS = 24
 
 
-def softening_factors(s: Lanes, e: S) -> None:
-    """Compute the factors of E."""
-    drive = s.drive - s.net_loss
-    sine = s.net_sine - s.net_loss_sine
-    vers = s.net_vers - s.net_loss_vers
-    q = 2.0 * (s.net_loss_square - s.net_square)
-    factors(e, drive, sine, vers, q)
-    if s.has.per_pole:
-        hyperbolic_factors(s, e, drive, sine, vers)
-        return
-    e[SHIFT] = 2.0 * s.net_loss_square / s.loss_rate
+def factors_of_terms(e: S, q: V, rate: V) -> None:
+    """Compute the factors of all terms from the numbers of the net moment without the load, and of the load."""
+    factors(e, e[NET], e[NET + 1], e[NET + 2], q)
     part = new_series()
     weight: V = 1.0
     for j in up(1, TERMS):
         before = weight
         weight = weight * e[SHIFT] / number(-j)
-        of_sine = weight * sine + before * s.net_loss_sine
-        of_vers = weight * vers + before * s.net_loss_vers
-        factors(part, weight * drive + before * s.net_loss, of_sine, of_vers, q + number(j) * s.loss_rate)
+        drive = weight * e[NET] + before * e[LOAD]
+        sine = weight * e[NET + 1] + before * e[LOAD + 1]
+        vers = weight * e[NET + 2] + before * e[LOAD + 2]
+        factors(part, drive, sine, vers, q + number(j) * rate)
         e[CONSTANT + j] = (part[0] + part[3]) / part[4]
         e[SINE + j] = part[3]
         e[VERS + j] = part[2]
 
 
+def softening_factors(s: Lanes, e: S) -> None:
+    """Compute the factors of E."""
+    e[SHIFT] = 2.0 * s.net_loss_square / s.loss_rate
+    e[FIRST] = 1.0
+    e[LOAD] = s.net_loss
+    e[LOAD + 1] = s.net_loss_sine
+    e[LOAD + 2] = s.net_loss_vers
+    e[NET] = s.drive - s.net_loss
+    e[NET + 1] = s.net_sine - s.net_loss_sine
+    e[NET + 2] = s.net_vers - s.net_loss_vers
+    q = 2.0 * (s.net_loss_square - s.net_square)
+    if s.has.per_pole:
+        e[0] = 2.0 * e[NET]
+        e[POLE] = 1.0 / s.per_pole
+        hyperbolic_factors(s, e, q, s.drive)
+        return
+    factors_of_terms(e, q, s.loss_rate)
+
+
+def factors_about_end(s: Lanes, back: S, e: S, f: S) -> None:
+    """Compute the factors of E as a function of the distance from the end of a phase, from the functions there.
+
+    Near the end E is small, and without a rounding error of the terms of which it is the sum.
+    """
+    back[SHIFT] = e[SHIFT]
+    back[FIRST] = 1.0 + f[4]
+    look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
+    look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
+    if s.has.per_pole:
+        back[POLE] = -e[POLE] - f[0]
+        drive = back[NET] + back[FIRST] * back[LOAD]
+        hyperbolic_factors(s, back, -e[4], drive)
+        return
+    factors_of_terms(back, -e[4], -s.loss_rate)
+
+
 def series_suffices(s: Lanes, e: S) -> M:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
-    fits = s.order <= FINEST and abs(s.net_loss) <= DRIVEN * s.drive
+    driven = abs(s.net_loss) <= DRIVEN * s.drive
     if s.has.per_pole:
-        return fits and e[EXPONENT] > LEAST_EXPONENT
-    return fits and abs(e[SHIFT]) <= GREATEST and 2.0 * e[4] + s.loss_rate < 0.0
+        return driven and e[SHIFT] > LEAST_EXPONENT
+    return driven and abs(e[SHIFT]) <= GREATEST and 2.0 * e[4] + s.loss_rate < 0.0
 
 
 def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
-    """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
-    functions(f, x, e[4])
+    """Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1."""
+    functions(f, x, abs(e[4]))
+    if s.has.per_pole:
+        change = s.loss_rate * x
+        f[4] = change / (1.0 - change)
+        return
     f[4] = expm1(s.loss_rate * x)
+
+
+def count_from_end(s: Lanes, back: S, f: S, x: V) -> None:
+    """Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``."""
+    reverse(f, -back[4])
+    f[4] = -f[4] * (1.0 + expm1(s.loss_rate * x))
 
 
 def softening_energy(e: S, f: S) -> V:
     """Return E from its factors and its functions."""
-    left = 1.0 + f[4]
+    first = e[FIRST]
+    left = first + f[4]
     above: V = 0.0
     constant: V = 0.0
     of_sine: V = 0.0
     of_vers: V = 0.0
     for j in down(TERMS, 1):
-        above = above + e[CONSTANT + j]
+        above = above * first + e[CONSTANT + j]
         constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
@@ -116,38 +153,25 @@ def softening_energy(e: S, f: S) -> V:
         grown = FADING[k] - grown * shift
     square = shift * shift
     grown = 1.0 + (shift + square * grown)
-    faded_part = e[4] * above * (f[0] - e[4] * f[1])
+    faded_part = e[4] * (above * first) * (f[0] - e[4] * f[1])
     return grown * (energy(e, f) + (terms + faded_part))
 
 
 def passed_to(s: Lanes, x: V) -> V:
-    """Return the variable of the rules: the rotation, or the logarithm of its distance from the pole of friction."""
+    """Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole."""
     if s.has.per_pole:
         return log1p(s.per_pole * x)
     return x
 
 
-def energy_at(s: Lanes, e: S, f: S, x: V, passed: V) -> V:
-    """Return E at a rotation, and compute the functions of which it consists."""
-    if s.has.per_pole:
-        hyperbolic_functions(e, f, x, passed)
-        return hyperbolic_energy(e, f)
-    softening_functions(s, e, f, x)
-    return softening_energy(e, f)
-
-
 def soften(s: Lanes, e: S, f: S, x: V) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
-    passed = passed_to(s, x)
-    at = energy_at(s, e, f, x, passed)
-    rate = s.loss_rate * (1.0 + f[4])
+    softening_functions(s, e, f, x)
+    left = 1.0 + f[4]
+    rate = s.loss_rate * left
     if s.has.per_pole:
-        left = 1.0 / (1.0 + s.per_pole * x)
-        lag, versine = turned(x)
-        f[2] = versine
-        f[3] = lag
-        f[4] = s.loss_rate * x * left
-        rate = s.loss_rate * (left * left)
+        rate = rate * left
+    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.has.per_pole else softening_energy(e, f)
     sine = f[0] - f[3]
     of_sine = s.net_sine + f[4] * s.net_loss_sine
     of_vers = s.net_vers + f[4] * s.net_loss_vers
@@ -163,38 +187,45 @@ def soften(s: Lanes, e: S, f: S, x: V) -> None:
     f[7] = 2.0 * (turns + rate * loss)
 
 
+def energy_past(s: Lanes, e: S, f: S, past: V, end: V, part: N) -> V:
+    """Return E at a distance from rest, and compute the functions of which it consists."""
+    softening_functions(s, e, f, past)
+    if part:
+        count_from_end(s, e, f, end - past)
+    return softening_energy(e, f)
+
+
 def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain.
 
     The variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
-    distances to both rests in `passed_to`. E rises from node to node.
+    distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node.
     """
     total: V = 0.0
     last: V = 0.0
     last_but_one: V = 0.0
     lower: V = 0.0
-    pole: V = 1.0
-    if s.has.per_pole:
-        pole = 1.0 / s.per_pole
     f = new_series()
-    for k in up(TO_PEAK * part, TO_PEAK + FROM_PEAK * part - 1):
+    fine: N = s.highest > FINEST
+    times: N = 2 if fine else 1
+    times = times if part else 2 * times
+    k_first: N = SHORTEST * (times - 1)
+    for k in up(k_first, k_first + SHORTEST * times - 1):
         here = unit * (NODES[k] * NODES[k])
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        passed: V = past if part == 0 else end - past
-        x: V = 1.0 * passed
-        per_passed: V = 1.0
+        passed: V = -past if part else past
+        at = hyperbolic_energy(e, f, passed) if s.has.per_pole else energy_past(s, e, f, past, end, part)
+        slowness = share * share * (other * NODES[k]) / sqrt(at)
         if s.has.per_pole:
-            x = pole * expm1(passed)
-            per_passed = pole + x
-        at = energy_at(s, e, f, x, passed)
-        slowness = share * share * (other * NODES[k]) * per_passed / sqrt(at)
+            slowness = slowness * abs(e[POLE] + f[0])
         total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    accurate = abs(last) + abs(last_but_one) <= ALIKE * total
+    most: V = CLOSER if fine else ALIKE
+    accurate = abs(last) + abs(last_but_one) <= most * total
     return where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
 
 
@@ -207,12 +238,17 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
     to_end = passed_to(s, end)
     unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * s.loss_rate
-    bend = s.factor * BENT * sqrt(softened)
+    unchanged = where(s.factor < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
+    change = s.factor * unchanged
+    bend = change * BENT * sqrt(softened)
     if s.has.per_pole:
-        bend = s.factor * CLOSER_AT_START
+        bend = change * CLOSER_TO_POLE
+        complete = end + e[POLE] < WIDEST
+        to_end = where(complete, to_end, INFINITY)
     before = time_of_part(s, e, to_end, unit, bend, 0)
-    if s.has.per_pole:
-        complete = end + 1.0 / s.per_pole < WIDEST
-        before = where(complete, before, INFINITY)
-    after = time_of_part(s, e, to_end, 1.0 / unit, 4.0 * s.factor - 1.0, 1)
+    f = new_series()
+    back = new_series()
+    softening_functions(s, e, f, end)
+    factors_about_end(s, back, e, f)
+    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1)
     return before, before + after

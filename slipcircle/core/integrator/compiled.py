@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache, lru_cache
 from importlib import import_module
@@ -111,6 +111,17 @@ def integrate(
         left, noted = binary.integrate(code, pieces, cells, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:
             log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]
+
+
+def integrate_runs(program: Program, tables: Sequence[Data], start: Mapping[str, float], moves: Floats) -> Any:
+    """Integrate runs of one motion, as `generated.integrator.integrate_runs` does."""
+    pieces = _pieces(tables, moves.shape[-1])
+    return module().integrate_runs(encoded(program), pieces, start, program.places, moves, ROUNDS, widest())
+
+
+def spreads(cells: Floats) -> Any:
+    """Return relative differences of runs, as `generated.integrator.spreads` does."""
+    return module().spreads(np.ascontiguousarray(cells), cells.shape[1])
 
 
 def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
