@@ -4,6 +4,7 @@ Nothing here is imported at run time. A false claim raises a `ProofError` with t
 value, and stops the run; docstrings do not repeat this. Each folder imports only folders above it:
 
 ===============  ======================================================================================================
+``kinds``        types for annotations
 ``progress``     how much of a long task is done
 ``stages``       stages of a run and its record: without a change it is not repeated
 ``check``        the error bound of each kernel, proved from its certificate alone

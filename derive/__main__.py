@@ -24,6 +24,7 @@ from typing import NamedTuple
 
 from derive import stages
 from derive.check.proof import ProofError
+from derive.kinds import TextDict, Texts
 from derive.progress import say
 from derive.stages import stage
 
@@ -54,7 +55,7 @@ def declare() -> None:
         raise ProofError(f"declarations, {file}, line {line}", found, "what Python can read") from None
 
 
-def flow() -> dict[str, str]:
+def flow() -> TextDict:
     """Prove the balance and the operations on series, and return the files that depend on `derive.flow` by name."""
     from derive.algebra import phase_plane, pieces
     from derive.flow import closed, linked, recurrences, sliding
@@ -69,7 +70,7 @@ def flow() -> dict[str, str]:
     return stage("flow", "write", write.flow_files, "")
 
 
-def derive_all() -> dict[str, str]:
+def derive_all() -> TextDict:
     """Derive and prove everything, and return the text of `generated` by file; progress is printed on stderr."""
     from derive.algebra import dynamics, integrate, slopes
     from derive.declare.quantities import MOMENTS
@@ -87,7 +88,7 @@ class Command(NamedTuple):
     """A command: its help, and the formats of its report with their help."""
 
     help: str
-    forms: dict[str, str]
+    forms: TextDict
 
 
 _JSON = {"json": "a list of objects on stdout"}
@@ -170,7 +171,7 @@ def _prove_motion(options: argparse.Namespace) -> int:
     return 0 if decided else 1
 
 
-def main(argv: list[str] | None = None) -> int:
+def main(argv: Texts | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
     options = _parser().parse_args(argv)
     needed = ("flint",) if options.command in ("prove", "theorem") else ("sympy", "mpmath", "flint")
@@ -204,7 +205,7 @@ def main(argv: list[str] | None = None) -> int:
     return generate(options.check, options.again, options.command)
 
 
-def generate(check: bool, again: bool = False, part: str | None = None) -> int:
+def generate(check: bool, again: bool, part: str | None) -> int:
     """Derive everything, or the flow, and write `generated` and the record, or compare them with the files there.
 
     Nothing is written with ``check``. With ``again`` the record is ignored, and any ``part`` means the flow alone. The

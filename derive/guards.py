@@ -40,6 +40,7 @@ from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
 from derive.flow.lowering import KNOWN
 from derive.flow.recurrences import OPERATIONS
+from derive.kinds import TextMap, Texts
 from derive.progress import say
 
 Declaration = Effect | Law | Moment
@@ -67,7 +68,7 @@ FARTHEST = 1e6  # slip and speed, relative to the scales of the law
 STEEPEST = 10.0  # coefficient
 
 
-def _units(by_name: Mapping[str, str]) -> dict[Symbol, Expr]:
+def _units(by_name: TextMap) -> dict[Symbol, Expr]:
     """Return dimensions by symbol, from units by names; blanks separate the names."""
     return {Symbol(name, real=True): of_unit(unit) for names, unit in by_name.items() for name in names.split()}
 
@@ -96,20 +97,22 @@ def refuse(e: Declaration, what: str, found: object, allowed: str) -> NoReturn:
 
 
 def check(every: Sequence[Declaration]) -> None:
-    """Check the types of all fields, and that names, symbols and weights are unique; raise `ProofError`."""
+    """Check types of fields, sources, and that names, symbols and weights are unique; raise `ProofError`."""
     balance = fragments.fragments((), ())
     for e in every:
         _check_fields(e, e)
-    in_text = re.findall(r"\w+", " ".join((FUNCTIONS, MODULES, ARGUMENTS, *emit.IMPORTS)))
+    in_text = re.findall(r"\w+", " ".join((FUNCTIONS, MODULES, ARGUMENTS, emit.KERNEL_IMPORTS, emit.STUB_IMPORTS)))
     in_scenes = {*balance, "frozen", *TABLES.split()}
-    quotients = [q.name for q in QUOTIENTS]
-    in_modules = {*in_text, *dir(builtins), *dir(np), *quotients}
+    in_modules = {*in_text, *dir(builtins), *dir(np), *(q.name for q in QUOTIENTS)}
     of_formulas = {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {K_H, K_V}
     symbols = set(map(str, of_formulas))
     symbols.update(re.findall(r"\w+", repr(balance)))
     weights: dict[Expr, str] = {}
     for e in every:
-        _check_source(e)
+        if e.equation and not PAPER.fullmatch(e.equation):
+            refuse(e, "equation", repr(e.equation), "an equation of the paper, 1.1 to 4.5, or source= instead")
+        if e.equation and e.source:
+            refuse(e, "equation", f"{e.equation!r} beside source={e.source!r}", "equation or source")
         _check_name(e, "name", e.name, in_modules if isinstance(e, Moment) else in_scenes)
         if isinstance(e, Effect):
             _check_symbols(e, symbols)
@@ -157,14 +160,6 @@ def _fits(value: object, kind: Any) -> bool:
     if others == [...] and isinstance(value, tuple):
         kinds = [first] * len(value)
     return isinstance(value, tuple) and len(value) == len(kinds) and all(map(_fits, value, kinds))
-
-
-def _check_source(e: Declaration) -> None:
-    """Check that an equation is in the paper, and that a declaration has an equation or a source, not both."""
-    if e.equation and not PAPER.fullmatch(e.equation):
-        refuse(e, "equation", repr(e.equation), "an equation of the paper, 1.1 to 4.5, or source= instead")
-    if e.equation and e.source:
-        refuse(e, "equation", f"{e.equation!r} beside source={e.source!r}", "equation or source")
 
 
 def _check_name(e: Declaration, what: str, name: str, taken: set[str]) -> None:
@@ -248,7 +243,7 @@ def _check_formula(e: Declaration, what: str, formula: Expr, units: Units) -> se
     return formula.free_symbols
 
 
-def _check_law(law: Law) -> list[str]:
+def _check_law(law: Law) -> Texts:
     """Check a law and return the names of its unused parameters."""
     by_symbol = _check_parameters(law, UNITS_OF_LAWS)
     formula = law.coefficient
@@ -308,7 +303,7 @@ def _range(p: Parameter) -> domain.Ends:
     return least, max(least, min(p.upper, STEEPEST))
 
 
-def _check_effect(effect: Effect) -> list[str]:
+def _check_effect(effect: Effect) -> Texts:
     """Check an effect and return the names of its unused parameters."""
     by_symbol = _check_parameters(effect, LIMITS)
     strange = {*effect.any_of} - {p.name for p in effect.parameters}
@@ -363,8 +358,7 @@ def _check_values(effect: Effect, by_symbol: Mapping[Symbol, Parameter]) -> None
         formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, value)
 
     def fault(e: Expr) -> str:
-        symbols = sorted(e.free_symbols, key=str)
-        place, _ = domain.fault(e, {x: box.get(x, (0.0, STEEPEST)) for x in symbols})
+        place, _ = domain.fault(e, {x: box.get(x, (0.0, STEEPEST)) for x in sorted(e.free_symbols, key=str)})
         return place
 
     for what, e in formulas.items():

@@ -3,11 +3,12 @@
 import hashlib
 import json
 import time
-from collections.abc import Callable, Mapping
-from importlib.metadata import PackageNotFoundError, version
+from collections.abc import Callable
+from importlib.metadata import version
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
+from derive.kinds import TextDict, TextMap, Texts, ValueDict
 from derive.progress import say
 
 T = TypeVar("T")
@@ -16,15 +17,9 @@ RECORD = ROOT / "generated" / "stages.json"
 LIBRARIES = {"sympy": "SymPy", "mpmath": "mpmath", "python-flint": "python-flint"}
 
 
-def versions() -> dict[str, str]:
-    """Return the versions of the libraries that derive and prove; without those that are not installed."""
-    found = {}
-    for library in LIBRARIES:
-        try:
-            found[library] = version(library)
-        except PackageNotFoundError:
-            continue
-    return found
+def versions() -> TextDict:
+    """Return the versions of the libraries that derive and prove."""
+    return {library: version(library) for library in LIBRARIES}
 
 
 def digest_of(text: str) -> str:
@@ -42,7 +37,7 @@ def stage(title: str, name: str, work: Callable[[], T], shown: str = "{}") -> T:
     return outcome
 
 
-def recorded() -> dict[str, Any]:
+def recorded() -> ValueDict:
     """Return the record of the last run, empty if it is missing or has marks of a merge."""
     try:
         return dict(json.loads(RECORD.read_text("utf-8")))
@@ -50,7 +45,7 @@ def recorded() -> dict[str, Any]:
         return {}
 
 
-def record(texts: Mapping[str, str]) -> dict[str, Any]:
+def record(texts: TextMap) -> ValueDict:
     """Return the record of a run that writes these files: versions of libraries, digests of sources and of files."""
     paths = (path for path in sorted((ROOT / "derive").rglob("*.*")) if "__pycache__" not in path.parts)
     sources = {str(path.relative_to(ROOT)): path.read_text("utf-8") for path in paths}
@@ -61,12 +56,12 @@ def record(texts: Mapping[str, str]) -> dict[str, Any]:
     }
 
 
-def save(texts: Mapping[str, str]) -> None:
+def save(texts: TextMap) -> None:
     """Write the record of a run that wrote these files."""
     RECORD.write_text(json.dumps(record(texts), indent=1) + "\n", "utf-8", newline="\n")
 
 
-def other_versions() -> list[str]:
+def other_versions() -> Texts:
     """Return a line for each library whose version is not the one that wrote `generated`."""
     written_with = recorded().get("versions", {})
     lines = []

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e2ea6c4b33cf3b48ab289622c27bb36e2d93c90fcf967f398a90a7d29c82c7eb"
+#define DIGEST "0ac29a729f631ee559a5ee21f2cf81bc608426bfcef12614e1bebc503a93f60b"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -48,6 +48,7 @@ typedef struct {
     const Roles *role;
     Data data[MOST_TABLES];
     double *all; /* cells of all lanes, (cells, count); those from `begin` to `end` are integrated */
+    const double *shared; /* cells with which every lane starts; not a number where lanes have their own in `all` */
     int64_t count, begin, end, budget;
     const double *times; /* where states are read off: (samples, times_across), into (outputs, samples, count) */
     double *outputs; /* without times for the registers of lanes that are not integrated: (registers, count) */
@@ -248,13 +249,14 @@ static int table_fits(const Data *d, const Py_buffer *buffers, int64_t count)
            buffers[2].len == 8 * pieces;
 }
 
-static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
+static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level, shared)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
     "`program` are integers (see `slipcircle.core.integrator.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
     "across, sine, open). States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
-    "are written into `notes`, (rows, 4), and what has no room there is not written.\n\n"
+    "are written into `notes`, (rows, 4), and what has no room there is not written. A lane that has not begun takes its\n"
+    "cells from the column `shared`, unless it is empty, and only those that are not a number there from `cells`.\n\n"
     "With `outputs`, (registers, lanes), and no times nothing is integrated: all registers are evaluated where each lane is;\n"
     "with a budget a phase begins there first, in the direction that is set.";
 
@@ -318,16 +320,18 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     (void)self;
     Job job = {0};
     Held held;
-    Py_buffer cells, times, outputs, notes;
+    Py_buffer cells, times, outputs, notes, shared;
     PyObject *program, *tables, *result = NULL;
     int level;
     Py_ssize_t begin, end, budget;
-    if (!PyArg_ParseTuple(args, "OO!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
-                          &times, &outputs, &notes, &level)) return NULL;
+    if (!PyArg_ParseTuple(args, "OO!w*nnny*w*w*iy*", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
+                          &times, &outputs, &notes, &level, &shared)) return NULL;
     if (read_job(&job, &held, program, tables, level)) {
         job.all = cells.buf, job.count = cells.len / 8 / job.cells;
         job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
-        int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
+        job.shared = shared.len ? shared.buf : NULL;
+        int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end &&
+                   (!shared.len || shared.len == 8 * job.cells);
         if (fits && times.len) {
             job.times = times.buf, job.outputs = outputs.buf;
             job.samples = outputs.len / 8 / job.count / (2 + job.states);
@@ -344,6 +348,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     release(&held);
     PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs), PyBuffer_Release(&notes);
+    PyBuffer_Release(&shared);
     return result;
 }
 
@@ -1427,14 +1432,15 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 
 /* --- the text of derive/flow/integrator --- */
 
-static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
-static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
-static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
+static const double SINES[] = {0.0, 0.009607359798384776, 0.03806023374435662, 0.08426519384872735, 0.14644660940672624, 0.22221488349019888, 0.3086582838174551, 0.40245483899193585, 0.4999999999999999};
+static const double COSINES[] = {0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, 0.25, 0.46193976625564337, 0.3535533905932738, 0.1913417161825449, 0.0, -0.1913417161825449, -0.3535533905932738, -0.46193976625564337, -0.25, 0.16666666666666666, 0.2771565374341817, 0.12756114412169658, -0.06503010733870943, -0.23570226039551587, -0.3269284268010768, -0.30795984417042893, -0.18519007767320073, 0.0, 0.125, 0.1767766952966369, 0.0, -0.1767766952966369, -0.25, -0.1767766952966369, 0.0, 0.1767766952966369, 0.125, 0.1, 0.11111404660392044, -0.07653668647301795, -0.1961570560806461, -0.1414213562373095, 0.03901806440322565, 0.18477590650225734, 0.16629392246050906, 0.0, 0.08333333333333333, 0.06378057206084829, -0.11785113019775793, -0.15397992208521447, 0.0, 0.15397992208521447, 0.11785113019775793, -0.06378057206084829, -0.08333333333333333, 0.07142857142857142, 0.027870046002304038, -0.13198279035875524, -0.07936717614565746, 0.10101525445522108, 0.11878137318607788, -0.054669061766441394, -0.1401121829147472, 0.0, 0.0625, 0.0, -0.125, 0.0, 0.125, 0.0, -0.125, 0.0, 0.0625, 0.05555555555555555, -0.021676702446236474, -0.10265328139014297, 0.06173002589106691, 0.07856742013183862, -0.09238551247806058, -0.042520381373898866, 0.10897614226702561, 0.0, 0.05, -0.038268343236508975, -0.07071067811865475, 0.09238795325112867, 0.0, -0.09238795325112867, 0.07071067811865475, 0.038268343236508975, -0.05, 0.045454545454545456, -0.050506384819963834, -0.03478940294228089, 0.08916229821847549, -0.0642824346533225, -0.017735483819648026, 0.08398904841011698, -0.07558814657295866, 0.0, 0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, 0.041666666666666664, 0.038461538461538464, -0.06395920094634963, 0.029437187105006906, 0.015006947847394482, -0.05439282932204212, 0.07544502156947927, -0.07106765634702206, 0.04273617177073863, 0.0, 0.03571428571428571, -0.06599139517937762, 0.05050762722761054, -0.027334530883220697, 0.0, 0.027334530883220697, -0.05050762722761054, 0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783, -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0, 0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125};
+static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306};
+#define LAST_OF_ARCSINE 20
 #define SHORTEST 12
 static const double NODES[] = {0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
 static const double SHARES[] = {0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
-static const double LAST_SHARES[] = {-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658, 1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217937, 0.10450373227140304, -0.20157312656922505, 0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468, -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751, -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304, 0.030148844086217944, -0.007790034178160956, 0.027210382191082905, -0.053218548447853446, 0.08410186396997914, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.2802924835319247, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451521, 0.5604330646255685, -0.5923691692370726, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.7117839566284571, -0.7117839566284571, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370726, -0.5604330646255685, 0.5256376989451521, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.2802924835319247, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997912, 0.053218548447853446, -0.02721038219108291, 0.007790034178160959};
-static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.3700387859234278, -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835, 0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701, 0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908, -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246, 0.058702978041430834, 0.015395378857163744, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.35190757413026297, -0.4124853958917247, 0.46787201596605255, -0.5161184901411058, 0.5555142313787836, -0.5846181008158504, 0.6022867338773648, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595776, 0.44601843579385353, -0.37969175876655653, 0.3047302106486445, -0.2228033001446087, 0.13576509711972842, -0.04560499610629583, -0.04560499610629583, 0.13576509711972842, -0.2228033001446087, 0.3047302106486445, -0.37969175876655653, 0.44601843579385353, -0.5022697983595776, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773648, -0.5846181008158504, 0.5555142313787836, -0.5161184901411058, 0.46787201596605255, -0.4124853958917247, 0.35190757413026297, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.1036330300190351, -0.05349347277944267, 0.015395378857163744};
+static const double LAST_SHARES[] = {-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794, -0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.711783956628457, -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685, 0.5256376989451522, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959};
+static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525, -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353, -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582, -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565, 0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define BEYOND 0x1.2000000000000p+0
@@ -1462,7 +1468,7 @@ static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
-#define PAIRS 12
+#define HALF 12
 #define LEAST 0x1.bff2ee48e0530p-333
 #define SHIFT 5
 #define FIRST 6
@@ -1479,7 +1485,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define BENT 0x1.4cccccccccccdp-2
 #define CLOSER_TO_POLE 0x1.8000000000000p+1
 #define LEAST_EXPONENT -0x1.0000000000000p-1
-#define WIDEST 0x1.0000000000000p+1
+#define WIDEST 0x1.8000000000000p+2
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
@@ -1487,8 +1493,13 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
+#define CLEAR 0x1.47ae147ae147bp-7
 #define MOST_CORRECTIONS 12
-#define CONVERGED 0x1.0000000000000p-22
+#define LAST_OF_NEWTON 0x1.0000000000000p-26
+#define PAIRS 8
+#define QUARTER 0x1.921fb54442d18p-1
+#define LAST_OF_COARSE 0x1.0000000000000p-32
+#define LAST_OF_FINE 0x1.0000000000000p-42
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -1621,14 +1632,16 @@ static V falling_root(V *p, int n, V t, V last, V slope, M here)
 {
     M touches = p[0] == 0.0;
     M positive = (p[0] > 0.0) | (touches & (p[1] > 0.0));
-    M falls = here & positive & ((last < 0.0) | ((p[1] < 0.0) & (slope > 0.0)));
+    M dips = (p[1] < 0.0) & (slope > 0.0);
+    M falls = here & positive & ((last < 0.0) | dips);
     V e[STRIDE];
     V root = broadcast(INFINITY);
     if (bits(falls)) {
         margin_of(e, p, n, broadcast(1.0), broadcast(0.0), touches);
         root = first_root(e, n, t, falls);
     }
-    M hump = here & (p[0] < 0.0) & (p[1] > 0.0) & (last < 0.0) & (slope < 0.0);
+    M rises = (p[0] < 0.0) & (p[1] > 0.0);
+    M hump = here & rises & (last < 0.0) & (slope < 0.0);
     if (bits(hump)) {
         differentiate(e, p, n);
         V top = bracketed_root(e, n - 1, broadcast(0.0), e[0], t, slope, hump);
@@ -1659,7 +1672,17 @@ INLINE double value_within(Batch *b, unsigned lane, int t, int64_t piece, double
     double terms[STRIDE];
     coefficients_of(b, lane, t, piece, terms);
     double change = terms[1] * local;
-    return c[job->table[t].cell + SCALED_BY][lane] * (job->data[t].sine ? (terms[0] * sin(change + terms[2])) : (terms[0] + change));
+    double line = terms[0] + change;
+    double value = job->data[t].sine ? (terms[0] * sin(change + terms[2])) : line;
+    return c[job->table[t].cell + SCALED_BY][lane] * value;
+}
+
+/* Return the distance of the current time from the left end of a piece, in the table's argument. */
+INLINE double since_break(Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    return (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece);
 }
 
 /* Return a function of time at the current time. */
@@ -1668,7 +1691,8 @@ INLINE double value_now(Batch *b, unsigned lane, int t)
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    return value_within(b, lane, t, piece, (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece));
+    double local = since_break(b, lane, t, piece);
+    return value_within(b, lane, t, piece, local);
 }
 
 /* Compute the series of a sine about the current time, as its increment since the phase began. */
@@ -1680,7 +1704,7 @@ static void expand_sine(Batch *b, unsigned lane, int t, int top)
     double terms[STRIDE];
     coefficients_of(b, lane, t, piece, terms);
     double rate = terms[1];
-    double angle = (rate * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece))) + terms[2];
+    double angle = (rate * since_break(b, lane, t, piece)) + terms[2];
     double size = terms[0] * c[job->table[t].cell + SCALED_BY][lane];
     double now = sin(angle);
     double slope = cos(angle);
@@ -1705,8 +1729,9 @@ INLINE double rise_to(Batch *b, unsigned lane, int t, double past)
     c[job->table[t].cell + RISE][lane] = slope * c[job->table[t].cell + SCALE][lane];
     if (job->data[t].sine) {
         double half = (0.5 * terms[1]) * past;
-        double angle = (terms[1] * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece))) + terms[2];
-        return (((2.0 * c[job->table[t].cell + SCALED_BY][lane]) * terms[0]) * sin(half)) * cos(angle + half);
+        double angle = (terms[1] * since_break(b, lane, t, piece)) + terms[2];
+        double change = (2.0 * sin(half)) * cos(angle + half);
+        return (c[job->table[t].cell + SCALED_BY][lane] * terms[0]) * change;
     }
     return slope * past;
 }
@@ -1716,14 +1741,16 @@ INLINE double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     int last = (int)job->data[t].pieces - 1;
-    return (piece < last) ? break_of(b, lane, t, (piece + 1) < last ? (piece + 1) : last) : INFINITY;
+    int64_t following = (piece + 1) < last ? (piece + 1) : last;
+    return (piece < last) ? break_of(b, lane, t, following) : INFINITY;
 }
 
 /* Return whether a piece ends below an argument, or at it if a break belongs to the piece above. */
 INLINE int ends_by(Batch *b, unsigned lane, int t, int64_t piece, double argument, int included)
 {
     double end = end_of_piece(b, lane, t, piece);
-    return (end < argument) || (included && (end == argument) && (end < INFINITY));
+    int ends_there = (end == argument) && (end < INFINITY);
+    return (end < argument) || (included && ends_there);
 }
 
 /* Return the piece that contains an argument, searched from a first piece on. */
@@ -1762,8 +1789,9 @@ static void begin_in_time(Batch *b, unsigned lane, int t)
     c[job->table[t].cell + WAY][lane] = fabs(c[job->table[t].cell + LOWER][lane]);
     if (c[job->table[t].cell + UPPER][lane] <= c[TIME][lane]) {
         double now = c[TIME][lane] * c[job->table[t].cell + SCALE][lane];
-        int64_t piece = piece_at(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], now * (1.0 + (2.0 * EPS)), 1);
-        if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
+        int64_t before = (int64_t)c[job->table[t].cell + PIECE][lane];
+        int64_t piece = piece_at(b, lane, t, before, now * (1.0 + (2.0 * EPS)), 1);
+        if (piece > before) {
             c[SCALE_BEFORE][lane] = INFINITY;
         }
         c[job->table[t].cell + PIECE][lane] = (double)piece;
@@ -1813,7 +1841,8 @@ static void begin_in_slip(Batch *b, unsigned lane, int t)
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double edge = break_of(b, lane, t, piece);
     double local = fmax((c[SLIP][lane] * c[job->table[t].cell + SCALE][lane]) - edge, 0.0);
-    c[job->table[t].cell + UPPER][lane] = fmax(((end_of_piece(b, lane, t, piece) - edge) - local) / c[job->table[t].cell + SCALE][lane], EPS * c[SLIP][lane]);
+    double ahead = (end_of_piece(b, lane, t, piece) - edge) - local;
+    c[job->table[t].cell + UPPER][lane] = fmax(ahead / c[job->table[t].cell + SCALE][lane], EPS * c[SLIP][lane]);
     develop(b, lane, t, local, c[job->table[t].cell + SCALE][lane]);
 }
 
@@ -1957,15 +1986,15 @@ INLINE M enter_lines(Batch *b, M here)
     return others;
 }
 
-/* Return whether a force will still change while the lane rests. */
-INLINE int still_changes(Batch *b, unsigned lane)
+/* Return whether a force will still change while lanes rest. */
+INLINE M still_changes(Batch *b)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int changes = 0;
+    M changes = (M){0};
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
-            changes = changes || (c[job->table[t].cell + UPPER][lane] < INFINITY);
+            changes = changes | (c[job->table[t].cell + UPPER] < INFINITY);
         }
     }
     return changes;
@@ -2288,21 +2317,6 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
     return power_of_two(lowest);
 }
 
-/* Record the current speed if it is the greatest. If peaks differ by rounding, the earliest is recorded, so that
- * every processor reports the same peak. A speed that has risen from a record at the lane's time is compared
- * exactly. */
-static void update_peak(Batch *b, unsigned lane, double rate)
-{
-    V *const c = b->c;
-    int rises = c[PEAK_TIME][lane] == c[TIME][lane];
-    if (c[OMEGA][lane] > ((rises ? 1.0 : (1.0 + TIE)) * fabs(c[PEAK_OMEGA][lane]))) {
-        c[PEAK_TIME][lane] = c[TIME][lane];
-        c[PEAK_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
-        c[PEAK_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
-        c[PEAK_RATE][lane] = c[DIRECTION][lane] * rate;
-    }
-}
-
 /* Record a candidate for the greatest speed in the current step if it exceeds the record. If the record is not at
  * the beginning of the step, the difference must exceed rounding. */
 INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
@@ -2310,7 +2324,9 @@ INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
     V *const c = b->c;
     M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
     if (bits(faster)) {
-        faster = faster & ((c[PEAK_TIME] == c[TIME]) | (speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]))));
+        M begins = c[PEAK_TIME] == c[TIME];
+        M clearly = speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]));
+        faster = faster & (begins | clearly);
         c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
         c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
         c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);
@@ -2319,230 +2335,263 @@ INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 }
 
 /* Record the current rotation if it is the greatest from the start. */
-static void update_reach(Batch *b, unsigned lane)
+INLINE void update_reach(Batch *b, M here)
 {
     V *const c = b->c;
-    double rotation = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
-    if (fabs(rotation) > fabs(c[REACH_ROTATION][lane])) {
-        c[REACH_ROTATION][lane] = rotation;
-        c[REACH_TIME][lane] = c[TIME][lane];
-    }
+    V rotation = c[ROTATION] + (c[DIRECTION] * c[X]);
+    here = here & (magnitude(rotation) > magnitude(c[REACH_ROTATION]));
+    c[REACH_ROTATION] = pick(here, rotation, c[REACH_ROTATION]);
+    c[REACH_TIME] = pick(here, c[TIME], c[REACH_TIME]);
 }
 
 /* Log the loss of contact with the slip surface. */
-static void note_lift_off(Batch *b, unsigned lane)
+INLINE void note_lift_off(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
-    note(b, lane, NOTE_LIFTS);
-    if (isnan(c[LIFT_TIME][lane])) {
-        c[LIFT_TIME][lane] = c[TIME][lane];
+    if (job->notes_room > 0) {
+        EACH(lane, bits(here)) {
+            note(b, lane, NOTE_LIFTS);
+        }
     }
+    here = here & (c[LIFT_TIME] != c[LIFT_TIME]);
+    c[LIFT_TIME] = pick(here, c[TIME], c[LIFT_TIME]);
 }
 
 /* Reset the origin of rotation and slip to the current position, where another phase begins. */
-static void advance_origin(Batch *b, unsigned lane)
+INLINE void advance_origin(Batch *b, M here)
 {
     V *const c = b->c;
-    c[ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
-    c[SLIP][lane] = c[SLIP][lane] + c[X][lane];
-    c[X][lane] = 0.0;
+    c[ROTATION] = pick(here, c[ROTATION] + (c[DIRECTION] * c[X]), c[ROTATION]);
+    c[SLIP] = pick(here, c[SLIP] + c[X], c[SLIP]);
+    c[X] = pick(here, broadcast(0.0), c[X]);
 }
 
 /* Set the direction of travel at a standstill. */
-static void face(Batch *b, unsigned lane, double side)
+INLINE void face(Batch *b, M here, V side)
 {
     V *const c = b->c;
-    c[X][lane] = 0.0;
-    c[OMEGA][lane] = 0.0;
-    c[DIRECTION][lane] = side;
-    c[LIFTED][lane] = 0.0;
+    c[X] = pick(here, broadcast(0.0), c[X]);
+    c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
+    c[DIRECTION] = pick(here, side, c[DIRECTION]);
+    c[LIFTED] = pick(here, broadcast(0.0), c[LIFTED]);
 }
 
-/* Start a lane with a velocity or at rest. */
-static void start(Batch *b, unsigned lane)
+/* Start lanes with a velocity or at rest. */
+INLINE void start(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[DIRECTION][lane] = (c[OMEGA][lane] < 0.0) ? (-1.0) : 1.0;
-    c[OMEGA][lane] = fabs(c[OMEGA][lane]);
-    c[X][lane] = 0.0;
-    c[LIFTED][lane] = 0.0;
-    c[FACED][lane] = 0.0;
-    c[PENDING][lane] = (c[OMEGA][lane] > 0.0) ? START_MOVING : RESOLVE;
-    c[CLOCKED][lane] = 0.0;
-    c[NEGLIGIBLE][lane] = ROUNDING;
+    c[DIRECTION] = pick(here, pick(c[OMEGA] < 0.0, broadcast(-1.0), broadcast(1.0)), c[DIRECTION]);
+    c[OMEGA] = pick(here, magnitude(c[OMEGA]), c[OMEGA]);
+    c[X] = pick(here, broadcast(0.0), c[X]);
+    c[LIFTED] = pick(here, broadcast(0.0), c[LIFTED]);
+    c[FACED] = pick(here, broadcast(0.0), c[FACED]);
+    M moves = c[OMEGA] > 0.0;
+    c[PENDING] = pick(here, pick(moves, broadcast(START_MOVING), broadcast(RESOLVE)), c[PENDING]);
+    c[CLOCKED] = pick(here, broadcast(0.0), c[CLOCKED]);
+    c[NEGLIGIBLE] = pick(here, broadcast(ROUNDING), c[NEGLIGIBLE]);
     if (job->timed) {
-        find_negligible(b, lane);
+        EACH(lane, bits(here)) {
+            find_negligible(b, lane);
+        }
     }
-    find_pieces(b, lane);
+    EACH(lane, bits(here)) {
+        find_pieces(b, lane);
+    }
 }
 
 /* Start slip in the current direction. */
-static void start_moving(Batch *b, unsigned lane, double rate)
-{
-    V *const c = b->c;
-    c[STATUS][lane] = MOVING;
-    c[PASSED][lane] = NOTHING;
-    c[PHASES][lane] = c[PHASES][lane] + 1.0;
-    c[TURNS][lane] = c[TURNS][lane] + (((c[LAST_WAY][lane] * c[DIRECTION][lane]) < 0.0) ? 1.0 : 0.0);
-    c[LAST_WAY][lane] = c[DIRECTION][lane];
-    note(b, lane, NOTE_BEGINS);
-    if (c[LIFTED][lane] > 0.0) {
-        note_lift_off(b, lane);
-    }
-    update_peak(b, lane, rate);
-    c[PENDING][lane] = READY;
-}
-
-/* Keep the lane at rest until its end. */
-static void stay(Batch *b, unsigned lane, double status)
-{
-    V *const c = b->c;
-    c[STATUS][lane] = status;
-    c[END_ROTATION][lane] = c[ROTATION][lane];
-    c[END_OMEGA][lane] = 0.0;
-    c[END_RATE][lane] = 0.0;
-    c[DIRECTION][lane] = 0.0;
-    c[REST_SINCE][lane] = (c[REST_SINCE][lane] > c[END_TIME][lane]) ? c[END_TIME][lane] : c[REST_SINCE][lane];
-    c[PENDING][lane] = READY;
-    read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
-}
-
-/* Return whether a mass at rest may start in its direction. Shaking starts a one-way mass only down-slope. */
-INLINE int may_start(Batch *b, unsigned lane)
+INLINE void start_moving(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double pull = c[job->role->driving_moment][lane];
-    int down_slope = (pull > 0.0) || ((pull == 0.0) && (c[DIRECTION][lane] > 0.0));
-    return (c[ONE_WAY][lane] == 0.0) || down_slope;
+    c[STATUS] = pick(here, broadcast(MOVING), c[STATUS]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
+    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
+    M turns = (c[LAST_WAY] * c[DIRECTION]) < 0.0;
+    c[TURNS] = pick(here, c[TURNS] + pick(turns, broadcast(1.0), broadcast(0.0)), c[TURNS]);
+    c[LAST_WAY] = pick(here, c[DIRECTION], c[LAST_WAY]);
+    if (job->notes_room > 0) {
+        EACH(lane, bits(here)) {
+            note(b, lane, NOTE_BEGINS);
+        }
+    }
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
+    keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
+    c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
 }
 
-/* Return whether a mass swings for ever, because almost no force presses on it at its lowest point. */
-INLINE int never_rests(Batch *b, unsigned lane)
+/* Keep lanes at rest until their end. */
+INLINE void stay(Batch *b, M here, V status)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double load = c[job->role->normal_load][lane];
-    double most = hypot(load, c[job->role->normal_load_slope][lane]);
-    int carried = (c[job->role->normal0][lane] + (most - load)) <= (CARRIED * most);
-    return (c[FIRST_ONLY][lane] == 1.0) || (carried && !still_changes(b, lane));
+    c[STATUS] = pick(here, status, c[STATUS]);
+    c[END_ROTATION] = pick(here, c[ROTATION], c[END_ROTATION]);
+    c[END_OMEGA] = pick(here, broadcast(0.0), c[END_OMEGA]);
+    c[END_RATE] = pick(here, broadcast(0.0), c[END_RATE]);
+    c[DIRECTION] = pick(here, broadcast(0.0), c[DIRECTION]);
+    c[REST_SINCE] = pick(here, pick(c[REST_SINCE] > c[END_TIME], c[END_TIME], c[REST_SINCE]), c[REST_SINCE]);
+    c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
+    if (job->samples > 0) {
+        EACH(lane, bits(here)) {
+            read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
+        }
+    }
 }
 
-/* Keep the mass at rest, until a force changes or for good. */
-static void stick(Batch *b, unsigned lane)
+/* Return whether masses at rest may start in their direction. Shaking starts a one-way mass only down-slope. */
+INLINE M may_start(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V pull = c[job->role->driving_moment];
+    M down_slope = (pull > 0.0) | ((pull == 0.0) & (c[DIRECTION] > 0.0));
+    return (c[ONE_WAY] == 0.0) | down_slope;
+}
+
+/* Return whether masses swing for ever, because almost no force presses on them at their lowest point. */
+INLINE M never_rests(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V load = c[job->role->normal_load];
+    V slope = c[job->role->normal_load_slope];
+    V square = (load * load) + (slope * slope);
+    V most = sqrt_of(square);
+    V least = c[job->role->normal0] + (most - load);
+    M carried = least <= ((double)CARRIED * most);
+    return (c[FIRST_ONLY] == 1.0) | (carried & ~still_changes(b));
+}
+
+/* Keep masses at rest, until a force changes or for good. */
+INLINE void stick(Batch *b, M here)
 {
     V *const c = b->c;
-    c[PENDING][lane] = READY;
-    if (!still_changes(b, lane)) {
-        stay(b, lane, ARRESTED);
-        return;
+    M changes = still_changes(b);
+    stay(b, here & ~changes, broadcast(ARRESTED));
+    here = here & changes;
+    if (bits(here)) {
+        c[STATUS] = pick(here, broadcast(RESTING), c[STATUS]);
+        c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
+        note_lift_off(b, here & (c[LIFTED] > 0.0));
+        here = here & ~may_start(b);
+        c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
+        c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
     }
-    c[STATUS][lane] = RESTING;
-    if (c[LIFTED][lane] > 0.0) {
-        note_lift_off(b, lane);
-    }
-    if (!may_start(b, lane)) {
-        c[DIRECTION][lane] = -c[DIRECTION][lane];
-        c[PENDING][lane] = BEGIN_PHASE;
-    }
+}
+
+/* Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start. */
+INLINE void rest_one_way(Batch *b, M here)
+{
+    V *const c = b->c;
+    M may = may_start(b);
+    stick(b, here & may);
+    here = here & ~may;
+    face(b, here, -c[DIRECTION]);
+    c[PENDING] = pick(here, broadcast(RESOLVE), c[PENDING]);
 }
 
 /* Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick. */
-static void resolve_stick_or_slip(Batch *b, unsigned lane)
+INLINE void resolve_stick_or_slip(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    if ((c[FIRST_ONLY][lane] > 0.0) && (c[PHASES][lane] > 0.0) && never_rests(b, lane)) {
-        stay(b, lane, STOPPED);
-        return;
+    V terms = magnitude(c[job->role->driving]) + c[job->role->resisting];
+    V unsure = EPS * (terms + (c[job->role->mu] * magnitude(c[job->role->normal0])));
+    M of_weight = (c[job->role->driving] == c[job->role->driving_moment]) & (c[job->role->normal0] == c[job->role->normal_load]);
+    of_weight = of_weight & (c[job->role->resisting] == 0.0);
+    M refined = ((c[LIMIT_REST] * c[job->role->drive]) != 0.0) & of_weight;
+    unsure = maximum(pick(refined, c[job->role->drive_scale], unsure), broadcast(CLOSEST));
+    M may = here & may_start(b);
+    V margin = magnitude(c[job->role->drive]) / unsure;
+    c[CLOSE] = pick(here, pick(may, minimum(c[CLOSE], margin), c[CLOSE]), c[CLOSE]);
+    M starts = may & (c[job->role->drive] > 0.0);
+    start_moving(b, starts, c[job->role->drive]);
+    here = here & ~starts;
+    if (bits(here)) {
+        c[FACED] = pick(here, c[FACED] + 1.0, c[FACED]);
+        M stays_down = may & (c[ONE_WAY] > 0.0);
+        M sticks = here & ((c[FACED] > 1.0) | stays_down);
+        stick(b, sticks);
+        face(b, here & ~sticks, -c[DIRECTION]);
     }
-    int may = may_start(b, lane);
-    if (c[PENDING][lane] == REST) {
-        if (may) {
-            stick(b, lane);
-            return;
-        }
-        face(b, lane, -c[DIRECTION][lane]);
-        c[PENDING][lane] = RESOLVE;
-        return;
+}
+
+/* Decide whether masses at a standstill, or at the start, stop, stick or slip. */
+INLINE void resolve_standstill(Batch *b, M here)
+{
+    V *const c = b->c;
+    M stops = here & (c[FIRST_ONLY] > 0.0) & (c[PHASES] > 0.0);
+    if (bits(stops)) {
+        stops = stops & never_rests(b);
+        stay(b, stops, broadcast(STOPPED));
+        here = here & ~stops;
     }
-    double terms = fabs(c[job->role->driving][lane]) + c[job->role->resisting][lane];
-    double unsure = EPS * (terms + (c[job->role->mu][lane] * fabs(c[job->role->normal0][lane])));
-    int of_weight = (c[job->role->driving][lane] == c[job->role->driving_moment][lane]) && (c[job->role->normal0][lane] == c[job->role->normal_load][lane]) && (c[job->role->resisting][lane] == 0.0);
-    unsure = (((c[LIMIT_REST][lane] * c[job->role->drive][lane]) != 0.0) && of_weight) ? c[job->role->drive_scale][lane] : unsure;
-    if (may) {
-        c[CLOSE][lane] = fmin(c[CLOSE][lane], fabs(c[job->role->drive][lane]) / fmax(unsure, CLOSEST));
+    M one_way = here & (c[PENDING] == (double)REST);
+    if (bits(one_way)) {
+        rest_one_way(b, one_way);
+        here = here & ~one_way;
     }
-    if (may && (c[job->role->drive][lane] > 0.0)) {
-        start_moving(b, lane, c[job->role->drive][lane]);
-        return;
-    }
-    c[FACED][lane] = c[FACED][lane] + 1.0;
-    if ((c[FACED][lane] > 1.0) || (may && (c[ONE_WAY][lane] > 0.0))) {
-        stick(b, lane);
-        return;
-    }
-    face(b, lane, -c[DIRECTION][lane]);
+    resolve_stick_or_slip(b, here);
 }
 
 /* Begin a phase in motion with the drive computed anew or continued, whichever is more accurate. */
-static void carry_net_moment(Batch *b, unsigned lane, double net)
+INLINE void carry_net_moment(Batch *b, M here, V net)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double terms = (fabs(c[RATE_BEFORE][lane]) + fabs(net - c[job->role->drive][lane])) + fabs(c[DRIVE_BEFORE][lane]);
-    double carried = c[SCALE_BEFORE][lane] + (EPS * terms);
-    if (carried < c[job->role->drive_scale][lane]) {
-        c[job->role->drive][lane] = c[job->role->drive][lane] + (c[RATE_BEFORE][lane] - net);
-        c[job->role->drive_scale][lane] = carried;
-    }
-    c[PENDING][lane] = READY;
+    c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
+    V change = net - c[job->role->drive];
+    V terms = (magnitude(c[RATE_BEFORE]) + magnitude(change)) + magnitude(c[DRIVE_BEFORE]);
+    V carried = c[SCALE_BEFORE] + (EPS * terms);
+    here = here & (carried < c[job->role->drive_scale]);
+    c[job->role->drive] = pick(here, c[job->role->drive] + (c[RATE_BEFORE] - net), c[job->role->drive]);
+    c[job->role->drive_scale] = pick(here, carried, c[job->role->drive_scale]);
 }
 
-/* Begin the phase for which the lane waits, from its net moment and normal force. */
-static void resolve_pending(Batch *b, unsigned lane, double net, double force)
+/* Begin the phases for which lanes wait, from their net moments and normal forces. */
+INLINE void resolve_pending(Batch *b, M waits, V net, V force)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    if (c[PENDING][lane] == ENTER_PHASE) {
-        carry_net_moment(b, lane, net);
-        return;
+    M enters = waits & (c[PENDING] == (double)ENTER_PHASE);
+    M begins = waits & (c[PENDING] == (double)BEGIN_PHASE);
+    M moving = waits & (c[PENDING] == (double)START_MOVING);
+    M again = waits & (c[PENDING] == (double)START_AGAIN);
+    M decides = waits & ~(enters | begins | moving | again);
+    M by_force = moving & (force < 0.0);
+    M at_rest = again | decides;
+    M by_load = at_rest & (c[job->role->normal0] <= 0.0);
+    M lifts = (by_force | by_load) & (c[LIFTED] == 0.0);
+    c[LIFTED] = pick(lifts, broadcast(1.0), c[LIFTED]);
+    c[PENDING] = pick(begins, broadcast(READY), c[PENDING]);
+    if (bits(enters)) {
+        carry_net_moment(b, enters, net);
     }
-    if (c[PENDING][lane] == BEGIN_PHASE) {
-        c[PENDING][lane] = READY;
-        return;
+    M starts = (moving | again) & ~lifts;
+    if (bits(starts)) {
+        M level = again & starts & (c[SUDDEN] <= 0.0);
+        c[job->role->drive] = pick(level, broadcast(0.0), c[job->role->drive]);
+        start_moving(b, starts, pick(again, c[job->role->drive], net));
     }
-    int lifts = (c[PENDING][lane] == START_MOVING) ? (force < 0.0) : (c[job->role->normal0][lane] <= 0.0);
-    if (lifts && (c[LIFTED][lane] == 0.0)) {
-        c[LIFTED][lane] = 1.0;
-        return;
+    decides = decides & ~lifts;
+    if (bits(decides)) {
+        resolve_standstill(b, decides);
     }
-    if (c[PENDING][lane] == START_MOVING) {
-        start_moving(b, lane, net);
-        return;
-    }
-    if (c[PENDING][lane] == START_AGAIN) {
-        c[job->role->drive][lane] = (c[SUDDEN][lane] > 0.0) ? c[job->role->drive][lane] : 0.0;
-        start_moving(b, lane, c[job->role->drive][lane]);
-        return;
-    }
-    resolve_stick_or_slip(b, lane);
 }
 
 /* Decide about contact after a jump of forces. If contact changes, another phase begins. */
-static void on_discontinuity(Batch *b, unsigned lane, double force)
+INLINE void on_discontinuity(Batch *b, M here, V force)
 {
     V *const c = b->c;
-    double lifted = (force < 0.0) ? 1.0 : 0.0;
-    if (lifted > c[LIFTED][lane]) {
-        note_lift_off(b, lane);
-    }
-    c[PENDING][lane] = (c[LIFTED][lane] == lifted) ? READY : BEGIN_PHASE;
-    c[LIFTED][lane] = lifted;
-    if (c[PENDING][lane] == BEGIN_PHASE) {
-        advance_origin(b, lane);
-    }
+    V lifted = pick(force < 0.0, broadcast(1.0), broadcast(0.0));
+    M same = c[LIFTED] == lifted;
+    note_lift_off(b, here & (lifted > c[LIFTED]));
+    c[PENDING] = pick(here, pick(same, broadcast(READY), broadcast(BEGIN_PHASE)), c[PENDING]);
+    c[LIFTED] = pick(here, lifted, c[LIFTED]);
+    advance_origin(b, here & ~same);
 }
 
 /* Begin all pending phases, until every lane is ready for a step. */
@@ -2554,9 +2603,7 @@ static void begin_phases(Batch *b)
     if (bits(sudden)) {
         evaluate(b);
         V force = normal_force(b);
-        EACH(lane, bits(sudden)) {
-            on_discontinuity(b, lane, force[lane]);
-        }
+        on_discontinuity(b, sudden, force);
     }
     M waits = c[PENDING] != (double)READY;
     while (bits(waits)) {
@@ -2569,9 +2616,7 @@ static void begin_phases(Batch *b)
         }
         V force = normal_force(b);
         V net = (b->r + job->role->net)[0];
-        EACH(lane, bits(waits)) {
-            resolve_pending(b, lane, net[lane], force[lane]);
-        }
+        resolve_pending(b, waits, net, force);
         waits = c[PENDING] != (double)READY;
     }
 }
@@ -2603,9 +2648,11 @@ INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
     V now = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
     M level = c[job->table[t].cell + RISE] == 0.0;
     V way = (sign * p[1]) * c[job->table[t].cell + RISE];
-    V bound = pick(level, now, now - (((SURE * p[0]) * c[job->table[t].cell + RISE]) / p[1]));
+    V room = ((SURE * p[0]) * c[job->table[t].cell + RISE]) / p[1];
+    V bound = pick(level, now, now - room);
     M straight = (p[2] == 0.0) & (c[SERIES_ORDER] <= 4.0);
-    M sure = straight & ((sign * p[0]) > (ROUNDINGS * terms)) & (c[LIFTED] == 0.0);
+    V rounding = ROUNDINGS * terms;
+    M sure = straight & ((sign * p[0]) > rounding) & (c[LIFTED] == 0.0);
     c[QUIET_FROM] = pick(here, pick(level | (way > 0.0), maximum(bound, c[QUIET_FROM]), c[QUIET_FROM]), c[QUIET_FROM]);
     c[QUIET_TO] = pick(here, pick(level | (way < 0.0), minimum(bound, c[QUIET_TO]), c[QUIET_TO]), c[QUIET_TO]);
     c[QUIET_TO] = pick(here, pick(sure, c[QUIET_TO], broadcast(-INFINITY)), c[QUIET_TO]);
@@ -2676,33 +2723,42 @@ INLINE V standstill(V omega, V net, V rise)
 {
     V square = net * net;
     V decrease = (2.0 * rise) * omega;
-    V root = sqrt_of(maximum(square - decrease, broadcast(0.0)));
+    V left = maximum(square - decrease, broadcast(0.0));
+    V root = sqrt_of(left);
     M falls = net <= 0.0;
     V over = pick(falls, 2.0 * omega, net + root);
     V under = pick(falls, root - net, 0.0 - rise);
     return over / under;
 }
 
-/* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
-static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, double omega)
+/* Place a lane at the left end of a piece. */
+static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[X][lane] = x;
-    c[OMEGA][lane] = omega;
-    c[STATUS][lane] = (omega > 0.0) ? MOVING : RESTING;
-    c[STEPS][lane] = 0.0;
-    c[PASSED][lane] = NOTHING;
-    if (omega == 0.0) {
-        c[TIME][lane] = c[REST_SINCE][lane];
-        update_reach(b, lane);
-    }
-    advance_origin(b, lane);
     double edge = break_of(b, lane, t, piece);
     double now = edge / c[job->table[t].cell + SCALE][lane];
     stand_before(b, lane, t, piece, now);
     pass_break(b, lane, t);
-    c[PENDING][lane] = BEGIN_PHASE;
+}
+
+/* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
+INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
+{
+    V *const c = b->c;
+    c[X] = pick(here, x, c[X]);
+    c[OMEGA] = pick(here, omega, c[OMEGA]);
+    c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
+    M moves = omega > 0.0;
+    c[STATUS] = pick(here, pick(moves, broadcast(MOVING), broadcast(RESTING)), c[STATUS]);
+    c[TIME] = pick(here, pick(moves, c[TIME], c[REST_SINCE]), c[TIME]);
+    update_reach(b, here & ~moves);
+    advance_origin(b, here);
+    EACH(lane, bits(here)) {
+        enter_at(b, lane, t, piece);
+    }
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
 /* Count phases that begin down-slope. */
@@ -2745,7 +2801,8 @@ INLINE Pair turn(Batch *b, M here, V now, V length, V share, V omega, V net, V a
     V behind = path(span, nothing, push, rise);
     V further = pick(starts, behind, broadcast(0.0));
     V before = path(stop, omega, net, rise);
-    return (Pair){end, (before + further)};
+    V way = before + further;
+    return (Pair){end, way};
 }
 
 /* Pass a piece in which lanes start, stop, or have their greatest or lowest speed. Return the speed at its end and
@@ -2806,7 +2863,8 @@ INLINE V latest_end(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    return minimum((c[END_TIME] * c[job->table[t].cell + SCALE]) * (1.0 - (4.0 * EPS)), broadcast(LATEST));
+    V end = (c[END_TIME] * c[job->table[t].cell + SCALE]) * (1.0 - (4.0 * EPS));
+    return minimum(end, broadcast(LATEST));
 }
 
 /* Return the lanes for which a piece ends before a place and not at the last break, where the record may jump. */
@@ -2824,7 +2882,8 @@ INLINE M passes(Batch *b, int t, int piece, V before)
 INLINE V end_of(Batch *b, int t, int piece, V per)
 {
     const Job *const job = b->job;
-    return job->data[t].breaks[piece + 1] * per;
+    double end = job->data[t].breaks[piece + 1];
+    return end * per;
 }
 
 /* Return the value of a record, without its factor, at the right end of a piece. */
@@ -2869,8 +2928,8 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
 {
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
-    EACH(lane, bits(leaves)) {
-        end_slide(b, lane, t, piece, x[lane], omega[lane]);
+    if (bits(leaves)) {
+        end_slide(b, leaves, t, piece, x, omega);
     }
     return on & inside;
 }
@@ -2954,55 +3013,62 @@ static M slide_together(Batch *b, M here, int t)
     return forward & ~there;
 }
 
-/* Begin another phase in motion: the lane enters another piece of a table, is lifted or lands. */
-static void enter_phase(Batch *b, unsigned lane, double rate)
+/* Begin another phase in motion: lanes enter another piece of a table, are lifted or land. */
+INLINE void enter_phase(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[RATE_BEFORE][lane] = rate;
-    c[DRIVE_BEFORE][lane] = c[job->role->drive][lane];
-    c[SCALE_BEFORE][lane] = c[job->role->drive_scale][lane];
-    advance_origin(b, lane);
-    c[PENDING][lane] = ENTER_PHASE;
+    c[RATE_BEFORE] = pick(here, rate, c[RATE_BEFORE]);
+    c[DRIVE_BEFORE] = pick(here, c[job->role->drive], c[DRIVE_BEFORE]);
+    c[SCALE_BEFORE] = pick(here, c[job->role->drive_scale], c[SCALE_BEFORE]);
+    advance_origin(b, here);
+    c[PENDING] = pick(here, broadcast(ENTER_PHASE), c[PENDING]);
 }
 
-/* Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion. */
-static void on_standstill(Batch *b, unsigned lane)
+/* Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion. */
+INLINE void on_standstill(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
-    advance_origin(b, lane);
-    update_reach(b, lane);
-    c[REST_SINCE][lane] = c[TIME][lane];
-    note(b, lane, NOTE_STANDS);
-    c[FACED][lane] = 1.0;
-    int one_way = c[ONE_WAY][lane] > 0.0;
-    face(b, lane, one_way ? c[DIRECTION][lane] : (-c[DIRECTION][lane]));
-    c[PENDING][lane] = one_way ? REST : RESOLVE;
+    advance_origin(b, here);
+    update_reach(b, here);
+    c[REST_SINCE] = pick(here, c[TIME], c[REST_SINCE]);
+    if (job->notes_room > 0) {
+        EACH(lane, bits(here)) {
+            note(b, lane, NOTE_STANDS);
+        }
+    }
+    c[FACED] = pick(here, broadcast(1.0), c[FACED]);
+    M one_way = c[ONE_WAY] > 0.0;
+    face(b, here, pick(one_way, c[DIRECTION], -c[DIRECTION]));
+    c[PENDING] = pick(here, pick(one_way, broadcast(REST), broadcast(RESOLVE)), c[PENDING]);
 }
 
 /* Change contact with the slip surface. */
-static void on_contact_change(Batch *b, unsigned lane, double rate)
-{
-    V *const c = b->c;
-    c[LIFTED][lane] = 1.0 - c[LIFTED][lane];
-    if (c[LIFTED][lane] > 0.0) {
-        note_lift_off(b, lane);
-    }
-    if (c[LIFTED][lane] == 0.0) {
-        note(b, lane, NOTE_LANDS);
-    }
-    enter_phase(b, lane, rate);
-    c[PASSED][lane] = LIFT;
-}
-
-/* Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece. */
-static void on_breakpoint(Batch *b, unsigned lane, int t, double rate, int upwards)
+INLINE void on_contact_change(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    enter_phase(b, lane, rate);
+    c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
+    M lands = here & (c[LIFTED] == 0.0);
+    if (job->notes_room > 0) {
+        EACH(lane, bits(lands)) {
+            note(b, lane, NOTE_LANDS);
+        }
+    }
+    enter_phase(b, here, rate);
+    c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
+}
+
+/* Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece. */
+static void on_breakpoint(Batch *b, unsigned lane, int t, int upwards)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
     if (job->table[t].kind == OF_ROTATION) {
-        c[ROTATION][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane] + ((c[DIRECTION][lane] > 0.0) ? 1 : 0));
+        int64_t ahead = (c[DIRECTION][lane] > 0.0) ? 1 : 0;
+        c[ROTATION][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane] + ahead);
         return;
     }
     if (job->table[t].kind == OF_SPEED) {
@@ -3021,59 +3087,69 @@ static void on_breakpoint(Batch *b, unsigned lane, int t, double rate, int upwar
     }
 }
 
-/* End a moving lane at its end time or with an upright chord. */
-static void end_motion(Batch *b, unsigned lane, double rate, double status)
-{
-    V *const c = b->c;
-    c[STATUS][lane] = status;
-    c[END_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
-    c[END_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
-    c[END_RATE][lane] = c[DIRECTION][lane] * rate;
-    update_reach(b, lane);
-}
-
-/* End the lane at its end time, or pass breaks of functions of time. */
-static void on_limit(Batch *b, unsigned lane, double rate)
-{
-    V *const c = b->c;
-    if (c[TIME][lane] >= c[END_TIME][lane]) {
-        end_motion(b, lane, rate, ENDED);
-        return;
-    }
-    pass_breaks(b, lane);
-}
-
-/* Apply the consequences of a step: an event, a break of a function of time, the end time, or another step. */
-static void settle(Batch *b, unsigned lane, double rate, int at_limit, int endless)
+/* Pass edges of tables of slip, speed or rotation. */
+INLINE void on_breakpoints(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    if (endless) {
-        c[STATUS][lane] = TOO_LONG;
-    }
-    if (at_limit) {
-        on_limit(b, lane, rate);
-    }
-    if (c[EVENT][lane] == EVENT_NONE) {
-        return;
-    }
-    if (c[EVENT][lane] == EVENT_STANDSTILL) {
-        on_standstill(b, lane);
-        return;
-    }
-    if (c[EVENT][lane] == EVENT_LIFT_OFF) {
-        on_contact_change(b, lane, rate);
-        return;
-    }
-    if (c[EVENT][lane] == EVENT_CHORD_UPRIGHT) {
-        end_motion(b, lane, rate, UPRIGHT);
-        return;
-    }
+    enter_phase(b, here, rate);
     for (int t = 0; t < job->tables; t++) {
-        int edge = EVENT_BREAKPOINT + (2 * t);
-        if ((c[EVENT][lane] == edge) || (c[EVENT][lane] == (edge + 1))) {
-            on_breakpoint(b, lane, t, rate, c[EVENT][lane] == edge);
+        int upper = EVENT_BREAKPOINT + (2 * t);
+        int lower = upper + 1;
+        M passes = here & ((c[EVENT] == (double)upper) | (c[EVENT] == (double)lower));
+        EACH(lane, bits(passes)) {
+            on_breakpoint(b, lane, t, c[EVENT][lane] == upper);
         }
+    }
+}
+
+/* End moving lanes at their end time or with an upright chord. */
+INLINE void end_motion(Batch *b, M here, V rate, V status)
+{
+    V *const c = b->c;
+    c[STATUS] = pick(here, status, c[STATUS]);
+    c[END_ROTATION] = pick(here, c[ROTATION] + (c[DIRECTION] * c[X]), c[END_ROTATION]);
+    c[END_OMEGA] = pick(here, c[DIRECTION] * c[OMEGA], c[END_OMEGA]);
+    c[END_RATE] = pick(here, c[DIRECTION] * rate, c[END_RATE]);
+    update_reach(b, here);
+}
+
+/* End lanes at their end time, or pass breaks of functions of time. */
+INLINE void on_limit(Batch *b, M here, V rate)
+{
+    V *const c = b->c;
+    M ends = here & (c[TIME] >= c[END_TIME]);
+    end_motion(b, ends, rate, broadcast(ENDED));
+    M passes = here & ~ends;
+    EACH(lane, bits(passes)) {
+        pass_breaks(b, lane);
+    }
+}
+
+/* Apply the consequences of a step: an event, a break of a function of time, the end time, or another step. */
+INLINE void settle(Batch *b, M here, V rate, M at_limit, M endless)
+{
+    V *const c = b->c;
+    c[STATUS] = pick(here, pick(endless, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
+    M limits = here & at_limit;
+    if (bits(limits)) {
+        on_limit(b, limits, rate);
+    }
+    M stands = here & (c[EVENT] == (double)EVENT_STANDSTILL);
+    if (bits(stands)) {
+        on_standstill(b, stands);
+    }
+    M lifts = here & (c[EVENT] == (double)EVENT_LIFT_OFF);
+    if (bits(lifts)) {
+        on_contact_change(b, lifts, rate);
+    }
+    M upright = here & (c[EVENT] == (double)EVENT_CHORD_UPRIGHT);
+    if (bits(upright)) {
+        end_motion(b, upright, rate, broadcast(UPRIGHT));
+    }
+    M passes = here & (c[EVENT] >= (double)EVENT_BREAKPOINT);
+    if (bits(passes)) {
+        on_breakpoints(b, passes, rate);
     }
 }
 
@@ -3112,7 +3188,8 @@ static void find_standstill(Batch *b, M here, int top)
     M from_rest = omega[0] == 0.0;
     M decelerates = net[0] < 0.0;
     M falls_from_rest = from_rest & (decelerates | ((net[0] == 0.0) & (net[1] <= 0.0)));
-    M asked = here & ((last <= 0.0) | (decelerates & (slope > 0.0)) | falls_from_rest);
+    M dips = decelerates & (slope > 0.0);
+    M asked = here & ((last <= 0.0) | dips | falls_from_rest);
     if (bits(asked)) {
         V e[STRIDE];
         margin_of(e, omega, top, broadcast(1.0), broadcast(0.0), from_rest);
@@ -3120,7 +3197,8 @@ static void find_standstill(Batch *b, M here, int top)
         margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
         V at = first_root(e, top, c[STEP], asked);
         M vanishes = from_rest & (e[0] == 0.0) & (last == 0.0);
-        consider(b, here, pick(asked & ((e[0] < 0.0) | vanishes), broadcast(0.0), at), EVENT_STANDSTILL);
+        M at_once = asked & ((e[0] < 0.0) | vanishes);
+        consider(b, here, pick(at_once, broadcast(0.0), at), EVENT_STANDSTILL);
     }
 }
 
@@ -3146,9 +3224,11 @@ static void find_edges(Batch *b, M here, int t, int top)
     int event = EVENT_BREAKPOINT + (2 * t);
     if (job->table[t].kind == OF_SPEED) {
         V *omega = b->r + job->role->omega;
-        find_crossing(b, ends, omega, top, broadcast(-1.0), upper, c[PASSED] == (double)SLOWER, event);
+        M slower = c[PASSED] == (double)SLOWER;
+        find_crossing(b, ends, omega, top, broadcast(-1.0), upper, slower, event);
         M varies = here & (c[job->table[t].cell + LOWER] > 0.0);
-        find_crossing(b, varies, omega, top, broadcast(1.0), -c[job->table[t].cell + LOWER], c[PASSED] == (double)FASTER, event + 1);
+        M faster = c[PASSED] == (double)FASTER;
+        find_crossing(b, varies, omega, top, broadcast(1.0), -c[job->table[t].cell + LOWER], faster, event + 1);
         return;
     }
     find_crossing(b, ends, b->r + job->role->x, top, broadcast(-1.0), upper, (M){0}, event);
@@ -3161,14 +3241,15 @@ static void find_events(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[EVENT] = pick(here, broadcast((double)EVENT_NONE), c[EVENT]);
+    c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     find_standstill(b, here, top);
     if (job->role->upright >= 0) {
         find_crossing(b, here, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
     }
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind != OF_TIME) {
-            int known = (t > 0) && (job->table[t].kind == OF_ROTATION) && (job->table[t - 1].kind == OF_ROTATION);
+            int follows = (t > 0) && (job->table[t].kind == OF_ROTATION);
+            int known = follows && (job->table[t - 1].kind == OF_ROTATION);
             if (known) {
                 known = !bits(here & (minimum(c[job->table[t].cell + UPPER], broadcast(FAR)) != c[job->table[t - 1].cell + UPPER]));
             }
@@ -3179,7 +3260,8 @@ static void find_events(Batch *b, M here, int top)
     }
     if (job->role->normal >= 0) {
         V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
-        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), c[PASSED] == (double)LIFT, EVENT_LIFT_OFF);
+        M passed = c[PASSED] == (double)LIFT;
+        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
     }
 }
 
@@ -3224,7 +3306,8 @@ INLINE M is_endless(Batch *b, M here, V room)
     V *const c = b->c;
     M endless = (M){0};
     if (job->autonomous) {
-        M settled = ((b->r + job->role->net)[0] * c[STEP]) >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
+        V change = (b->r + job->role->net)[0] * c[STEP];
+        M settled = change >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
         M uneventful = c[EVENT] == (double)EVENT_NONE;
         endless = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
     }
@@ -3240,10 +3323,12 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
     M peaks = at < INFINITY;
     if (bits(peaks)) {
-        V time = c[TIME] + elapsed(b, top, at);
+        V since = elapsed(b, top, at);
+        V time = c[TIME] + since;
         V speed = value(b->r + job->role->omega, top, at);
         V x = value(b->r + job->role->x, top, at);
-        keep_faster(b, peaks, speed, time, x, value(net, top - 1, at));
+        V rate_there = value(net, top - 1, at);
+        keep_faster(b, peaks, speed, time, x, rate_there);
     }
 }
 
@@ -3252,11 +3337,13 @@ INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
 {
     V *const c = b->c;
     M before_end = c[TIME] < c[END_TIME];
-    M others = enter_lines(b, at_limit & before_end);
+    M breaks = at_limit & before_end;
+    M others = enter_lines(b, breaks);
     M simple = (c[EVENT] == (double)EVENT_NONE) & ~endless & ~others;
     M settled = simple & (before_end | ~at_limit);
-    EACH(lane, bits(here & ~settled)) {
-        settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
+    M acts = here & ~settled;
+    if (bits(acts)) {
+        settle(b, acts, rate, at_limit, endless);
     }
 }
 
@@ -3266,8 +3353,8 @@ INLINE void arrive(Batch *b, M here, V until, V rate, M steady, M at_limit, M en
     V *const c = b->c;
     keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
-    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast(STIFF_STEP), broadcast(1.0))), c[STEPS]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     conclude(b, here, rate, at_limit, endless);
 }
 
@@ -3298,7 +3385,8 @@ static void make_step(Batch *b, M here)
             read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
         }
     }
-    M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
+    V change = magnitude(net[0]) * step;
+    M steady = (change < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
     advance_states(b, here, top);
     rate = per_time(b, rate, c[OMEGA]);
     arrive(b, here, until, rate, steady, at_limit, endless);
@@ -3497,7 +3585,7 @@ static void turn_on(Batch *b, M here)
     M unsure = here & ~((before + after) < INFINITY);
     while (bits(unsure) && (count < MOST_HALVINGS)) {
         c[STEP] = pick(here, pick(unsure, 0.5 * c[STEP], c[STEP]), c[STEP]);
-        c[EVENT] = pick(here, pick(unsure, broadcast((double)EVENT_NONE), c[EVENT]), c[EVENT]);
+        c[EVENT] = pick(here, pick(unsure, broadcast(EVENT_NONE), c[EVENT]), c[EVENT]);
         peak = greatest_speed(b, here, top);
         const Pair before_after = times_of_step(b, here, top, peak);
         before = before_after.one, after = before_after.other;
@@ -3531,7 +3619,8 @@ INLINE Pair turned(V x)
     versine = versine * square;
     for (int _ = 1; _ <= 2; _++) {
         V sine = h - lag;
-        lag = 2.0 * (lag + (sine * versine));
+        V change = sine * versine;
+        lag = 2.0 * (lag + change);
         versine = 2.0 * (sine * sine);
         h = 2.0 * h;
     }
@@ -3548,7 +3637,8 @@ INLINE V faded(V y)
     }
     for (int _ = 1; _ <= 2; _++) {
         V lost = 1.0 - (h * part);
-        part = (0.5 * part) + (0.25 * (lost * lost));
+        V square = lost * lost;
+        part = (0.5 * part) + (0.25 * square);
         h = 2.0 * h;
     }
     return part;
@@ -3601,7 +3691,8 @@ INLINE V bend_of(V *e, V *f)
     V sine = f[0] - f[3];
     V cosine = 1.0 - f[2];
     V lost = f[0] - (e[4] * f[1]);
-    V faded_part = e[1] * (1.0 - (e[4] * lost));
+    V kept = 1.0 - (e[4] * lost);
+    V faded_part = e[1] * kept;
     V turned_part = (e[2] * cosine) + (e[3] * sine);
     return faded_part + turned_part;
 }
@@ -3629,7 +3720,8 @@ INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
 INLINE void reverse(V *f, V q)
 {
     V y = q * f[0];
-    V faded_by = (1.0 - y) + ((q * q) * f[1]);
+    V bend = (q * q) * f[1];
+    V faded_by = (1.0 - y) + bend;
     V square = f[0] * f[0];
     V rest = (square - f[1]) - (y * f[1]);
     f[1] = rest / faded_by;
@@ -3647,7 +3739,7 @@ INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
     V even = broadcast(2.0);
     V odd = broadcast(0.0);
     V before = broadcast(0.0);
-    for (int k = 0; k <= 2 * PAIRS; k++) {
+    for (int k = 0; k <= 2 * HALF; k++) {
         V versine = fading - even;
         V whole = (drive * fading) + ((whole_sine * odd) + (whole_vers * versine));
         e[POWER + k] = (pole * whole) + before;
@@ -3659,7 +3751,7 @@ INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
         odd = of_sine * b->inverse[k + 1];
     }
     V higher = broadcast(0.0);
-    for (int k = 2 * PAIRS; k >= 1; k--) {
+    for (int k = 2 * HALF; k >= 1; k--) {
         V per = 1.0 / (e[SHIFT] + (double)k);
         V shrink = ((double)(k + 1) * pole) * per;
         higher = (e[POWER + k] * per) - (shrink * higher);
@@ -3675,9 +3767,9 @@ INLINE V hyperbolic_energy(V *e, V *f, V passed)
     V x = e[POLE] * expm1_of(passed);
     f[0] = x;
     V square = x * x;
-    V even = e[POWER + (2 * PAIRS)];
-    V odd = e[(POWER + (2 * PAIRS)) - 1];
-    for (int k = PAIRS - 1; k >= 1; k--) {
+    V even = e[POWER + (2 * HALF)];
+    V odd = e[(POWER + (2 * HALF)) - 1];
+    for (int k = HALF - 1; k >= 1; k--) {
         even = (even * square) + e[POWER + (2 * k)];
         odd = (odd * square) + e[(POWER + (2 * k)) - 1];
     }
@@ -3698,7 +3790,8 @@ INLINE void factors_of_terms(V *e, V q, V rate)
         V drive = (weight * e[NET]) + (before * e[LOAD]);
         V sine = (weight * e[NET + 1]) + (before * e[LOAD + 1]);
         V vers = (weight * e[NET + 2]) + (before * e[LOAD + 2]);
-        factors(part, drive, sine, vers, q + ((double)j * rate));
+        V faster = q + ((double)j * rate);
+        factors(part, drive, sine, vers, faster);
         e[CONSTANT + j] = (part[0] + part[3]) / part[4];
         e[SINE + j] = part[3];
         e[VERS + j] = part[2];
@@ -3756,7 +3849,9 @@ INLINE M series_suffices(Batch *b, V *e)
     if (job->role->per_pole >= 0) {
         return driven & (e[SHIFT] > LEAST_EXPONENT);
     }
-    return driven & (magnitude(e[SHIFT]) <= GREATEST) & (((2.0 * e[4]) + c[job->role->loss_rate]) < 0.0);
+    M converges = magnitude(e[SHIFT]) <= GREATEST;
+    M resonates = ((2.0 * e[4]) + c[job->role->loss_rate]) >= 0.0;
+    return driven & converges & ~resonates;
 }
 
 /* Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1. */
@@ -3797,7 +3892,9 @@ INLINE V softening_energy(V *e, V *f)
         of_sine = (of_sine + e[SINE + j]) * left;
         of_vers = (of_vers + e[VERS + j]) * left;
     }
-    V terms = (f[4] * constant) + ((of_vers * f[2]) - (of_sine * (f[0] - f[3])));
+    V sine = f[0] - f[3];
+    V turned_part = (of_vers * f[2]) - (of_sine * sine);
+    V terms = (f[4] * constant) + turned_part;
     V shift = e[SHIFT] * left;
     V grown = broadcast(0.0);
     for (int k = LAST; k >= 0; k--) {
@@ -3805,7 +3902,8 @@ INLINE V softening_energy(V *e, V *f)
     }
     V square = shift * shift;
     grown = 1.0 + (shift + (square * grown));
-    V faded_part = (e[4] * (above * first)) * (f[0] - (e[4] * f[1]));
+    V lost = f[0] - (e[4] * f[1]);
+    V faded_part = (e[4] * (above * first)) * lost;
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
@@ -3847,9 +3945,13 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     f[7] = 2.0 * (turns + (rate * loss));
 }
 
-/* Return E at a distance from rest, and compute the functions of which it consists. */
+/* Return E at a distance from rest in the variable of the rules, and compute the functions of which it consists. */
 INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
 {
+    const Job *const job = b->job;
+    if (job->role->per_pole >= 0) {
+        return hyperbolic_energy(e, f, part ? -past : past);
+    }
     softening_functions(b, e, f, past);
     if (part) {
         count_from_end(b, e, f, end - past);
@@ -3877,8 +3979,7 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         V other = 1.0 + (bend * (1.0 - NODES[k]));
         V share = 1.0 / (here + (other * other));
         V past = end * (here * share);
-        V passed = part ? -past : past;
-        V at = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed) : energy_past(b, e, f, past, end, part);
+        V at = energy_past(b, e, f, past, end, part);
         V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
         if (job->role->per_pole >= 0) {
             slowness = slowness * magnitude(e[POLE] + f[0]);
@@ -3889,8 +3990,10 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
     V most = broadcast(fine ? CLOSER : ALIKE);
-    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
-    return pick(accurate, ((end * unit) * (1.0 + bend)) * total, broadcast(INFINITY));
+    V uneven = magnitude(last) + magnitude(last_but_one);
+    M accurate = uneven <= (most * total);
+    V time = ((end * unit) * (1.0 + bend)) * total;
+    return pick(accurate, time, broadcast(INFINITY));
 }
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
@@ -3908,7 +4011,8 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     V bend = (change * BENT) * sqrt_of(softened);
     if (job->role->per_pole >= 0) {
         bend = change * CLOSER_TO_POLE;
-        M complete = (end + e[POLE]) < WIDEST;
+        V reach = end + e[POLE];
+        M complete = ((1.0 + (e[4] * e[4])) * (reach * reach)) < WIDEST;
         to_end = pick(complete, to_end, broadcast(INFINITY));
     }
     V before = time_of_part(b, e, to_end, unit, bend, 0);
@@ -3957,10 +4061,17 @@ static V end_of_swing(Batch *b, V *e, V sine, M which)
     return pick(which, broadcast(2.0 * FARTHEST), x);
 }
 
-/* Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest. */
-static V peak_of_swing(Batch *b, V *e, V end, M which)
+/* Return the rotation of the greatest speed if E is a cubic with these slopes at both of its zeros. */
+INLINE V peak_of_cubic(V rise, V fall, V end)
 {
-    V x = 0.5 * end;
+    V square = (rise * rise) + (fall * (fall - rise));
+    V falls_by = ((2.0 * rise) - fall) + sqrt_of(square);
+    return (end * rise) / falls_by;
+}
+
+/* Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on. */
+static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
+{
     V f[STRIDE];
     V low = broadcast(0.0);
     V high = end;
@@ -3974,83 +4085,177 @@ static V peak_of_swing(Batch *b, V *e, V end, M which)
         following = inside_or_middle(following, low, high);
         V change = magnitude(following - x);
         x = pick(which, following, x);
-        which = which & (change > (LAST_STEP * x));
+        which = which & (change > (LAST_OF_NEWTON * x));
         count = count + 1;
     }
     return x;
+}
+
+/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
+INLINE V force_at(V start, V sine, V vers, V *f)
+{
+    V sine_there = sine * (f[0] - f[3]);
+    return start + (sine_there + (vers * f[2]));
 }
 
 /* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
  * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
 INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
-    V sine_end = sine * (f[0] - f[3]);
-    V at_end = start + (sine_end + (vers * f[2]));
+    V at_end = force_at(start, sine, vers, f);
     V cosine = 1.0 - f[2];
-    M concave = (vers <= 0.0) & ((vers * cosine) <= sine_end);
+    V change = sine * (f[0] - f[3]);
+    M concave = (vers <= 0.0) & ((vers * cosine) <= change);
     return (start > 0.0) & (at_end > 0.0) & concave;
 }
 
-/* Return the integrand of the duration at a node and at its mirror image, which is the same node from the end. */
-INLINE V slowness(V *e, V *back, V end, int k)
+/* Return whether phases up to a rotation have the closed form, from the functions of E there. */
+INLINE M has_closed_form(Batch *b, V *f, V q)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V end = f[0];
+    M near = (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED);
+    M upright = stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
+    M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    return near & (c[job->role->normal_square] >= 0.0) & upright & pressed;
+}
+
+/* Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end. */
+INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 {
     V x = end * SINES[k];
     V f[STRIDE];
     functions(f, x, e[4]);
-    V room = x * (end - x);
-    V here = sqrt_of(room / energy(e, f));
+    V left = end - x;
+    V room = x * left;
+    V near = sqrt_of(room / energy(e, f));
     reverse(f, e[4]);
-    V there = sqrt_of(room / energy(back, f));
-    return here + there;
+    V far = sqrt_of(room / energy(back, f));
+    both[k] = near + far;
+    odd[k] = near - far;
 }
 
-/* Return the duration of a phase, and the relative change by the last halving of intervals. */
-static Pair duration_of_swing(V *e, V *back, V end, M which)
+/* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
+INLINE V mean_of(V *both, int pairs, int by)
 {
-    V ends = sqrt_of(end / e[0]);
-    ends = ends + sqrt_of(end / back[0]);
-    V total = 0.125 * (ends + slowness(e, back, end, 0));
-    total = total + (0.25 * slowness(e, back, end, 1));
-    V change = broadcast(1.0);
-    M changes = which;
-    int first = 2;
-    while ((first < 16) && bits(changes)) {
-        V added = broadcast(0.0);
-        for (int k = first; k <= (2 * first) - 1; k++) {
-            added = added + slowness(e, back, end, k);
-        }
-        added = added / (double)(2 * first);
-        V relative = magnitude(added - total) / total;
-        change = pick(changes, relative, change);
-        total = pick(changes, 0.5 * (total + added), total);
-        changes = which & (change > CONVERGED);
-        first = 2 * first;
+    V ends = both[0] + both[PAIRS];
+    V total = 0.5 * ends;
+    for (int k = 1; k <= pairs - 1; k++) {
+        total = total + both[k * by];
     }
-    return (Pair){(PI * total), change};
+    return total / (double)(2 * pairs);
 }
 
-/* Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation. */
-INLINE V time_of_peak(V *e, V peak)
+/* Return u from -cos(2 u) and sin(2 u), by the series of the arcsine. */
+INLINE V angle_of(V place, V sine)
 {
+    V z = place / sqrt_of(2.0 + (2.0 * sine));
+    V square = z * z;
     V total = broadcast(0.0);
-    V f[STRIDE];
-    for (int k = 0; k <= 11; k++) {
-        functions(f, peak * PLACES[k], e[4]);
-        total = total + (WEIGHTS[k] * sqrt_of(f[0] / energy(e, f)));
+    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
+        total = (total * square) + ARCSINE[k];
     }
-    return (2.0 * sqrt_of(peak)) * total;
+    return QUARTER + (z * total);
 }
 
-/* Return the times from rest to the greatest speed and to the end, infinite if it is uncertain. */
-static Pair times_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
+/* Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes. Its
+ * even coefficients are sums of ``both``, and its odd coefficients sums of ``odd``. */
+INLINE V time_to(V x, V end, V *both, V *odd, int pairs, int by)
+{
+    V left = end - x;
+    V place = (x - left) / end;
+    V sine = (2.0 * sqrt_of(x * left)) / end;
+    V angle = angle_of(place, sine);
+    V total = (2.0 * mean_of(both, pairs, by)) * angle;
+    V twice = (-2.0) * place;
+    V previous = broadcast(0.0);
+    V waves = broadcast(0.0);
+    for (int j = 1; j <= pairs; j++) {
+        V of_odd = broadcast(0.0);
+        V of_even = broadcast(0.0);
+        int even_row = (2 * j) * (PAIRS + 1);
+        int odd_row = even_row - (PAIRS + 1);
+        for (int k = 0; k <= pairs; k++) {
+            int node = k * by;
+            of_odd = of_odd + (COSINES[odd_row + node] * odd[node]);
+            of_even = of_even + (COSINES[even_row + node] * both[node]);
+        }
+        V last = broadcast((j == pairs) ? 0.5 : 1.0);
+        V following = (twice * sine) - previous;
+        V odd_wave = sine * of_odd;
+        V even_wave = following * (last * of_even);
+        waves = waves + (odd_wave + even_wave);
+        sine = (twice * following) - sine;
+        previous = following;
+    }
+    return total + (waves / (double)pairs);
+}
+
+/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Halving the
+ * intervals shows the last coefficient of the series of cosines, which is larger than the relative error of the
+ * first time and the root of that of the second. */
+INLINE Pair durations_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
+{
+    const Job *const job = b->job;
+    V both[STRIDE];
+    V odd[STRIDE];
+    V near = sqrt_of(end / e[0]);
+    V far = sqrt_of(end / back[0]);
+    both[0] = near + far;
+    odd[0] = near - far;
+    for (int k = 1; k <= 4; k++) {
+        add_node(e, back, end, both, odd, 2 * k);
+    }
+    V coarse = mean_of(both, 2, 4);
+    V mean = mean_of(both, 4, 2);
+    V before = time_to(peak, end, both, odd, 4, 2);
+    V most = broadcast((job->order > FINEST) ? LAST_OF_FINE : LAST_OF_COARSE);
+    V last = magnitude(mean - coarse) / mean;
+    M unsure = which & (last > most);
+    if (bits(unsure)) {
+        for (int k = 1; k <= 4; k++) {
+            add_node(e, back, end, both, odd, (2 * k) - 1);
+        }
+        V finer = mean_of(both, 8, 1);
+        V change = magnitude(finer - mean) / finer;
+        last = pick(unsure, change, last);
+        mean = pick(unsure, finer, mean);
+        V later = time_to(peak, end, both, odd, 8, 1);
+        before = pick(unsure, later, before);
+    }
+    V whole = PI * mean;
+    return (Pair){before, pick(last <= most, whole, broadcast(INFINITY))};
+}
+
+/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. */
+INLINE Pair times_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
 {
     const Job *const job = b->job;
     if (SOFTENS(job->role)) {
         return duration_of_softening(b, e, end, peak);
     }
-    const Pair duration_change = duration_of_swing(e, back, end, which);
-    V duration = duration_change.one, change = duration_change.other;
-    return (Pair){time_of_peak(e, peak), pick(change <= CONVERGED, duration, broadcast(INFINITY))};
+    return durations_of_swing(b, e, back, end, peak, which);
+}
+
+/* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
+ * ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there. */
+INLINE void rest(Batch *b, M here, V *back, V *f)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V force = force_at(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    V resistance = c[job->role->resisting] + (c[job->role->mu] * force);
+    V rate = (-0.5) * back[0];
+    V driving = rate + resistance;
+    V terms = magnitude(driving) + resistance;
+    V excess = driving + resistance;
+    M free = (c[ONE_WAY] == 0.0) & (c[FIRST_ONLY] == 0.0);
+    M clear = excess > (CLEAR * terms);
+    here = here & free & clear;
+    V margin = excess / (EPS * terms);
+    c[CLOSE] = pick(here, minimum(c[CLOSE], margin), c[CLOSE]);
+    stick(b, here);
 }
 
 /* Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``. */
@@ -4059,15 +4264,15 @@ INLINE void finish(Batch *b, M here, V *e, V end, V duration, V peak, V before)
     V *const c = b->c;
     V f[STRIDE];
     evaluate_at(b, e, f, peak);
-    keep_faster(b, here, sqrt_of(f[5]), c[TIME] + before, peak, 0.5 * f[6]);
+    V speed = sqrt_of(f[5]);
+    V then = c[TIME] + before;
+    keep_faster(b, here, speed, then, peak, 0.5 * f[6]);
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
     c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
-    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
-    EACH(lane, bits(here)) {
-        on_standstill(b, lane);
-    }
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
+    on_standstill(b, here);
 }
 
 /* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
@@ -4075,7 +4280,8 @@ static M swing(Batch *b, M which)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M fits = which & (c[X] == 0.0) & (c[OMEGA] == 0.0) & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
+    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
+    M fits = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
     if (!bits(fits)) {
         return fits;
     }
@@ -4095,18 +4301,21 @@ static M swing(Batch *b, M which)
     V q = e[4];
     V end = end_of_swing(b, e, sine, fits);
     functions(f, minimum(end, broadcast(FARTHEST)), q);
+    V peak = 0.5 * end;
     if (!softens) {
         mirror(back, c[job->role->drive], sine, c[job->role->net_vers], q, f);
+        peak = peak_of_cubic(e[0], back[0], end);
         fits = fits & (back[0] > 0.0);
     }
-    fits = fits & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (c[job->role->normal_square] >= 0.0) & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f) & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    fits = fits & has_closed_form(b, f, q);
     if (bits(fits)) {
-        V peak = peak_of_swing(b, e, end, fits);
+        peak = peak_of_swing(b, e, peak, end, fits);
         const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);
         V before = before_duration.one, duration = before_duration.other;
         fits = fits & ((c[TIME] + duration) < c[END_TIME]);
-        if (bits(fits)) {
-            finish(b, fits, e, end, duration, peak, before);
+        finish(b, fits, e, end, duration, peak, before);
+        if (!softens) {
+            rest(b, fits, back, f);
         }
     }
     return fits;
@@ -4151,11 +4360,13 @@ static void look_ahead(Batch *b, M here, V room)
     V e[STRIDE];
     margin_of(e, net, top - 1, broadcast(-1.0), broadcast(0.0), touches);
     V at = broadcast(INFINITY);
-    M asked = here & ~jumps & may_cross(net, top - 1, c[STRETCH], broadcast(-1.0), broadcast(0.0), touches);
+    M crosses = may_cross(net, top - 1, c[STRETCH], broadcast(-1.0), broadcast(0.0), touches);
+    M asked = here & ~jumps & crosses;
     if (bits(asked)) {
         at = first_root(e, top - 1, c[STRETCH], asked);
     }
-    at = pick(jumps | (touches & (e[0] < 0.0)), broadcast(0.0), at);
+    M rises = touches & (e[0] < 0.0);
+    at = pick(jumps | rises, broadcast(0.0), at);
     M sooner = at < c[START_AHEAD];
     c[START_AHEAD] = pick(here, pick(sooner, at, c[START_AHEAD]), c[START_AHEAD]);
     c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
@@ -4167,57 +4378,72 @@ static void look_ahead(Batch *b, M here, V room)
 }
 
 /* Reverse the direction at rest. */
-static void turn_back(Batch *b, unsigned lane)
+INLINE void turn_back(Batch *b, M here)
 {
     V *const c = b->c;
-    c[DIRECTION][lane] = -c[DIRECTION][lane];
-    c[PENDING][lane] = BEGIN_PHASE;
+    c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
+}
+
+/* Lift masses at rest, or let them land. */
+INLINE void change_contact(Batch *b, M here)
+{
+    V *const c = b->c;
+    c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
+    c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
+}
+
+/* Start slip from rest. */
+INLINE void start_again(Batch *b, M here)
+{
+    V *const c = b->c;
+    face(b, here, c[START_DIRECTION]);
+    c[PENDING] = pick(here, broadcast(START_AGAIN), c[PENDING]);
+}
+
+/* Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests. */
+static void enter_pieces(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    for (int t = 0; t < job->tables; t++) {
+        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
+            rest_through(b, lane, t);
+        }
+    }
+    pass_breaks(b, lane);
 }
 
 /* Advance to the first change: start of slip, change of contact, break or end. */
-static void leave_rest(Batch *b, unsigned lane, double limit, double room)
+INLINE void leave_rest(Batch *b, M here, V limit, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double stretch = c[STRETCH][lane];
-    int lifts = c[LIFT_AHEAD][lane] <= stretch;
-    int starts = c[START_AHEAD][lane] <= stretch;
-    int breaks = (stretch >= room) && !starts && !lifts;
-    double until = breaks ? limit : (c[TIME][lane] + stretch);
-    int for_ever = !starts && !(until < INFINITY);
+    V stretch = c[STRETCH];
+    M lifts = c[LIFT_AHEAD] <= stretch;
+    M starts = c[START_AHEAD] <= stretch;
+    M breaks = (stretch >= room) & ~starts & ~lifts;
+    V until = pick(breaks, limit, c[TIME] + stretch);
+    M for_ever = ~starts & ~(until < INFINITY);
     if (job->samples > 0) {
-        read_samples(b, lane, c[TIME][lane], fmin(until, c[END_TIME][lane]), 0, 0);
-    }
-    int rested = starts && (stretch > (TOGETHER * until));
-    c[STEPS][lane] = (breaks || rested) ? 0.0 : (c[STEPS][lane] + 1.0);
-    c[PASSED][lane] = NOTHING;
-    if (for_ever || (until >= c[END_TIME][lane])) {
-        c[TIME][lane] = for_ever ? c[TIME][lane] : c[END_TIME][lane];
-        stay(b, lane, for_ever ? ARRESTED : PAUSED);
-        return;
-    }
-    c[TIME][lane] = until;
-    if (starts) {
-        face(b, lane, c[START_DIRECTION][lane]);
-        c[PENDING][lane] = START_AGAIN;
-        return;
-    }
-    if (lifts) {
-        c[LIFTED][lane] = 1.0 - c[LIFTED][lane];
-        c[PASSED][lane] = LIFT;
-        c[PENDING][lane] = BEGIN_PHASE;
-        if (c[LIFTED][lane] > 0.0) {
-            note_lift_off(b, lane);
+        EACH(lane, bits(here)) {
+            read_samples(b, lane, c[TIME][lane], fmin(until[lane], c[END_TIME][lane]), 0, 0);
         }
-        return;
     }
-    if (breaks) {
-        for (int t = 0; t < job->tables; t++) {
-            if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
-                rest_through(b, lane, t);
-            }
-        }
-        pass_breaks(b, lane);
+    V least = TOGETHER * until;
+    M rested = starts & (stretch > least);
+    c[STEPS] = pick(here, pick(breaks | rested, broadcast(0.0), c[STEPS] + 1.0), c[STEPS]);
+    c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
+    M ends = here & (for_ever | (until >= c[END_TIME]));
+    c[TIME] = pick(here, pick(for_ever, c[TIME], minimum(until, c[END_TIME])), c[TIME]);
+    stay(b, ends, pick(for_ever, broadcast(ARRESTED), broadcast(PAUSED)));
+    here = here & ~ends;
+    start_again(b, here & starts);
+    change_contact(b, here & lifts & ~starts);
+    here = here & breaks;
+    EACH(lane, bits(here)) {
+        enter_pieces(b, lane);
     }
 }
 
@@ -4228,13 +4454,12 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
     V *const c = b->c;
     M both = here & (c[ONE_WAY] == 0.0);
     if (bits(both)) {
-        EACH(lane, bits(both)) {
-            turn_back(b, lane);
-        }
+        turn_back(b, both);
         begin_phases(b);
         look_ahead(b, both, room);
     }
-    M lifts = c[LIFT_AHEAD] <= (c[START_AHEAD] * (1.0 + TOGETHER));
+    V latest = c[START_AHEAD] * (1.0 + TOGETHER);
+    M lifts = c[LIFT_AHEAD] <= latest;
     c[START_AHEAD] = pick(here, pick(lifts, broadcast(INFINITY), c[START_AHEAD]), c[START_AHEAD]);
     c[STRETCH] = pick(here, minimum(c[START_AHEAD], c[STRETCH]), c[STRETCH]);
     for (int t = 0; t < job->tables; t++) {
@@ -4242,9 +4467,7 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
             c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STRETCH]), c[job->table[t].cell + INC]);
         }
     }
-    EACH(lane, bits(here)) {
-        leave_rest(b, lane, limit[lane], room[lane]);
-    }
+    leave_rest(b, here, limit, room);
 }
 
 /* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
@@ -4264,7 +4487,8 @@ static void rest_on(Batch *b, M here)
     look_ahead(b, here, room);
     M later = (M){0};
     for (int t = 0; t < job->tables; t++) {
-        int exact = (job->autonomous == 2) && (job->timed == 1) && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        int alone = (job->autonomous == 2) && (job->timed == 1);
+        int exact = alone && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
         if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
             later = slide_together(b, here, t);
         }
@@ -4278,14 +4502,15 @@ INLINE void stop_endless(Batch *b, M here)
     const Job *const job = b->job;
     V *const c = b->c;
     M going = c[STATUS] <= (double)RESTING;
-    V most = pick(c[OMEGA] > 0.0, broadcast((double)MOST_STEPS), broadcast((double)(2 * MOST_STEPS)));
+    V most = pick(c[OMEGA] > 0.0, broadcast(MOST_STEPS), broadcast((double)(2 * MOST_STEPS)));
     M too_long = c[STEPS] > most;
     if (!job->timed) {
         too_long = too_long | (c[TURNS] > (double)MOST_TURNS);
     }
     V total = ((c[TIME] + c[X]) + c[OMEGA]) + c[ROTATION];
-    c[STATUS] = pick(here, pick(going & too_long, broadcast((double)TOO_LONG), c[STATUS]), c[STATUS]);
-    c[STATUS] = pick(here, pick(going & ((total - total) != 0.0), broadcast((double)FAILED), c[STATUS]), c[STATUS]);
+    M overflows = going & ((total - total) != 0.0);
+    c[STATUS] = pick(here, pick(going & too_long, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
+    c[STATUS] = pick(here, pick(overflows, broadcast(FAILED), c[STATUS]), c[STATUS]);
 }
 
 /* Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest. The cost of
@@ -4317,16 +4542,23 @@ static void advance(Batch *b, M here)
 }
 /* --- the queue --- */
 
+/* The cell with which a lane starts. */
+static double at_start(const Job *job, int i, int64_t column)
+{
+    return job->shared && !isnan(job->shared[i]) ? job->shared[i] : job->all[i * job->count + column];
+}
+
 /* A lane at its start has no numbers of a phase yet. */
 static void load_lane(Batch *b, unsigned k, int64_t column)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     const double *from = job->all + column;
-    const int count = from[STATUS * job->count] == START ? job->made : job->cells;
-    for (int i = 0; i < count; i++, from += job->count) c[i][k] = *from;
+    const int starts = from[STATUS * job->count] == START;
+    for (int i = 0; starts && i < job->made; i++) c[i][k] = at_start(job, i, column);
+    for (int i = 0; !starts && i < job->cells; i++, from += job->count) c[i][k] = *from;
     b->column[k] = column, b->held |= 1u << k;
-    if (c[STATUS][k] == START) start(b, k);
+    if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
 
 /* Neighbours that have not begun take all lanes at once. */
@@ -4337,10 +4569,15 @@ static int load_neighbours(Batch *b, int64_t first)
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
     const double *from = job->all + first;
     for (int i = 0; i < job->made; i++, from += job->count) {
+        if (job->shared && !isnan(job->shared[i])) {
+            b->c[i] = broadcast(job->shared[i]);
+            continue;
+        }
         memcpy(b->c + i, from, sizeof(V));
         __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
     }
-    for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
+    for (int k = 0; k < LANES; k++) b->column[k] = first + k;
+    start(b, lanes(ALL));
     b->held = ALL;
     return 1;
 }
@@ -4410,11 +4647,11 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         return 0;
     }
     for (int64_t k = job->begin; k < job->end; k++) {
-        const double order = job->all[ORDER * job->count + k];
+        const double order = at_start(job, ORDER, k);
         if (!(order >= 5.0 && order <= HIGHEST)) return -1;
         job->order = order > job->order ? (int)order : job->order;
     }
-    for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
+    for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
     const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 519adba015f59e1442c6b05d3f4e7f744d8dfd396dea980a31ea6a298ecaba23
+# sha256 of the text below: 4670e1a1728378a72a808db558fe2296666469d5552dd224a1e7d8fa246a05a9
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -264,16 +264,36 @@ def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
 # --- the text of derive/flow/integrator ----------------------------------------------------------------------------
 
 EPS = 2.220446049250313e-16
-SINES = (0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776,
-    0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567,
-    0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688,
-    0.4509914298352196)
-PLACES = (0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667,
-    0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289,
-    0.9500957578259143, 0.9903976028453998)
-WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
-    0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
-    0.028531388628933663, 0.0123412297999872)
+SINES = (0.0, 0.009607359798384776, 0.03806023374435662, 0.08426519384872735, 0.14644660940672624, 0.22221488349019888,
+    0.3086582838174551, 0.40245483899193585, 0.4999999999999999)
+COSINES = (0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452,
+    0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, 0.25, 0.46193976625564337,
+    0.3535533905932738, 0.1913417161825449, 0.0, -0.1913417161825449, -0.3535533905932738, -0.46193976625564337, -0.25,
+    0.16666666666666666, 0.2771565374341817, 0.12756114412169658, -0.06503010733870943, -0.23570226039551587,
+    -0.3269284268010768, -0.30795984417042893, -0.18519007767320073, 0.0, 0.125, 0.1767766952966369, 0.0,
+    -0.1767766952966369, -0.25, -0.1767766952966369, 0.0, 0.1767766952966369, 0.125, 0.1, 0.11111404660392044,
+    -0.07653668647301795, -0.1961570560806461, -0.1414213562373095, 0.03901806440322565, 0.18477590650225734,
+    0.16629392246050906, 0.0, 0.08333333333333333, 0.06378057206084829, -0.11785113019775793, -0.15397992208521447, 0.0,
+    0.15397992208521447, 0.11785113019775793, -0.06378057206084829, -0.08333333333333333, 0.07142857142857142,
+    0.027870046002304038, -0.13198279035875524, -0.07936717614565746, 0.10101525445522108, 0.11878137318607788,
+    -0.054669061766441394, -0.1401121829147472, 0.0, 0.0625, 0.0, -0.125, 0.0, 0.125, 0.0, -0.125, 0.0, 0.0625,
+    0.05555555555555555, -0.021676702446236474, -0.10265328139014297, 0.06173002589106691, 0.07856742013183862,
+    -0.09238551247806058, -0.042520381373898866, 0.10897614226702561, 0.0, 0.05, -0.038268343236508975,
+    -0.07071067811865475, 0.09238795325112867, 0.0, -0.09238795325112867, 0.07071067811865475, 0.038268343236508975,
+    -0.05, 0.045454545454545456, -0.050506384819963834, -0.03478940294228089, 0.08916229821847549, -0.0642824346533225,
+    -0.017735483819648026, 0.08398904841011698, -0.07558814657295866, 0.0, 0.041666666666666664, -0.05892556509887897,
+    0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897,
+    0.041666666666666664, 0.038461538461538464, -0.06395920094634963, 0.029437187105006906, 0.015006947847394482,
+    -0.05439282932204212, 0.07544502156947927, -0.07106765634702206, 0.04273617177073863, 0.0, 0.03571428571428571,
+    -0.06599139517937762, 0.05050762722761054, -0.027334530883220697, 0.0, 0.027334530883220697, -0.05050762722761054,
+    0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783,
+    -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0,
+    0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125)
+ARCSINE = (1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092,
+    0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815,
+    0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096,
+    0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306)
+LAST_OF_ARCSINE = 20
 SHORTEST = 12
 NODES = (0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994,
     0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523,
@@ -309,40 +329,40 @@ SHARES = (0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316
     0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071,
     0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553,
     0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385)
-LAST_SHARES = (-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.217953803326658,
-    1.3423224756654495, -1.3423224756654495, 1.217953803326658, -0.9888453586985653, 0.6920832471686439,
-    -0.3787454113112651, 0.11253711127058313, -0.030148844086217937, 0.10450373227140304, -0.20157312656922505,
-    0.31217774827820993, -0.42930015376012065, 0.5467685302450339, -0.6589804207838751, 0.7608887698130468,
-    -0.8480744695583932, 0.9168449387260234, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926,
-    0.9643317908246022, -0.9168449387260234, 0.8480744695583932, -0.7608887698130468, 0.6589804207838751,
-    -0.5467685302450339, 0.42930015376012065, -0.31217774827820993, 0.20157312656922505, -0.10450373227140304,
-    0.030148844086217944, -0.007790034178160956, 0.027210382191082905, -0.053218548447853446, 0.08410186396997914,
-    -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.2802924835319247,
+LAST_SHARES = (-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577,
+    1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439,
+    -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508,
+    0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468,
+    -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926,
+    0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875,
+    -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303,
+    0.03014884408621794, -0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915,
+    -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465,
     0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185,
-    -0.5256376989451521, 0.5604330646255685, -0.5923691692370726, 0.6211002458494637, -0.6463178840446435,
-    0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.7117839566284571,
-    -0.7117839566284571, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436,
-    0.6463178840446435, -0.6211002458494637, 0.5923691692370726, -0.5604330646255685, 0.5256376989451521,
+    -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435,
+    0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.711783956628457,
+    -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436,
+    0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685, 0.5256376989451522,
     -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484,
-    0.2802924835319247, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847,
-    -0.08410186396997912, 0.053218548447853446, -0.02721038219108291, 0.007790034178160959)
+    0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847,
+    -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959)
 NEXT_SHARES = (0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606,
     -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414,
-    -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.3700387859234278,
-    -0.5414071368112371, 0.6887484365130017, -0.791758597359522, 0.8355933145971908, -0.8119664459895835,
-    0.7197832151957602, -0.565132082012826, 0.36059086903930876, -0.12389660921202701, -0.12389660921202701,
-    0.36059086903930876, -0.565132082012826, 0.7197832151957602, -0.8119664459895835, 0.8355933145971908,
-    -0.791758597359522, 0.6887484365130017, -0.5414071368112371, 0.3700387859234278, -0.1992967279249246,
-    0.058702978041430834, 0.015395378857163744, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088,
-    0.22399186460403825, -0.28829564702411775, 0.35190757413026297, -0.4124853958917247, 0.46787201596605255,
-    -0.5161184901411058, 0.5555142313787836, -0.5846181008158504, 0.6022867338773648, -0.6076977904534808,
-    0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595776, 0.44601843579385353,
-    -0.37969175876655653, 0.3047302106486445, -0.2228033001446087, 0.13576509711972842, -0.04560499610629583,
-    -0.04560499610629583, 0.13576509711972842, -0.2228033001446087, 0.3047302106486445, -0.37969175876655653,
-    0.44601843579385353, -0.5022697983595776, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669,
-    -0.6076977904534808, 0.6022867338773648, -0.5846181008158504, 0.5555142313787836, -0.5161184901411058,
-    0.46787201596605255, -0.4124853958917247, 0.35190757413026297, -0.28829564702411775, 0.22399186460403825,
-    -0.16152034625672088, 0.1036330300190351, -0.05349347277944267, 0.015395378857163744)
+    -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787,
+    -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835,
+    0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703,
+    0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909,
+    -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246,
+    0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088,
+    0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525,
+    -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808,
+    0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353,
+    -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582,
+    -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565,
+    0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669,
+    -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058,
+    0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825,
+    -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 BEYOND = 1.125
@@ -375,7 +395,7 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
     -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
     -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
     -7.647163731819816e-13, 4.779477332387385e-14)
-PAIRS = 12
+HALF = 12
 LEAST = 1e-100
 SHIFT = 5
 FIRST = 6
@@ -392,7 +412,7 @@ PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325
 CLOSER_TO_POLE = 3.0
 LEAST_EXPONENT = -0.5
-WIDEST = 2.0
+WIDEST = 6.0
 CONSTANT = 8
 SINE = 16
 VERS = 24
@@ -400,8 +420,13 @@ PI = 3.141592653589793
 FARTHEST = 3.14
 FADED = 2.0
 LAST_OF_HALLEY = 3.814697265625e-06
+CLEAR = 0.01
 MOST_CORRECTIONS = 12
-CONVERGED = 2.384185791015625e-07
+LAST_OF_NEWTON = 1.4901161193847656e-08
+PAIRS = 8
+QUARTER = 0.7853981633974483
+LAST_OF_COARSE = 2.3283064365386963e-10
+LAST_OF_FINE = 2.2737367544323206e-13
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -509,13 +534,15 @@ def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here
     """Return the zero in (0, t] at which polynomials become negative, possibly beyond a maximum, otherwise infinity."""
     touches = p[0] == 0.0
     positive = (p[0] > 0.0) | touches & (p[1] > 0.0)
-    falls = here & positive & ((last < 0.0) | (p[1] < 0.0) & (slope > 0.0))
+    dips = (p[1] < 0.0) & (slope > 0.0)
+    falls = here & positive & ((last < 0.0) | dips)
     e = np.zeros((ix.STRIDE, p.shape[1]))
     root: Floats = INFINITY
     if np.any(falls):
         margin_of(e, p, n, 1.0, 0.0, touches)
         root = first_root(e, n, t, falls)
-    hump = here & (p[0] < 0.0) & (p[1] > 0.0) & (last < 0.0) & (slope < 0.0)
+    rises = (p[0] < 0.0) & (p[1] > 0.0)
+    hump = here & rises & (last < 0.0) & (slope < 0.0)
     if np.any(hump):
         differentiate(e, p, n)
         top = bracketed_root(e, n - 1, 0.0, e[0], t, slope, hump)
@@ -539,14 +566,23 @@ def value_within(lane: Lanes, i: Index, t: Table, piece: Index, local: Floats) -
     terms = np.zeros((lane.terms, i.size))
     coefficients_of(lane, i, t, piece, terms)
     change = terms[1] * local
-    return c[t.cells + ix.SCALED_BY, i] * (terms[0] * np.sin(change + terms[2]) if t.sine else terms[0] + change)
+    line = terms[0] + change
+    value = terms[0] * np.sin(change + terms[2]) if t.sine else line
+    return c[t.cells + ix.SCALED_BY, i] * value
+
+
+def since_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
+    """Return the distance of the current time from the left end of a piece, in the table's argument."""
+    c = lane.cells
+    return c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)
 
 
 def value_now(lane: Lanes, i: Index, t: Table) -> Floats:
     """Return a function of time at the current time."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
-    return value_within(lane, i, t, piece, c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece))
+    local = since_break(lane, i, t, piece)
+    return value_within(lane, i, t, piece, local)
 
 
 def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
@@ -556,7 +592,7 @@ def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
     terms = np.zeros((lane.terms, i.size))
     coefficients_of(lane, i, t, piece, terms)
     rate = terms[1].copy()
-    angle = rate * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)) + terms[2]
+    angle = rate * since_break(lane, i, t, piece) + terms[2]
     size = terms[0] * c[t.cells + ix.SCALED_BY, i]
     now = np.sin(angle)
     slope = np.cos(angle)
@@ -578,21 +614,24 @@ def rise_to(lane: Lanes, i: Index, t: Table, past: Floats) -> Floats:
     c[t.cells + ix.RISE, i] = slope * c[t.cells + ix.SCALE, i]
     if t.sine:
         half = 0.5 * terms[1] * past
-        angle = terms[1] * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)) + terms[2]
-        return 2.0 * c[t.cells + ix.SCALED_BY, i] * terms[0] * np.sin(half) * np.cos(angle + half)
+        angle = terms[1] * since_break(lane, i, t, piece) + terms[2]
+        change = 2.0 * np.sin(half) * np.cos(angle + half)
+        return c[t.cells + ix.SCALED_BY, i] * terms[0] * change
     return slope * past
 
 
 def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
     """Return the end of a piece in the table's argument, infinity for the last piece."""
     last = t.pieces - 1
-    return np.where(piece < last, break_of(lane, i, t, np.fmin(piece + 1, last)), INFINITY)
+    following = np.fmin(piece + 1, last)
+    return np.where(piece < last, break_of(lane, i, t, following), INFINITY)
 
 
 def ends_by(lane: Lanes, i: Index, t: Table, piece: Index, argument: Floats, included: Mask) -> Mask:
     """Return whether a piece ends below an argument, or at it if a break belongs to the piece above."""
     end = end_of_piece(lane, i, t, piece)
-    return (end < argument) | included & (end == argument) & (end < INFINITY)
+    ends_there = (end == argument) & (end < INFINITY)
+    return (end < argument) | included & ends_there
 
 
 def piece_at(lane: Lanes, i: Index, t: Table, first: Index, argument: Floats, included: Mask) -> Index:
@@ -634,13 +673,14 @@ def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
     i, = among(holds_1, i_1)
     if i.size:
         now = c[ix.TIME, i] * c[t.cells + ix.SCALE, i]
-        piece = piece_at(lane, i, t, integer(c[t.cells + ix.PIECE, i]), now * (1.0 + 2.0 * EPS), np.full(i.size, True))
-        holds_2 = piece > integer(c[t.cells + ix.PIECE, i])
-        i_2, now_2, piece_2 = (i, now, piece)
-        i, now, piece = among(holds_2, i_2, now_2, piece_2)
+        before = integer(c[t.cells + ix.PIECE, i])
+        piece = piece_at(lane, i, t, before, now * (1.0 + 2.0 * EPS), np.full(i.size, True))
+        holds_2 = piece > before
+        i_2, now_2, before_2, piece_2 = (i, now, before, piece)
+        i, now, before, piece = among(holds_2, i_2, now_2, before_2, piece_2)
         if i.size:
             c[ix.SCALE_BEFORE, i] = INFINITY
-        i, now, piece = (i_2, now_2, piece_2)
+        i, now, before, piece = (i_2, now_2, before_2, piece_2)
         c[t.cells + ix.PIECE, i] = piece
         c[t.cells + ix.WAY, i] = 0.0
         c[t.cells + ix.VALUE, i] = value_now(lane, i, t)
@@ -681,8 +721,8 @@ def begin_in_slip(lane: Lanes, i: Index, t: Table) -> None:
     piece = integer(c[t.cells + ix.PIECE, i])
     edge = break_of(lane, i, t, piece)
     local = np.fmax(c[ix.SLIP, i] * c[t.cells + ix.SCALE, i] - edge, 0.0)
-    c[t.cells + ix.UPPER, i] = np.fmax((end_of_piece(lane, i, t, piece) - edge - local) / c[t.cells + ix.SCALE, i],
-        EPS * c[ix.SLIP, i])
+    ahead = end_of_piece(lane, i, t, piece) - edge - local
+    c[t.cells + ix.UPPER, i] = np.fmax(ahead / c[t.cells + ix.SCALE, i], EPS * c[ix.SLIP, i])
     develop(lane, i, t, local, c[t.cells + ix.SCALE, i])
 
 
@@ -808,13 +848,13 @@ def enter_lines(s: Lanes, here: Mask) -> Mask:
     return others
 
 
-def still_changes(lane: Lanes, i: Index) -> Mask:
-    """Return whether a force will still change while the lane rests."""
-    c = lane.cells
-    changes: Mask = False
-    for t in lane.tables:
+def still_changes(s: Lanes) -> Mask:
+    """Return whether a force will still change while lanes rest."""
+    c = s.cells
+    changes = none_of(s)
+    for t in s.tables:
         if t.kind == ix.OF_TIME:
-            changes = changes | (c[t.cells + ix.UPPER, i] < INFINITY)
+            changes = changes | (c[t.cells + ix.UPPER] < INFINITY)
     return changes
 
 
@@ -1061,27 +1101,14 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
     return power_of_two(lowest)
 
 
-def update_peak(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Record the current speed if it is the greatest."""
-    c = lane.cells
-    rises = c[ix.PEAK_TIME, i] == c[ix.TIME, i]
-    holds_1 = c[ix.OMEGA, i] > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA, i])
-    i_1, rate_1, rises_1 = (i, rate, rises)
-    i, rate, rises = among(holds_1, i_1, rate_1, rises_1)
-    if i.size:
-        c[ix.PEAK_TIME, i] = c[ix.TIME, i]
-        c[ix.PEAK_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
-        c[ix.PEAK_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
-        c[ix.PEAK_RATE, i] = c[ix.DIRECTION, i] * rate
-    i, rate, rises = (i_1, rate_1, rises_1)
-
-
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
     """Record a candidate for the greatest speed in the current step if it exceeds the record."""
     c = s.cells
     faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(faster):
-        faster = faster & ((c[ix.PEAK_TIME] == c[ix.TIME]) | (speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])))
+        begins = c[ix.PEAK_TIME] == c[ix.TIME]
+        clearly = speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])
+        faster = faster & (begins | clearly)
         c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
         c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
         c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,
@@ -1089,283 +1116,229 @@ def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, ra
         c[ix.PEAK_RATE] = np.where(here, np.where(faster, c[ix.DIRECTION] * rate, c[ix.PEAK_RATE]), c[ix.PEAK_RATE])
 
 
-def update_reach(lane: Lanes, i: Index) -> None:
+def update_reach(s: Lanes, here: Mask) -> None:
     """Record the current rotation if it is the greatest from the start."""
-    c = lane.cells
-    rotation = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
-    holds_1 = np.abs(rotation) > np.abs(c[ix.REACH_ROTATION, i])
-    i_1, rotation_1 = (i, rotation)
-    i, rotation = among(holds_1, i_1, rotation_1)
-    if i.size:
-        c[ix.REACH_ROTATION, i] = rotation
-        c[ix.REACH_TIME, i] = c[ix.TIME, i]
-    i, rotation = (i_1, rotation_1)
+    c = s.cells
+    rotation = c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X]
+    here = here & (np.abs(rotation) > np.abs(c[ix.REACH_ROTATION]))
+    c[ix.REACH_ROTATION] = np.where(here, rotation, c[ix.REACH_ROTATION])
+    c[ix.REACH_TIME] = np.where(here, c[ix.TIME], c[ix.REACH_TIME])
 
 
-def note_lift_off(lane: Lanes, i: Index) -> None:
+def note_lift_off(s: Lanes, here: Mask) -> None:
     """Log the loss of contact with the slip surface."""
-    c = lane.cells
-    note(lane, i, ix.NOTE_LIFTS)
-    holds_1 = np.isnan(c[ix.LIFT_TIME, i])
-    i_1 = i
-    i, = among(holds_1, i_1)
-    if i.size:
-        c[ix.LIFT_TIME, i] = c[ix.TIME, i]
-    i = i_1
-
-
-def advance_origin(lane: Lanes, i: Index) -> None:
-    """Reset the origin of rotation and slip to the current position, where another phase begins."""
-    c = lane.cells
-    c[ix.ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
-    c[ix.SLIP, i] = c[ix.SLIP, i] + c[ix.X, i]
-    c[ix.X, i] = 0.0
-
-
-def face(lane: Lanes, i: Index, side: Floats) -> None:
-    """Set the direction of travel at a standstill."""
-    c = lane.cells
-    c[ix.X, i] = 0.0
-    c[ix.OMEGA, i] = 0.0
-    c[ix.DIRECTION, i] = side
-    c[ix.LIFTED, i] = 0.0
-
-
-def start(lane: Lanes, i: Index) -> None:
-    """Start a lane with a velocity or at rest."""
-    c = lane.cells
-    c[ix.DIRECTION, i] = np.where(c[ix.OMEGA, i] < 0.0, -1.0, 1.0)
-    c[ix.OMEGA, i] = np.abs(c[ix.OMEGA, i])
-    c[ix.X, i] = 0.0
-    c[ix.LIFTED, i] = 0.0
-    c[ix.FACED, i] = 0.0
-    c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
-    c[ix.CLOCKED, i] = 0.0
-    c[ix.NEGLIGIBLE, i] = ROUNDING
-    if lane.timed:
-        find_negligible(lane, i)
-    find_pieces(lane, i)
-
-
-def start_moving(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Start slip in the current direction."""
-    c = lane.cells
-    c[ix.STATUS, i] = ix.MOVING
-    c[ix.PASSED, i] = ix.NOTHING
-    c[ix.PHASES, i] = c[ix.PHASES, i] + 1.0
-    c[ix.TURNS, i] = c[ix.TURNS, i] + np.where(c[ix.LAST_WAY, i] * c[ix.DIRECTION, i] < 0.0, 1.0, 0.0)
-    c[ix.LAST_WAY, i] = c[ix.DIRECTION, i]
-    note(lane, i, ix.NOTE_BEGINS)
-    holds_1 = c[ix.LIFTED, i] > 0.0
-    i_1, rate_1 = (i, rate)
-    i, rate = among(holds_1, i_1, rate_1)
-    if i.size:
-        note_lift_off(lane, i)
-    i, rate = (i_1, rate_1)
-    update_peak(lane, i, rate)
-    c[ix.PENDING, i] = ix.READY
-
-
-def stay(lane: Lanes, i: Index, status: Floats) -> None:
-    """Keep the lane at rest until its end."""
-    c = lane.cells
-    c[ix.STATUS, i] = status
-    c[ix.END_ROTATION, i] = c[ix.ROTATION, i]
-    c[ix.END_OMEGA, i] = 0.0
-    c[ix.END_RATE, i] = 0.0
-    c[ix.DIRECTION, i] = 0.0
-    c[ix.REST_SINCE, i] = np.where(c[ix.REST_SINCE, i] > c[ix.END_TIME, i], c[ix.END_TIME, i], c[ix.REST_SINCE, i])
-    c[ix.PENDING, i] = ix.READY
-    read_samples(lane, i, c[ix.TIME, i], INFINITY, 0, 0)
-
-
-def may_start(lane: Lanes, i: Index) -> Mask:
-    """Return whether a mass at rest may start in its direction. Shaking starts a one-way mass only down-slope."""
-    c = lane.cells
-    pull = c[lane.roles.driving_moment, i]
-    down_slope = (pull > 0.0) | (pull == 0.0) & (c[ix.DIRECTION, i] > 0.0)
-    return (c[ix.ONE_WAY, i] == 0.0) | down_slope
-
-
-def never_rests(lane: Lanes, i: Index) -> Mask:
-    """Return whether a mass swings for ever, because almost no force presses on it at its lowest point."""
-    c = lane.cells
-    load = c[lane.roles.normal_load, i]
-    most = np.hypot(load, c[lane.roles.normal_load_slope, i])
-    carried = c[lane.roles.normal0, i] + (most - load) <= ix.CARRIED * most
-    return (c[ix.FIRST_ONLY, i] == 1.0) | carried & np.logical_not(still_changes(lane, i))
-
-
-def stick(lane: Lanes, i: Index) -> None:
-    """Keep the mass at rest, until a force changes or for good."""
-    c = lane.cells
-    c[ix.PENDING, i] = ix.READY
-    holds_1 = np.logical_not(still_changes(lane, i))
-    i_1 = i
-    i, = among(holds_1, i_1)
-    if i.size:
-        stay(lane, i, ix.ARRESTED)
-    i, = among(np.logical_not(holds_1), i_1)
-    if not i.size:
-        return
-    c[ix.STATUS, i] = ix.RESTING
-    holds_2 = c[ix.LIFTED, i] > 0.0
-    i_2 = i
-    i, = among(holds_2, i_2)
-    if i.size:
-        note_lift_off(lane, i)
-    i = i_2
-    holds_3 = np.logical_not(may_start(lane, i))
-    i_3 = i
-    i, = among(holds_3, i_3)
-    if i.size:
-        c[ix.DIRECTION, i] = -c[ix.DIRECTION, i]
-        c[ix.PENDING, i] = ix.BEGIN_PHASE
-    i = i_3
-
-
-def resolve_stick_or_slip(lane: Lanes, i: Index) -> None:
-    """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
-    c = lane.cells
-    holds_1 = (c[ix.FIRST_ONLY, i] > 0.0) & (c[ix.PHASES, i] > 0.0) & never_rests(lane, i)
-    i_1 = i
-    i, = among(holds_1, i_1)
-    if i.size:
-        stay(lane, i, ix.STOPPED)
-    i, = among(np.logical_not(holds_1), i_1)
-    if not i.size:
-        return
-    may = may_start(lane, i)
-    holds_2 = c[ix.PENDING, i] == ix.REST
-    i_2, may_2 = (i, may)
-    i, may = among(holds_2, i_2, may_2)
-    if i.size:
-        holds_3 = may
-        i_3, may_3 = (i, may)
-        i, may = among(holds_3, i_3, may_3)
+    c = s.cells
+    if s.logged:
+        i = np.flatnonzero(here)
         if i.size:
-            stick(lane, i)
-        i, may = among(np.logical_not(holds_3), i_3, may_3)
-        if not i.size:
-            return
-        face(lane, i, -c[ix.DIRECTION, i])
-        c[ix.PENDING, i] = ix.RESOLVE
-    i, may = among(np.logical_not(holds_2), i_2, may_2)
-    if not i.size:
-        return
-    terms = np.abs(c[lane.roles.driving, i]) + c[lane.roles.resisting, i]
-    unsure = EPS * (terms + c[lane.roles.mu, i] * np.abs(c[lane.roles.normal0, i]))
-    of_weight = (c[lane.roles.driving, i] == c[lane.roles.driving_moment, i]) & (c[lane.roles.normal0,
-        i] == c[lane.roles.normal_load, i]) & (c[lane.roles.resisting, i] == 0.0)
-    unsure = np.where((c[ix.LIMIT_REST, i] * c[lane.roles.drive, i] != 0.0) & of_weight, c[lane.roles.drive_scale, i],
-        unsure)
-    holds_4 = may
-    i_4, may_4, unsure_4 = (i, may, unsure)
-    i, may, unsure = among(holds_4, i_4, may_4, unsure_4)
-    if i.size:
-        c[ix.CLOSE, i] = np.fmin(c[ix.CLOSE, i], np.abs(c[lane.roles.drive, i]) / np.fmax(unsure, CLOSEST))
-    i, may, unsure = (i_4, may_4, unsure_4)
-    holds_5 = may & (c[lane.roles.drive, i] > 0.0)
-    i_5, may_5 = (i, may)
-    i, may = among(holds_5, i_5, may_5)
-    if i.size:
-        start_moving(lane, i, c[lane.roles.drive, i])
-    i, may = among(np.logical_not(holds_5), i_5, may_5)
-    if not i.size:
-        return
-    c[ix.FACED, i] = c[ix.FACED, i] + 1.0
-    holds_6 = (c[ix.FACED, i] > 1.0) | may & (c[ix.ONE_WAY, i] > 0.0)
-    i_6, may_6 = (i, may)
-    i, may = among(holds_6, i_6, may_6)
-    if i.size:
-        stick(lane, i)
-    i, may = among(np.logical_not(holds_6), i_6, may_6)
-    if not i.size:
-        return
-    face(lane, i, -c[ix.DIRECTION, i])
+            note(s, i, ix.NOTE_LIFTS)
+    here = here & (c[ix.LIFT_TIME] != c[ix.LIFT_TIME])
+    c[ix.LIFT_TIME] = np.where(here, c[ix.TIME], c[ix.LIFT_TIME])
 
 
-def carry_net_moment(lane: Lanes, i: Index, net: Floats) -> None:
+def advance_origin(s: Lanes, here: Mask) -> None:
+    """Reset the origin of rotation and slip to the current position, where another phase begins."""
+    c = s.cells
+    c[ix.ROTATION] = np.where(here, c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X], c[ix.ROTATION])
+    c[ix.SLIP] = np.where(here, c[ix.SLIP] + c[ix.X], c[ix.SLIP])
+    c[ix.X] = np.where(here, 0.0, c[ix.X])
+
+
+def face(s: Lanes, here: Mask, side: Floats) -> None:
+    """Set the direction of travel at a standstill."""
+    c = s.cells
+    c[ix.X] = np.where(here, 0.0, c[ix.X])
+    c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
+    c[ix.DIRECTION] = np.where(here, side, c[ix.DIRECTION])
+    c[ix.LIFTED] = np.where(here, 0.0, c[ix.LIFTED])
+
+
+def start(s: Lanes, here: Mask) -> None:
+    """Start lanes with a velocity or at rest."""
+    c = s.cells
+    c[ix.DIRECTION] = np.where(here, np.where(c[ix.OMEGA] < 0.0, -1.0, 1.0), c[ix.DIRECTION])
+    c[ix.OMEGA] = np.where(here, np.abs(c[ix.OMEGA]), c[ix.OMEGA])
+    c[ix.X] = np.where(here, 0.0, c[ix.X])
+    c[ix.LIFTED] = np.where(here, 0.0, c[ix.LIFTED])
+    c[ix.FACED] = np.where(here, 0.0, c[ix.FACED])
+    moves = c[ix.OMEGA] > 0.0
+    c[ix.PENDING] = np.where(here, np.where(moves, ix.START_MOVING, ix.RESOLVE), c[ix.PENDING])
+    c[ix.CLOCKED] = np.where(here, 0.0, c[ix.CLOCKED])
+    c[ix.NEGLIGIBLE] = np.where(here, ROUNDING, c[ix.NEGLIGIBLE])
+    if s.timed:
+        i = np.flatnonzero(here)
+        if i.size:
+            find_negligible(s, i)
+    i = np.flatnonzero(here)
+    if i.size:
+        find_pieces(s, i)
+
+
+def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
+    """Start slip in the current direction."""
+    c = s.cells
+    c[ix.STATUS] = np.where(here, ix.MOVING, c[ix.STATUS])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
+    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
+    turns = c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0
+    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(turns, 1.0, 0.0), c[ix.TURNS])
+    c[ix.LAST_WAY] = np.where(here, c[ix.DIRECTION], c[ix.LAST_WAY])
+    if s.logged:
+        i = np.flatnonzero(here)
+        if i.size:
+            note(s, i, ix.NOTE_BEGINS)
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+    keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
+    c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
+
+
+def stay(s: Lanes, here: Mask, status: Floats) -> None:
+    """Keep lanes at rest until their end."""
+    c = s.cells
+    c[ix.STATUS] = np.where(here, status, c[ix.STATUS])
+    c[ix.END_ROTATION] = np.where(here, c[ix.ROTATION], c[ix.END_ROTATION])
+    c[ix.END_OMEGA] = np.where(here, 0.0, c[ix.END_OMEGA])
+    c[ix.END_RATE] = np.where(here, 0.0, c[ix.END_RATE])
+    c[ix.DIRECTION] = np.where(here, 0.0, c[ix.DIRECTION])
+    c[ix.REST_SINCE] = np.where(here, np.where(c[ix.REST_SINCE] > c[ix.END_TIME], c[ix.END_TIME], c[ix.REST_SINCE]),
+        c[ix.REST_SINCE])
+    c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
+    if s.samples:
+        i = np.flatnonzero(here)
+        if i.size:
+            read_samples(s, i, c[ix.TIME, i], INFINITY, 0, 0)
+
+
+def may_start(s: Lanes) -> Mask:
+    """Return whether masses at rest may start in their direction. Shaking starts a one-way mass only down-slope."""
+    c = s.cells
+    pull = c[s.roles.driving_moment].copy()
+    down_slope = (pull > 0.0) | (pull == 0.0) & (c[ix.DIRECTION] > 0.0)
+    return (c[ix.ONE_WAY] == 0.0) | down_slope
+
+
+def never_rests(s: Lanes) -> Mask:
+    """Return whether masses swing for ever, because almost no force presses on them at their lowest point."""
+    c = s.cells
+    load = c[s.roles.normal_load].copy()
+    slope = c[s.roles.normal_load_slope].copy()
+    square = load * load + slope * slope
+    most = np.sqrt(square)
+    least = c[s.roles.normal0] + (most - load)
+    carried = least <= ix.CARRIED * most
+    return (c[ix.FIRST_ONLY] == 1.0) | carried & np.logical_not(still_changes(s))
+
+
+def stick(s: Lanes, here: Mask) -> None:
+    """Keep masses at rest, until a force changes or for good."""
+    c = s.cells
+    changes = still_changes(s)
+    stay(s, here & np.logical_not(changes), ix.ARRESTED)
+    here = here & changes
+    if np.any(here):
+        c[ix.STATUS] = np.where(here, ix.RESTING, c[ix.STATUS])
+        c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
+        note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+        here = here & np.logical_not(may_start(s))
+        c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
+        c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
+
+
+def rest_one_way(s: Lanes, here: Mask) -> None:
+    """Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start."""
+    c = s.cells
+    may = may_start(s)
+    stick(s, here & may)
+    here = here & np.logical_not(may)
+    face(s, here, -c[ix.DIRECTION])
+    c[ix.PENDING] = np.where(here, ix.RESOLVE, c[ix.PENDING])
+
+
+def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
+    """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
+    c = s.cells
+    terms = np.abs(c[s.roles.driving]) + c[s.roles.resisting]
+    unsure = EPS * (terms + c[s.roles.mu] * np.abs(c[s.roles.normal0]))
+    of_weight = (c[s.roles.driving] == c[s.roles.driving_moment]) & (c[s.roles.normal0] == c[s.roles.normal_load])
+    of_weight = of_weight & (c[s.roles.resisting] == 0.0)
+    refined = (c[ix.LIMIT_REST] * c[s.roles.drive] != 0.0) & of_weight
+    unsure = np.maximum(np.where(refined, c[s.roles.drive_scale], unsure), CLOSEST)
+    may = here & may_start(s)
+    margin = np.abs(c[s.roles.drive]) / unsure
+    c[ix.CLOSE] = np.where(here, np.where(may, np.minimum(c[ix.CLOSE], margin), c[ix.CLOSE]), c[ix.CLOSE])
+    starts = may & (c[s.roles.drive] > 0.0)
+    start_moving(s, starts, c[s.roles.drive])
+    here = here & np.logical_not(starts)
+    if np.any(here):
+        c[ix.FACED] = np.where(here, c[ix.FACED] + 1.0, c[ix.FACED])
+        stays_down = may & (c[ix.ONE_WAY] > 0.0)
+        sticks = here & ((c[ix.FACED] > 1.0) | stays_down)
+        stick(s, sticks)
+        face(s, here & np.logical_not(sticks), -c[ix.DIRECTION])
+
+
+def resolve_standstill(s: Lanes, here: Mask) -> None:
+    """Decide whether masses at a standstill, or at the start, stop, stick or slip."""
+    c = s.cells
+    stops = here & (c[ix.FIRST_ONLY] > 0.0) & (c[ix.PHASES] > 0.0)
+    if np.any(stops):
+        stops = stops & never_rests(s)
+        stay(s, stops, ix.STOPPED)
+        here = here & np.logical_not(stops)
+    one_way = here & (c[ix.PENDING] == ix.REST)
+    if np.any(one_way):
+        rest_one_way(s, one_way)
+        here = here & np.logical_not(one_way)
+    resolve_stick_or_slip(s, here)
+
+
+def carry_net_moment(s: Lanes, here: Mask, net: Floats) -> None:
     """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
-    c = lane.cells
-    terms = np.abs(c[ix.RATE_BEFORE, i]) + np.abs(net - c[lane.roles.drive, i]) + np.abs(c[ix.DRIVE_BEFORE, i])
-    carried = c[ix.SCALE_BEFORE, i] + EPS * terms
-    holds_1 = carried < c[lane.roles.drive_scale, i]
-    i_1, net_1, carried_1 = (i, net, carried)
-    i, net, carried = among(holds_1, i_1, net_1, carried_1)
-    if i.size:
-        c[lane.roles.drive, i] = c[lane.roles.drive, i] + (c[ix.RATE_BEFORE, i] - net)
-        c[lane.roles.drive_scale, i] = carried
-    i, net, carried = (i_1, net_1, carried_1)
-    c[ix.PENDING, i] = ix.READY
+    c = s.cells
+    c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
+    change = net - c[s.roles.drive]
+    terms = np.abs(c[ix.RATE_BEFORE]) + np.abs(change) + np.abs(c[ix.DRIVE_BEFORE])
+    carried = c[ix.SCALE_BEFORE] + EPS * terms
+    here = here & (carried < c[s.roles.drive_scale])
+    c[s.roles.drive] = np.where(here, c[s.roles.drive] + (c[ix.RATE_BEFORE] - net), c[s.roles.drive])
+    c[s.roles.drive_scale] = np.where(here, carried, c[s.roles.drive_scale])
 
 
-def resolve_pending(lane: Lanes, i: Index, net: Floats, force: Floats) -> None:
-    """Begin the phase for which the lane waits, from its net moment and normal force."""
-    c = lane.cells
-    holds_1 = c[ix.PENDING, i] == ix.ENTER_PHASE
-    i_1, net_1, force_1 = (i, net, force)
-    i, net, force = among(holds_1, i_1, net_1, force_1)
-    if i.size:
-        carry_net_moment(lane, i, net)
-    i, net, force = among(np.logical_not(holds_1), i_1, net_1, force_1)
-    if not i.size:
-        return
-    holds_2 = c[ix.PENDING, i] == ix.BEGIN_PHASE
-    i_2, net_2, force_2 = (i, net, force)
-    i, net, force = among(holds_2, i_2, net_2, force_2)
-    if i.size:
-        c[ix.PENDING, i] = ix.READY
-    i, net, force = among(np.logical_not(holds_2), i_2, net_2, force_2)
-    if not i.size:
-        return
-    lifts = np.where(c[ix.PENDING, i] == ix.START_MOVING, force < 0.0, c[lane.roles.normal0, i] <= 0.0)
-    holds_3 = lifts & (c[ix.LIFTED, i] == 0.0)
-    i_3, net_3, lifts_3 = (i, net, lifts)
-    i, net, lifts = among(holds_3, i_3, net_3, lifts_3)
-    if i.size:
-        c[ix.LIFTED, i] = 1.0
-    i, net, lifts = among(np.logical_not(holds_3), i_3, net_3, lifts_3)
-    if not i.size:
-        return
-    holds_4 = c[ix.PENDING, i] == ix.START_MOVING
-    i_4, net_4 = (i, net)
-    i, net = among(holds_4, i_4, net_4)
-    if i.size:
-        start_moving(lane, i, net)
-    i, net = among(np.logical_not(holds_4), i_4, net_4)
-    if not i.size:
-        return
-    holds_5 = c[ix.PENDING, i] == ix.START_AGAIN
-    i_5 = i
-    i, = among(holds_5, i_5)
-    if i.size:
-        c[lane.roles.drive, i] = np.where(c[ix.SUDDEN, i] > 0.0, c[lane.roles.drive, i], 0.0)
-        start_moving(lane, i, c[lane.roles.drive, i])
-    i, = among(np.logical_not(holds_5), i_5)
-    if not i.size:
-        return
-    resolve_stick_or_slip(lane, i)
+def resolve_pending(s: Lanes, waits: Mask, net: Floats, force: Floats) -> None:
+    """Begin the phases for which lanes wait, from their net moments and normal forces."""
+    c = s.cells
+    enters = waits & (c[ix.PENDING] == ix.ENTER_PHASE)
+    begins = waits & (c[ix.PENDING] == ix.BEGIN_PHASE)
+    moving = waits & (c[ix.PENDING] == ix.START_MOVING)
+    again = waits & (c[ix.PENDING] == ix.START_AGAIN)
+    decides = waits & np.logical_not(enters | begins | moving | again)
+    by_force = moving & (force < 0.0)
+    at_rest = again | decides
+    by_load = at_rest & (c[s.roles.normal0] <= 0.0)
+    lifts = (by_force | by_load) & (c[ix.LIFTED] == 0.0)
+    c[ix.LIFTED] = np.where(lifts, 1.0, c[ix.LIFTED])
+    c[ix.PENDING] = np.where(begins, ix.READY, c[ix.PENDING])
+    if np.any(enters):
+        carry_net_moment(s, enters, net)
+    starts = (moving | again) & np.logical_not(lifts)
+    if np.any(starts):
+        level = again & starts & (c[ix.SUDDEN] <= 0.0)
+        c[s.roles.drive] = np.where(level, 0.0, c[s.roles.drive])
+        start_moving(s, starts, np.where(again, c[s.roles.drive], net))
+    decides = decides & np.logical_not(lifts)
+    if np.any(decides):
+        resolve_standstill(s, decides)
 
 
-def on_discontinuity(lane: Lanes, i: Index, force: Floats) -> None:
+def on_discontinuity(s: Lanes, here: Mask, force: Floats) -> None:
     """Decide about contact after a jump of forces. If contact changes, another phase begins."""
-    c = lane.cells
+    c = s.cells
     lifted = np.where(force < 0.0, 1.0, 0.0)
-    holds_1 = lifted > c[ix.LIFTED, i]
-    i_1, lifted_1 = (i, lifted)
-    i, lifted = among(holds_1, i_1, lifted_1)
-    if i.size:
-        note_lift_off(lane, i)
-    i, lifted = (i_1, lifted_1)
-    c[ix.PENDING, i] = np.where(c[ix.LIFTED, i] == lifted, ix.READY, ix.BEGIN_PHASE)
-    c[ix.LIFTED, i] = lifted
-    holds_2 = c[ix.PENDING, i] == ix.BEGIN_PHASE
-    i_2 = i
-    i, = among(holds_2, i_2)
-    if i.size:
-        advance_origin(lane, i)
-    i = i_2
+    same = c[ix.LIFTED] == lifted
+    note_lift_off(s, here & (lifted > c[ix.LIFTED]))
+    c[ix.PENDING] = np.where(here, np.where(same, ix.READY, ix.BEGIN_PHASE), c[ix.PENDING])
+    c[ix.LIFTED] = np.where(here, lifted, c[ix.LIFTED])
+    advance_origin(s, here & np.logical_not(same))
 
 
 def begin_phases(s: Lanes) -> None:
@@ -1375,9 +1348,7 @@ def begin_phases(s: Lanes) -> None:
     if np.any(sudden):
         evaluate(s)
         force = normal_force(s)
-        i = np.flatnonzero(sudden)
-        if i.size:
-            on_discontinuity(s, i, force[i])
+        on_discontinuity(s, sudden, force)
     waits = c[ix.PENDING] != ix.READY
     while np.any(waits):
         i = np.flatnonzero(waits)
@@ -1388,9 +1359,7 @@ def begin_phases(s: Lanes) -> None:
             evaluate(s)
         force = normal_force(s)
         net = s.registers[s.roles.net][0].copy()
-        i = np.flatnonzero(waits)
-        if i.size:
-            resolve_pending(s, i, net[i], force[i])
+        resolve_pending(s, waits, net, force)
         waits = c[ix.PENDING] != ix.READY
 
 
@@ -1416,9 +1385,11 @@ def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: F
     now = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
     level = c[t.cells + ix.RISE] == 0.0
     way = sign * p[1] * c[t.cells + ix.RISE]
-    bound = np.where(level, now, now - SURE * p[0] * c[t.cells + ix.RISE] / p[1])
+    room = SURE * p[0] * c[t.cells + ix.RISE] / p[1]
+    bound = np.where(level, now, now - room)
     straight = (p[2] == 0.0) & (c[ix.SERIES_ORDER] <= 4.0)
-    sure = straight & (sign * p[0] > ROUNDINGS * terms) & (c[ix.LIFTED] == 0.0)
+    rounding = ROUNDINGS * terms
+    sure = straight & (sign * p[0] > rounding) & (c[ix.LIFTED] == 0.0)
     c[ix.QUIET_FROM] = np.where(here, np.where(level | (way > 0.0), np.maximum(bound, c[ix.QUIET_FROM]),
         c[ix.QUIET_FROM]), c[ix.QUIET_FROM])
     c[ix.QUIET_TO] = np.where(here, np.where(level | (way < 0.0), np.minimum(bound, c[ix.QUIET_TO]), c[ix.QUIET_TO]),
@@ -1488,34 +1459,39 @@ def standstill(omega: Floats, net: Floats, rise: Floats) -> Floats:
     """Return the first time at which a falling speed is zero."""
     square = net * net
     decrease = 2.0 * rise * omega
-    root = np.sqrt(np.maximum(square - decrease, 0.0))
+    left = np.maximum(square - decrease, 0.0)
+    root = np.sqrt(left)
     falls = net <= 0.0
     over = np.where(falls, 2.0 * omega, net + root)
     under = np.where(falls, root - net, 0.0 - rise)
     return over / under
 
 
-def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
-    """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
+def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
+    """Place a lane at the left end of a piece."""
     c = lane.cells
-    c[ix.X, i] = x
-    c[ix.OMEGA, i] = omega
-    c[ix.STATUS, i] = np.where(omega > 0.0, ix.MOVING, ix.RESTING)
-    c[ix.STEPS, i] = 0.0
-    c[ix.PASSED, i] = ix.NOTHING
-    holds_1 = omega == 0.0
-    i_1, piece_1, omega_1 = (i, piece, omega)
-    i, piece, omega = among(holds_1, i_1, piece_1, omega_1)
-    if i.size:
-        c[ix.TIME, i] = c[ix.REST_SINCE, i]
-        update_reach(lane, i)
-    i, piece, omega = (i_1, piece_1, omega_1)
-    advance_origin(lane, i)
     edge = break_of(lane, i, t, piece)
     now = edge / c[t.cells + ix.SCALE, i]
     stand_before(lane, i, t, piece, now)
     pass_break(lane, i, t)
-    c[ix.PENDING, i] = ix.BEGIN_PHASE
+
+
+def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
+    """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
+    c = s.cells
+    c[ix.X] = np.where(here, x, c[ix.X])
+    c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
+    c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
+    moves = omega > 0.0
+    c[ix.STATUS] = np.where(here, np.where(moves, ix.MOVING, ix.RESTING), c[ix.STATUS])
+    c[ix.TIME] = np.where(here, np.where(moves, c[ix.TIME], c[ix.REST_SINCE]), c[ix.TIME])
+    update_reach(s, here & np.logical_not(moves))
+    advance_origin(s, here)
+    i = np.flatnonzero(here)
+    if i.size:
+        enter_at(s, i, t, np.full(i.size, piece))
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
 def count_starts(s: Lanes, here: Mask) -> None:
@@ -1555,7 +1531,8 @@ def turn(s: Lanes, here: Mask, now: Floats, length: Floats, share: Floats, omega
     behind = path(span, nothing, push, rise)
     further = np.where(starts, behind, 0.0)
     before = path(stop, omega, net, rise)
-    return (end, before + further)
+    way = before + further
+    return (end, way)
 
 
 def pass_change(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
@@ -1608,7 +1585,8 @@ def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, ome
 def latest_end(s: Lanes, t: Table) -> Floats:
     """Return the place in a record, up to rounding, at which the end time is reached."""
     c = s.cells
-    return np.minimum(c[ix.END_TIME] * c[t.cells + ix.SCALE] * (1.0 - 4.0 * EPS), LATEST)
+    end = c[ix.END_TIME] * c[t.cells + ix.SCALE] * (1.0 - 4.0 * EPS)
+    return np.minimum(end, LATEST)
 
 
 def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
@@ -1621,7 +1599,8 @@ def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
 
 def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
     """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
-    return t.places[piece + 1] * per
+    end = t.places[piece + 1]
+    return end * per
 
 
 def height_after(s: Lanes, t: Table, piece: int) -> Floats:
@@ -1656,9 +1635,8 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
-    i = np.flatnonzero(leaves)
-    if i.size:
-        end_slide(s, i, t, np.full(i.size, piece), x[i], omega[i])
+    if np.any(leaves):
+        end_slide(s, leaves, t, piece, x, omega)
     return on & inside
 
 
@@ -1728,56 +1706,52 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     return forward & np.logical_not(there)
 
 
-def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Begin another phase in motion: the lane enters another piece of a table, is lifted or lands."""
-    c = lane.cells
-    c[ix.RATE_BEFORE, i] = rate
-    c[ix.DRIVE_BEFORE, i] = c[lane.roles.drive, i]
-    c[ix.SCALE_BEFORE, i] = c[lane.roles.drive_scale, i]
-    advance_origin(lane, i)
-    c[ix.PENDING, i] = ix.ENTER_PHASE
+def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
+    """Begin another phase in motion: lanes enter another piece of a table, are lifted or land."""
+    c = s.cells
+    c[ix.RATE_BEFORE] = np.where(here, rate, c[ix.RATE_BEFORE])
+    c[ix.DRIVE_BEFORE] = np.where(here, c[s.roles.drive], c[ix.DRIVE_BEFORE])
+    c[ix.SCALE_BEFORE] = np.where(here, c[s.roles.drive_scale], c[ix.SCALE_BEFORE])
+    advance_origin(s, here)
+    c[ix.PENDING] = np.where(here, ix.ENTER_PHASE, c[ix.PENDING])
 
 
-def on_standstill(lane: Lanes, i: Index) -> None:
-    """Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion."""
-    c = lane.cells
-    advance_origin(lane, i)
-    update_reach(lane, i)
-    c[ix.REST_SINCE, i] = c[ix.TIME, i]
-    note(lane, i, ix.NOTE_STANDS)
-    c[ix.FACED, i] = 1.0
-    one_way = c[ix.ONE_WAY, i] > 0.0
-    face(lane, i, np.where(one_way, c[ix.DIRECTION, i], -c[ix.DIRECTION, i]))
-    c[ix.PENDING, i] = np.where(one_way, ix.REST, ix.RESOLVE)
+def on_standstill(s: Lanes, here: Mask) -> None:
+    """Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion."""
+    c = s.cells
+    advance_origin(s, here)
+    update_reach(s, here)
+    c[ix.REST_SINCE] = np.where(here, c[ix.TIME], c[ix.REST_SINCE])
+    if s.logged:
+        i = np.flatnonzero(here)
+        if i.size:
+            note(s, i, ix.NOTE_STANDS)
+    c[ix.FACED] = np.where(here, 1.0, c[ix.FACED])
+    one_way = c[ix.ONE_WAY] > 0.0
+    face(s, here, np.where(one_way, c[ix.DIRECTION], -c[ix.DIRECTION]))
+    c[ix.PENDING] = np.where(here, np.where(one_way, ix.REST, ix.RESOLVE), c[ix.PENDING])
 
 
-def on_contact_change(lane: Lanes, i: Index, rate: Floats) -> None:
+def on_contact_change(s: Lanes, here: Mask, rate: Floats) -> None:
     """Change contact with the slip surface."""
-    c = lane.cells
-    c[ix.LIFTED, i] = 1.0 - c[ix.LIFTED, i]
-    holds_1 = c[ix.LIFTED, i] > 0.0
-    i_1, rate_1 = (i, rate)
-    i, rate = among(holds_1, i_1, rate_1)
-    if i.size:
-        note_lift_off(lane, i)
-    i, rate = (i_1, rate_1)
-    holds_2 = c[ix.LIFTED, i] == 0.0
-    i_2, rate_2 = (i, rate)
-    i, rate = among(holds_2, i_2, rate_2)
-    if i.size:
-        note(lane, i, ix.NOTE_LANDS)
-    i, rate = (i_2, rate_2)
-    enter_phase(lane, i, rate)
-    c[ix.PASSED, i] = ix.LIFT
+    c = s.cells
+    c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+    lands = here & (c[ix.LIFTED] == 0.0)
+    if s.logged:
+        i = np.flatnonzero(lands)
+        if i.size:
+            note(s, i, ix.NOTE_LANDS)
+    enter_phase(s, here, rate)
+    c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
 
 
-def on_breakpoint(lane: Lanes, i: Index, t: Table, rate: Floats, upwards: Mask) -> None:
-    """Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece."""
+def on_breakpoint(lane: Lanes, i: Index, t: Table, upwards: Mask) -> None:
+    """Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece."""
     c = lane.cells
-    enter_phase(lane, i, rate)
     if t.kind == ix.OF_ROTATION:
-        c[ix.ROTATION, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]) + np.where(c[ix.DIRECTION, i] > 0.0,
-            1, 0))
+        ahead = np.where(c[ix.DIRECTION, i] > 0.0, 1, 0)
+        c[ix.ROTATION, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]) + ahead)
         return
     if t.kind == ix.OF_SPEED:
         c[ix.OMEGA, i] = np.where(upwards, c[t.cells + ix.UPPER, i], c[t.cells + ix.LOWER, i])
@@ -1795,83 +1769,59 @@ def on_breakpoint(lane: Lanes, i: Index, t: Table, rate: Floats, upwards: Mask) 
         i, upwards = (i_1, upwards_1)
 
 
-def end_motion(lane: Lanes, i: Index, rate: Floats, status: Floats) -> None:
-    """End a moving lane at its end time or with an upright chord."""
-    c = lane.cells
-    c[ix.STATUS, i] = status
-    c[ix.END_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
-    c[ix.END_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
-    c[ix.END_RATE, i] = c[ix.DIRECTION, i] * rate
-    update_reach(lane, i)
-
-
-def on_limit(lane: Lanes, i: Index, rate: Floats) -> None:
-    """End the lane at its end time, or pass breaks of functions of time."""
-    c = lane.cells
-    holds_1 = c[ix.TIME, i] >= c[ix.END_TIME, i]
-    i_1, rate_1 = (i, rate)
-    i, rate = among(holds_1, i_1, rate_1)
-    if i.size:
-        end_motion(lane, i, rate, ix.ENDED)
-    i, rate = among(np.logical_not(holds_1), i_1, rate_1)
-    if not i.size:
-        return
-    pass_breaks(lane, i)
-
-
-def settle(lane: Lanes, i: Index, rate: Floats, at_limit: Mask, endless: Mask) -> None:
-    """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
-    c = lane.cells
-    holds_1 = endless
-    i_1, rate_1, at_limit_1, endless_1 = (i, rate, at_limit, endless)
-    i, rate, at_limit, endless = among(holds_1, i_1, rate_1, at_limit_1, endless_1)
-    if i.size:
-        c[ix.STATUS, i] = ix.TOO_LONG
-    i, rate, at_limit, endless = (i_1, rate_1, at_limit_1, endless_1)
-    holds_2 = at_limit
-    i_2, rate_2, at_limit_2 = (i, rate, at_limit)
-    i, rate, at_limit = among(holds_2, i_2, rate_2, at_limit_2)
-    if i.size:
-        on_limit(lane, i, rate)
-    i, rate, at_limit = (i_2, rate_2, at_limit_2)
-    holds_3 = c[ix.EVENT, i] == ix.EVENT_NONE
-    i_3, rate_3 = (i, rate)
-    i, rate = among(holds_3, i_3, rate_3)
-    i, rate = among(np.logical_not(holds_3), i_3, rate_3)
-    if not i.size:
-        return
-    holds_4 = c[ix.EVENT, i] == ix.EVENT_STANDSTILL
-    i_4, rate_4 = (i, rate)
-    i, rate = among(holds_4, i_4, rate_4)
-    if i.size:
-        on_standstill(lane, i)
-    i, rate = among(np.logical_not(holds_4), i_4, rate_4)
-    if not i.size:
-        return
-    holds_5 = c[ix.EVENT, i] == ix.EVENT_LIFT_OFF
-    i_5, rate_5 = (i, rate)
-    i, rate = among(holds_5, i_5, rate_5)
-    if i.size:
-        on_contact_change(lane, i, rate)
-    i, rate = among(np.logical_not(holds_5), i_5, rate_5)
-    if not i.size:
-        return
-    holds_6 = c[ix.EVENT, i] == ix.EVENT_CHORD_UPRIGHT
-    i_6, rate_6 = (i, rate)
-    i, rate = among(holds_6, i_6, rate_6)
-    if i.size:
-        end_motion(lane, i, rate, ix.UPRIGHT)
-    i, rate = among(np.logical_not(holds_6), i_6, rate_6)
-    if not i.size:
-        return
-    for t in lane.tables:
-        edge = ix.EVENT_BREAKPOINT + 2 * t.number
-        holds_7 = (c[ix.EVENT, i] == edge) | (c[ix.EVENT, i] == edge + 1)
-        i_7, rate_7 = (i, rate)
-        i, rate = among(holds_7, i_7, rate_7)
+def on_breakpoints(s: Lanes, here: Mask, rate: Floats) -> None:
+    """Pass edges of tables of slip, speed or rotation."""
+    c = s.cells
+    enter_phase(s, here, rate)
+    for t in s.tables:
+        upper = ix.EVENT_BREAKPOINT + 2 * t.number
+        lower = upper + 1
+        passes = here & ((c[ix.EVENT] == float(upper)) | (c[ix.EVENT] == float(lower)))
+        i = np.flatnonzero(passes)
         if i.size:
-            on_breakpoint(lane, i, t, rate, c[ix.EVENT, i] == edge)
-        i, rate = (i_7, rate_7)
+            on_breakpoint(s, i, t, c[ix.EVENT, i] == upper)
+
+
+def end_motion(s: Lanes, here: Mask, rate: Floats, status: Floats) -> None:
+    """End moving lanes at their end time or with an upright chord."""
+    c = s.cells
+    c[ix.STATUS] = np.where(here, status, c[ix.STATUS])
+    c[ix.END_ROTATION] = np.where(here, c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X], c[ix.END_ROTATION])
+    c[ix.END_OMEGA] = np.where(here, c[ix.DIRECTION] * c[ix.OMEGA], c[ix.END_OMEGA])
+    c[ix.END_RATE] = np.where(here, c[ix.DIRECTION] * rate, c[ix.END_RATE])
+    update_reach(s, here)
+
+
+def on_limit(s: Lanes, here: Mask, rate: Floats) -> None:
+    """End lanes at their end time, or pass breaks of functions of time."""
+    c = s.cells
+    ends = here & (c[ix.TIME] >= c[ix.END_TIME])
+    end_motion(s, ends, rate, ix.ENDED)
+    passes = here & np.logical_not(ends)
+    i = np.flatnonzero(passes)
+    if i.size:
+        pass_breaks(s, i)
+
+
+def settle(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
+    """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
+    c = s.cells
+    c[ix.STATUS] = np.where(here, np.where(endless, ix.TOO_LONG, c[ix.STATUS]), c[ix.STATUS])
+    limits = here & at_limit
+    if np.any(limits):
+        on_limit(s, limits, rate)
+    stands = here & (c[ix.EVENT] == ix.EVENT_STANDSTILL)
+    if np.any(stands):
+        on_standstill(s, stands)
+    lifts = here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF)
+    if np.any(lifts):
+        on_contact_change(s, lifts, rate)
+    upright = here & (c[ix.EVENT] == ix.EVENT_CHORD_UPRIGHT)
+    if np.any(upright):
+        end_motion(s, upright, rate, ix.UPRIGHT)
+    passes = here & (c[ix.EVENT] >= ix.EVENT_BREAKPOINT)
+    if np.any(passes):
+        on_breakpoints(s, passes, rate)
 
 
 def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
@@ -1900,7 +1850,8 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest & (decelerates | (net[0] == 0.0) & (net[1] <= 0.0))
-    asked = here & ((last <= 0.0) | decelerates & (slope > 0.0) | falls_from_rest)
+    dips = decelerates & (slope > 0.0)
+    asked = here & ((last <= 0.0) | dips | falls_from_rest)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
         margin_of(e, omega, top, 1.0, 0.0, from_rest)
@@ -1908,7 +1859,8 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
         margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
         at = first_root(e, top, c[ix.STEP], asked)
         vanishes = from_rest & (e[0] == 0.0) & (last == 0.0)
-        consider(s, here, np.where(asked & ((e[0] < 0.0) | vanishes), 0.0, at), ix.EVENT_STANDSTILL)
+        at_once = asked & ((e[0] < 0.0) | vanishes)
+        consider(s, here, np.where(at_once, 0.0, at), ix.EVENT_STANDSTILL)
 
 
 def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constant: Floats, passed: Mask,
@@ -1930,9 +1882,11 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
     event = ix.EVENT_BREAKPOINT + 2 * t.number
     if t.kind == ix.OF_SPEED:
         omega = s.registers[s.roles.omega]
-        find_crossing(s, ends, omega, top, -1.0, upper, c[ix.PASSED] == ix.SLOWER, event)
+        slower = c[ix.PASSED] == ix.SLOWER
+        find_crossing(s, ends, omega, top, -1.0, upper, slower, event)
         varies = here & (c[t.cells + ix.LOWER] > 0.0)
-        find_crossing(s, varies, omega, top, 1.0, -c[t.cells + ix.LOWER], c[ix.PASSED] == ix.FASTER, event + 1)
+        faster = c[ix.PASSED] == ix.FASTER
+        find_crossing(s, varies, omega, top, 1.0, -c[t.cells + ix.LOWER], faster, event + 1)
         return
     find_crossing(s, ends, s.registers[s.roles.x], top, -1.0, upper, none_of(s), event)
 
@@ -1940,21 +1894,22 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
 def find_events(s: Lanes, here: Mask, top: int) -> None:
     """Find the first event of the step. Of simultaneous events the last one in the order of the search is used."""
     c = s.cells
-    c[ix.EVENT] = np.where(here, float(ix.EVENT_NONE), c[ix.EVENT])
+    c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     find_standstill(s, here, top)
     if s.roles.upright >= 0:
         find_crossing(s, here, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
     for t in s.tables:
         if t.kind != ix.OF_TIME:
-            known = t.number > 0 and t.kind == ix.OF_ROTATION and (t.before.kind == ix.OF_ROTATION)
+            follows = t.number > 0 and t.kind == ix.OF_ROTATION
+            known = follows and t.before.kind == ix.OF_ROTATION
             if known:
                 known = not np.any(here & (np.minimum(c[t.cells + ix.UPPER], FAR) != c[t.before.cells + ix.UPPER]))
             if not known:
                 find_edges(s, here, t, top)
     if s.roles.normal >= 0:
         sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
-        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, c[ix.PASSED] == ix.LIFT,
-            ix.EVENT_LIFT_OFF)
+        passed = c[ix.PASSED] == ix.LIFT
+        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
 
 
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
@@ -1986,8 +1941,9 @@ def is_endless(s: Lanes, here: Mask, room: Floats) -> Mask:
     c = s.cells
     endless = none_of(s)
     if s.autonomous:
-        settled = s.registers[s.roles.net][0] * c[ix.STEP] >= -ix.SETTLED * s.registers[s.roles.omega][0]
-        uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+        change = s.registers[s.roles.net][0] * c[ix.STEP]
+        settled = change >= -ix.SETTLED * s.registers[s.roles.omega][0]
+        uneventful = c[ix.EVENT] == ix.EVENT_NONE
         endless = here & uneventful & settled & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
     return endless
 
@@ -1999,22 +1955,25 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
     at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
     peaks = at < INFINITY
     if np.any(peaks):
-        time = c[ix.TIME] + elapsed(s, top, at)
+        since = elapsed(s, top, at)
+        time = c[ix.TIME] + since
         speed = value(s.registers[s.roles.omega], top, at)
         x = value(s.registers[s.roles.x], top, at)
-        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
+        rate_there = value(net, top - 1, at)
+        keep_faster(s, peaks, speed, time, x, rate_there)
 
 
 def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
     """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
     c = s.cells
     before_end = c[ix.TIME] < c[ix.END_TIME]
-    others = enter_lines(s, at_limit & before_end)
-    simple = (c[ix.EVENT] == float(ix.EVENT_NONE)) & np.logical_not(endless) & np.logical_not(others)
+    breaks = at_limit & before_end
+    others = enter_lines(s, breaks)
+    simple = (c[ix.EVENT] == ix.EVENT_NONE) & np.logical_not(endless) & np.logical_not(others)
     settled = simple & (before_end | np.logical_not(at_limit))
-    i = np.flatnonzero(here & np.logical_not(settled))
-    if i.size:
-        settle(s, i, rate[i], at_limit[i], endless[i])
+    acts = here & np.logical_not(settled)
+    if np.any(acts):
+        settle(s, acts, rate, at_limit, endless)
 
 
 def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats, steady: Mask, at_limit: Mask, endless: Mask) -> None:
@@ -2022,9 +1981,9 @@ def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats, steady: Mask, at_l
     c = s.cells
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
-    c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
+    c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, ix.STIFF_STEP, 1.0)),
         c[ix.STEPS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     conclude(s, here, rate, at_limit, endless)
 
 
@@ -2037,7 +1996,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
-    uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+    uneventful = c[ix.EVENT] == ix.EVENT_NONE
     endless = is_endless(s, here, room)
     c[ix.STEP] = np.where(here, np.where(endless, 0.0, c[ix.STEP]), c[ix.STEP])
     step = c[ix.STEP].copy()
@@ -2051,7 +2010,8 @@ def make_step(s: Lanes, here: Mask) -> None:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
-    steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
+    change = np.abs(net[0]) * step
+    steady = (change < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
     advance_states(s, here, top)
     rate = per_time(s, rate, c[ix.OMEGA])
     arrive(s, here, until, rate, steady, at_limit, endless)
@@ -2109,7 +2069,7 @@ def expand_about_end(s: Lanes, p: Floats, n: int) -> None:
     for first in range(n - 1 + 1):
         for j in range(n - 1, first - 1, -1):
             p[j] = p[j] + c[ix.STEP] * p[j + 1]
-    stands = c[ix.EVENT] == float(ix.EVENT_STANDSTILL)
+    stands = c[ix.EVENT] == ix.EVENT_STANDSTILL
     p[0] = np.where(stands, 0.0, p[0])
 
 
@@ -2190,7 +2150,7 @@ def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until
         slope = value(net, top - 1, there)
         keep_faster(s, peaks, speed, c[ix.TIME] + before, c[ix.X] + there, slope)
     change = np.abs(net[0]) * step
-    uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
+    uneventful = c[ix.EVENT] == ix.EVENT_NONE
     steady = (change < ix.STIFF_CHANGE * e[0]) & uneventful
     c[ix.X] = np.where(here, c[ix.X] + step, c[ix.X])
     square = e[0] + increment(e, top, step)
@@ -2215,7 +2175,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
     unsure = here & np.logical_not(before + after < INFINITY)
     while np.any(unsure) and count < MOST_HALVINGS:
         c[ix.STEP] = np.where(here, np.where(unsure, 0.5 * c[ix.STEP], c[ix.STEP]), c[ix.STEP])
-        c[ix.EVENT] = np.where(here, np.where(unsure, float(ix.EVENT_NONE), c[ix.EVENT]), c[ix.EVENT])
+        c[ix.EVENT] = np.where(here, np.where(unsure, ix.EVENT_NONE, c[ix.EVENT]), c[ix.EVENT])
         peak = greatest_speed(s, here, top)
         before, after = times_of_step(s, here, top, peak)
         unsure = here & np.logical_not(before + after < INFINITY)
@@ -2244,7 +2204,8 @@ def turned(x: Floats) -> tuple[Floats, Floats]:
     versine = versine * square
     for _ in range(1, 2 + 1):
         sine = h - lag
-        lag = 2.0 * (lag + sine * versine)
+        change = sine * versine
+        lag = 2.0 * (lag + change)
         versine = 2.0 * (sine * sine)
         h = 2.0 * h
     return (lag, versine)
@@ -2258,7 +2219,8 @@ def faded(y: Floats) -> Floats:
         part = part * h + FADING[k]
     for _ in range(1, 2 + 1):
         lost = 1.0 - h * part
-        part = 0.5 * part + 0.25 * (lost * lost)
+        square = lost * lost
+        part = 0.5 * part + 0.25 * square
         h = 2.0 * h
     return part
 
@@ -2304,7 +2266,8 @@ def bend_of(e: Floats, f: Floats) -> Floats:
     sine = f[0] - f[3]
     cosine = 1.0 - f[2]
     lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * (1.0 - e[4] * lost)
+    kept = 1.0 - e[4] * lost
+    faded_part = e[1] * kept
     turned_part = e[2] * cosine + e[3] * sine
     return faded_part + turned_part
 
@@ -2328,7 +2291,8 @@ def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f
 def reverse(f: Floats, q: Floats) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
-    faded_by = 1.0 - y + q * q * f[1]
+    bend = q * q * f[1]
+    faded_by = 1.0 - y + bend
     square = f[0] * f[0]
     rest = square - f[1] - y * f[1]
     f[1] = rest / faded_by
@@ -2345,7 +2309,7 @@ def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
     even: Floats = 2.0
     odd: Floats = 0.0
     before: Floats = 0.0
-    for k in range(2 * PAIRS + 1):
+    for k in range(2 * HALF + 1):
         versine = fading - even
         whole = drive * fading + (whole_sine * odd + whole_vers * versine)
         e[POWER + k] = pole * whole + before
@@ -2356,7 +2320,7 @@ def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
         even = of_cosine * (1.0 / (k + 1))
         odd = of_sine * (1.0 / (k + 1))
     higher: Floats = 0.0
-    for k in range(2 * PAIRS, 1 - 1, -1):
+    for k in range(2 * HALF, 1 - 1, -1):
         per = 1.0 / (e[SHIFT] + float(k))
         shrink = float(k + 1) * pole * per
         higher = e[POWER + k] * per - shrink * higher
@@ -2370,9 +2334,9 @@ def hyperbolic_energy(e: Floats, f: Floats, passed: Floats) -> Floats:
     x = e[POLE] * np.expm1(passed)
     f[0] = x
     square = x * x
-    even = e[POWER + 2 * PAIRS]
-    odd = e[POWER + 2 * PAIRS - 1]
-    for k in range(PAIRS - 1, 1 - 1, -1):
+    even = e[POWER + 2 * HALF]
+    odd = e[POWER + 2 * HALF - 1]
+    for k in range(HALF - 1, 1 - 1, -1):
         even = even * square + e[POWER + 2 * k]
         odd = odd * square + e[POWER + 2 * k - 1]
     series = x * (odd + x * even)
@@ -2391,7 +2355,8 @@ def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
         drive = weight * e[NET] + before * e[LOAD]
         sine = weight * e[NET + 1] + before * e[LOAD + 1]
         vers = weight * e[NET + 2] + before * e[LOAD + 2]
-        factors(part, drive, sine, vers, q + float(j) * rate)
+        faster = q + float(j) * rate
+        factors(part, drive, sine, vers, faster)
         e[CONSTANT + j] = (part[0] + part[3]) / part[4]
         e[SINE + j] = part[3]
         e[VERS + j] = part[2]
@@ -2438,7 +2403,9 @@ def series_suffices(s: Lanes, e: Floats) -> Mask:
     driven = np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive]
     if s.roles.per_pole >= 0:
         return driven & (e[SHIFT] > LEAST_EXPONENT)
-    return driven & (np.abs(e[SHIFT]) <= GREATEST) & (2.0 * e[4] + c[s.roles.loss_rate] < 0.0)
+    converges = np.abs(e[SHIFT]) <= GREATEST
+    resonates = 2.0 * e[4] + c[s.roles.loss_rate] >= 0.0
+    return driven & converges & np.logical_not(resonates)
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
@@ -2472,14 +2439,17 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
         constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
-    terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
+    sine = f[0] - f[3]
+    turned_part = of_vers * f[2] - of_sine * sine
+    terms = f[4] * constant + turned_part
     shift = e[SHIFT] * left
     grown: Floats = 0.0
     for k in range(LAST, 0 - 1, -1):
         grown = FADING[k] - grown * shift
     square = shift * shift
     grown = 1.0 + (shift + square * grown)
-    faded_part = e[4] * (above * first) * (f[0] - e[4] * f[1])
+    lost = f[0] - e[4] * f[1]
+    faded_part = e[4] * (above * first) * lost
     return grown * (energy(e, f) + (terms + faded_part))
 
 
@@ -2516,7 +2486,9 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
 
 
 def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
-    """Return E at a distance from rest, and compute the functions of which it consists."""
+    """Return E at a distance from rest in the variable of the rules, and compute the functions of which it consists."""
+    if s.roles.per_pole >= 0:
+        return hyperbolic_energy(e, f, -past if part else past)
     softening_functions(s, e, f, past)
     if part:
         count_from_end(s, e, f, end - past)
@@ -2539,8 +2511,7 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        passed = -past if part else past
-        at = hyperbolic_energy(e, f, passed) if s.roles.per_pole >= 0 else energy_past(s, e, f, past, end, part)
+        at = energy_past(s, e, f, past, end, part)
         slowness = share * share * (other * NODES[k]) / np.sqrt(at)
         if s.roles.per_pole >= 0:
             slowness = slowness * np.abs(e[POLE] + f[0])
@@ -2549,8 +2520,10 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     most: Floats = CLOSER if fine else ALIKE
-    accurate = np.abs(last) + np.abs(last_but_one) <= most * total
-    return np.where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+    uneven = np.abs(last) + np.abs(last_but_one)
+    accurate = uneven <= most * total
+    time = end * unit * (1.0 + bend) * total
+    return np.where(accurate, time, INFINITY)
 
 
 def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
@@ -2565,7 +2538,8 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
     bend = change * BENT * np.sqrt(softened)
     if s.roles.per_pole >= 0:
         bend = change * CLOSER_TO_POLE
-        complete = end + e[POLE] < WIDEST
+        reach = end + e[POLE]
+        complete = (1.0 + e[4] * e[4]) * (reach * reach) < WIDEST
         to_end = np.where(complete, to_end, INFINITY)
     before = time_of_part(s, e, to_end, unit, bend, 0)
     f = np.zeros((ix.STRIDE, e.shape[1]))
@@ -2608,9 +2582,15 @@ def end_of_swing(s: Lanes, e: Floats, sine: Floats, which: Mask) -> Floats:
     return np.where(which, 2.0 * FARTHEST, x)
 
 
-def peak_of_swing(s: Lanes, e: Floats, end: Floats, which: Mask) -> Floats:
-    """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
-    x = 0.5 * end
+def peak_of_cubic(rise: Floats, fall: Floats, end: Floats) -> Floats:
+    """Return the rotation of the greatest speed if E is a cubic with these slopes at both of its zeros."""
+    square = rise * rise + fall * (fall - rise)
+    falls_by = 2.0 * rise - fall + np.sqrt(square)
+    return end * rise / falls_by
+
+
+def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> Floats:
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on."""
     f = np.zeros((ix.STRIDE, e.shape[1]))
     low: Floats = 0.0
     high = end
@@ -2624,70 +2604,150 @@ def peak_of_swing(s: Lanes, e: Floats, end: Floats, which: Mask) -> Floats:
         following = inside_or_middle(following, low, high)
         change = np.abs(following - x)
         x = np.where(which, following, x)
-        which = which & (change > LAST_STEP * x)
+        which = which & (change > LAST_OF_NEWTON * x)
         count = count + 1
     return x
 
 
+def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
+
+
 def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
     """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
-    sine_end = sine * (f[0] - f[3])
-    at_end = start + (sine_end + vers * f[2])
+    at_end = force_at(start, sine, vers, f)
     cosine = 1.0 - f[2]
-    concave = (vers <= 0.0) & (vers * cosine <= sine_end)
+    change = sine * (f[0] - f[3])
+    concave = (vers <= 0.0) & (vers * cosine <= change)
     return (start > 0.0) & (at_end > 0.0) & concave
 
 
-def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
-    """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
+def has_closed_form(s: Lanes, f: Floats, q: Floats) -> Mask:
+    """Return whether phases up to a rotation have the closed form, from the functions of E there."""
+    c = s.cells
+    end = f[0]
+    near = (end < FARTHEST) & (q >= 0.0) & (q * end < FADED)
+    upright = stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
+    pressed = stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    return near & (c[s.roles.normal_square] >= 0.0) & upright & pressed
+
+
+def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k: int) -> None:
+    """Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end."""
     x = end * SINES[k]
     f = np.zeros((ix.STRIDE, e.shape[1]))
     functions(f, x, e[4])
-    room = x * (end - x)
-    here = np.sqrt(room / energy(e, f))
+    left = end - x
+    room = x * left
+    near = np.sqrt(room / energy(e, f))
     reverse(f, e[4])
-    there = np.sqrt(room / energy(back, f))
-    return here + there
+    far = np.sqrt(room / energy(back, f))
+    both[k] = near + far
+    odd[k] = near - far
 
 
-def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tuple[Floats, Floats]:
-    """Return the duration of a phase, and the relative change by the last halving of intervals."""
-    ends = np.sqrt(end / e[0])
-    ends = ends + np.sqrt(end / back[0])
-    total = 0.125 * (ends + slowness(e, back, end, 0))
-    total = total + 0.25 * slowness(e, back, end, 1)
-    change: Floats = 1.0
-    changes = which
-    first = 2
-    while first < 16 and np.any(changes):
-        added: Floats = 0.0
-        for k in range(first, 2 * first - 1 + 1):
-            added = added + slowness(e, back, end, k)
-        added = added / float(2 * first)
-        relative = np.abs(added - total) / total
-        change = np.where(changes, relative, change)
-        total = np.where(changes, 0.5 * (total + added), total)
-        changes = which & (change > CONVERGED)
-        first = 2 * first
-    return (PI * total, change)
+def mean_of(both: Floats, pairs: int, by: int) -> Floats:
+    """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
+    ends = both[0] + both[PAIRS]
+    total = 0.5 * ends
+    for k in range(1, pairs - 1 + 1):
+        total = total + both[k * by]
+    return total / float(2 * pairs)
 
 
-def time_of_peak(e: Floats, peak: Floats) -> Floats:
-    """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
+def angle_of(place: Floats, sine: Floats) -> Floats:
+    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine."""
+    z = place / np.sqrt(2.0 + 2.0 * sine)
+    square = z * z
     total: Floats = 0.0
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    for k in range(11 + 1):
-        functions(f, peak * PLACES[k], e[4])
-        total = total + WEIGHTS[k] * np.sqrt(f[0] / energy(e, f))
-    return 2.0 * np.sqrt(peak) * total
+    for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
+        total = total * square + ARCSINE[k]
+    return QUARTER + z * total
+
+
+def time_to(x: Floats, end: Floats, both: Floats, odd: Floats, pairs: int, by: int) -> Floats:
+    """Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes."""
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * np.sqrt(x * left) / end
+    angle = angle_of(place, sine)
+    total = 2.0 * mean_of(both, pairs, by) * angle
+    twice = -2.0 * place
+    previous: Floats = 0.0
+    waves: Floats = 0.0
+    for j in range(1, pairs + 1):
+        of_odd: Floats = 0.0
+        of_even: Floats = 0.0
+        even_row = 2 * j * (PAIRS + 1)
+        odd_row = even_row - (PAIRS + 1)
+        for k in range(pairs + 1):
+            node = k * by
+            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
+            of_even = of_even + COSINES[even_row + node] * both[node]
+        last: Floats = 0.5 if j == pairs else 1.0
+        following = twice * sine - previous
+        odd_wave = sine * of_odd
+        even_wave = following * (last * of_even)
+        waves = waves + (odd_wave + even_wave)
+        sine = twice * following - sine
+        previous = following
+    return total + waves / float(pairs)
+
+
+def durations_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats, which: Mask) -> tuple[Floats,
+        Floats]:
+    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
+    both = np.zeros((ix.STRIDE, e.shape[1]))
+    odd = np.zeros((ix.STRIDE, e.shape[1]))
+    near = np.sqrt(end / e[0])
+    far = np.sqrt(end / back[0])
+    both[0] = near + far
+    odd[0] = near - far
+    for k in range(1, 4 + 1):
+        add_node(e, back, end, both, odd, 2 * k)
+    coarse = mean_of(both, 2, 4)
+    mean = mean_of(both, 4, 2)
+    before = time_to(peak, end, both, odd, 4, 2)
+    most: Floats = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
+    last = np.abs(mean - coarse) / mean
+    unsure = which & (last > most)
+    if np.any(unsure):
+        for k in range(1, 4 + 1):
+            add_node(e, back, end, both, odd, 2 * k - 1)
+        finer = mean_of(both, 8, 1)
+        change = np.abs(finer - mean) / finer
+        last = np.where(unsure, change, last)
+        mean = np.where(unsure, finer, mean)
+        later = time_to(peak, end, both, odd, 8, 1)
+        before = np.where(unsure, later, before)
+    whole = PI * mean
+    return (before, np.where(last <= most, whole, INFINITY))
 
 
 def times_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats, which: Mask) -> tuple[Floats, Floats]:
-    """Return the times from rest to the greatest speed and to the end, infinite if it is uncertain."""
+    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     if s.roles.loss_rate >= 0:
         return duration_of_softening(s, e, end, peak)
-    duration, change = duration_of_swing(e, back, end, which)
-    return (time_of_peak(e, peak), np.where(change <= CONVERGED, duration, INFINITY))
+    return durations_of_swing(s, e, back, end, peak, which)
+
+
+def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
+    """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back."""
+    c = s.cells
+    force = force_at(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    resistance = c[s.roles.resisting] + c[s.roles.mu] * force
+    rate = -0.5 * back[0]
+    driving = rate + resistance
+    terms = np.abs(driving) + resistance
+    excess = driving + resistance
+    free = (c[ix.ONE_WAY] == 0.0) & (c[ix.FIRST_ONLY] == 0.0)
+    clear = excess > CLEAR * terms
+    here = here & free & clear
+    margin = excess / (EPS * terms)
+    c[ix.CLOSE] = np.where(here, np.minimum(c[ix.CLOSE], margin), c[ix.CLOSE])
+    stick(s, here)
 
 
 def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak: Floats, before: Floats) -> None:
@@ -2695,21 +2755,22 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak:
     c = s.cells
     f = np.zeros((ix.STRIDE, e.shape[1]))
     evaluate_at(s, e, f, peak)
-    keep_faster(s, here, np.sqrt(f[5]), c[ix.TIME] + before, peak, 0.5 * f[6])
+    speed = np.sqrt(f[5])
+    then = c[ix.TIME] + before
+    keep_faster(s, here, speed, then, peak, 0.5 * f[6])
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
     c[ix.STEPS] = np.where(here, c[ix.STEPS] + 1.0, c[ix.STEPS])
-    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
-    i = np.flatnonzero(here)
-    if i.size:
-        on_standstill(s, i)
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
+    on_standstill(s, here)
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
     c = s.cells
-    fits = which & (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0) & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
+    fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
     if not np.any(fits):
         return fits
     softens = s.roles.loss_rate >= 0
@@ -2726,19 +2787,19 @@ def swing(s: Lanes, which: Mask) -> Mask:
     q = e[4]
     end = end_of_swing(s, e, sine, fits)
     functions(f, np.minimum(end, FARTHEST), q)
+    peak = 0.5 * end
     if not softens:
         mirror(back, c[s.roles.drive], sine, c[s.roles.net_vers], q, f)
+        peak = peak_of_cubic(e[0], back[0], end)
         fits = fits & (back[0] > 0.0)
-    fits = fits & (end < FARTHEST) & (q >= 0.0) & (q *
-         end < FADED) & (c[s.roles.normal_square] >= 0.0) & stays_positive(c[s.roles.normal_load],
-        c[s.roles.upright_sine], c[s.roles.upright_vers], f) & stays_positive(c[s.roles.normal0],
-        c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    fits = fits & has_closed_form(s, f, q)
     if np.any(fits):
-        peak = peak_of_swing(s, e, end, fits)
+        peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
         fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
-        if np.any(fits):
-            finish(s, fits, e, end, duration, peak, before)
+        finish(s, fits, e, end, duration, peak, before)
+        if not softens:
+            rest(s, fits, back, f)
     return fits
 
 
@@ -2747,7 +2808,7 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
     c = s.cells
     normal = s.registers[s.roles.normal]
     sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
-    passed = c[ix.PASSED] == float(ix.LIFT)
+    passed = c[ix.PASSED] == ix.LIFT
     asked = here & may_cross(normal, top - 1, c[ix.STRETCH], sign, 0.0, passed)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
@@ -2773,10 +2834,12 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     margin_of(e, net, top - 1, -1.0, 0.0, touches)
     at: Floats = INFINITY
-    asked = here & np.logical_not(jumps) & may_cross(net, top - 1, c[ix.STRETCH], -1.0, 0.0, touches)
+    crosses = may_cross(net, top - 1, c[ix.STRETCH], -1.0, 0.0, touches)
+    asked = here & np.logical_not(jumps) & crosses
     if np.any(asked):
         at = first_root(e, top - 1, c[ix.STRETCH], asked)
-    at = np.where(jumps | touches & (e[0] < 0.0), 0.0, at)
+    rises = touches & (e[0] < 0.0)
+    at = np.where(jumps | rises, 0.0, at)
     sooner = at < c[ix.START_AHEAD]
     c[ix.START_AHEAD] = np.where(here, np.where(sooner, at, c[ix.START_AHEAD]), c[ix.START_AHEAD])
     c[ix.START_DIRECTION] = np.where(here, np.where(sooner, c[ix.DIRECTION], c[ix.START_DIRECTION]),
@@ -2787,72 +2850,64 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
         look_for_lift_off(s, here, top)
 
 
-def turn_back(lane: Lanes, i: Index) -> None:
+def turn_back(s: Lanes, here: Mask) -> None:
     """Reverse the direction at rest."""
-    c = lane.cells
-    c[ix.DIRECTION, i] = -c[ix.DIRECTION, i]
-    c[ix.PENDING, i] = ix.BEGIN_PHASE
+    c = s.cells
+    c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
-def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
+def change_contact(s: Lanes, here: Mask) -> None:
+    """Lift masses at rest, or let them land."""
+    c = s.cells
+    c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
+    c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+
+
+def start_again(s: Lanes, here: Mask) -> None:
+    """Start slip from rest."""
+    c = s.cells
+    face(s, here, c[ix.START_DIRECTION])
+    c[ix.PENDING] = np.where(here, ix.START_AGAIN, c[ix.PENDING])
+
+
+def enter_pieces(lane: Lanes, i: Index) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
+    for t in lane.tables:
+        if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+            rest_through(lane, i, t)
+    pass_breaks(lane, i)
+
+
+def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
-    c = lane.cells
-    stretch = c[ix.STRETCH, i]
-    lifts = c[ix.LIFT_AHEAD, i] <= stretch
-    starts = c[ix.START_AHEAD, i] <= stretch
+    c = s.cells
+    stretch = c[ix.STRETCH].copy()
+    lifts = c[ix.LIFT_AHEAD] <= stretch
+    starts = c[ix.START_AHEAD] <= stretch
     breaks = (stretch >= room) & np.logical_not(starts) & np.logical_not(lifts)
-    until = np.where(breaks, limit, c[ix.TIME, i] + stretch)
+    until = np.where(breaks, limit, c[ix.TIME] + stretch)
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
-    if lane.samples:
-        read_samples(lane, i, c[ix.TIME, i], np.fmin(until, c[ix.END_TIME, i]), 0, 0)
-    rested = starts & (stretch > TOGETHER * until)
-    c[ix.STEPS, i] = np.where(breaks | rested, 0.0, c[ix.STEPS, i] + 1.0)
-    c[ix.PASSED, i] = ix.NOTHING
-    holds_1 = for_ever | (until >= c[ix.END_TIME, i])
-    i_1, lifts_1, starts_1, breaks_1, until_1, for_ever_1 = (i, lifts, starts, breaks, until, for_ever)
-    i, lifts, starts, breaks, until, for_ever = among(holds_1, i_1, lifts_1, starts_1, breaks_1, until_1, for_ever_1)
-    if i.size:
-        c[ix.TIME, i] = np.where(for_ever, c[ix.TIME, i], c[ix.END_TIME, i])
-        stay(lane, i, np.where(for_ever, ix.ARRESTED, ix.PAUSED))
-    i, lifts, starts, breaks, until, for_ever = among(np.logical_not(holds_1), i_1, lifts_1, starts_1, breaks_1,
-        until_1, for_ever_1)
-    if not i.size:
-        return
-    c[ix.TIME, i] = until
-    holds_2 = starts
-    i_2, lifts_2, starts_2, breaks_2 = (i, lifts, starts, breaks)
-    i, lifts, starts, breaks = among(holds_2, i_2, lifts_2, starts_2, breaks_2)
-    if i.size:
-        face(lane, i, c[ix.START_DIRECTION, i])
-        c[ix.PENDING, i] = ix.START_AGAIN
-    i, lifts, starts, breaks = among(np.logical_not(holds_2), i_2, lifts_2, starts_2, breaks_2)
-    if not i.size:
-        return
-    holds_3 = lifts
-    i_3, lifts_3, breaks_3 = (i, lifts, breaks)
-    i, lifts, breaks = among(holds_3, i_3, lifts_3, breaks_3)
-    if i.size:
-        c[ix.LIFTED, i] = 1.0 - c[ix.LIFTED, i]
-        c[ix.PASSED, i] = ix.LIFT
-        c[ix.PENDING, i] = ix.BEGIN_PHASE
-        holds_4 = c[ix.LIFTED, i] > 0.0
-        i_4, breaks_4 = (i, breaks)
-        i, breaks = among(holds_4, i_4, breaks_4)
+    if s.samples:
+        i = np.flatnonzero(here)
         if i.size:
-            note_lift_off(lane, i)
-        i, breaks = (i_4, breaks_4)
-    i, lifts, breaks = among(np.logical_not(holds_3), i_3, lifts_3, breaks_3)
-    if not i.size:
-        return
-    holds_5 = breaks
-    i_5, breaks_5 = (i, breaks)
-    i, breaks = among(holds_5, i_5, breaks_5)
+            read_samples(s, i, c[ix.TIME, i], np.fmin(until[i], c[ix.END_TIME, i]), 0, 0)
+    least = TOGETHER * until
+    rested = starts & (stretch > least)
+    c[ix.STEPS] = np.where(here, np.where(breaks | rested, 0.0, c[ix.STEPS] + 1.0), c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
+    ends = here & (for_ever | (until >= c[ix.END_TIME]))
+    c[ix.TIME] = np.where(here, np.where(for_ever, c[ix.TIME], np.minimum(until, c[ix.END_TIME])), c[ix.TIME])
+    stay(s, ends, np.where(for_ever, ix.ARRESTED, ix.PAUSED))
+    here = here & np.logical_not(ends)
+    start_again(s, here & starts)
+    change_contact(s, here & lifts & np.logical_not(starts))
+    here = here & breaks
+    i = np.flatnonzero(here)
     if i.size:
-        for t in lane.tables:
-            if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
-                rest_through(lane, i, t)
-        pass_breaks(lane, i)
-    i, breaks = (i_5, breaks_5)
+        enter_pieces(s, i)
 
 
 def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
@@ -2860,21 +2915,18 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     c = s.cells
     both = here & (c[ix.ONE_WAY] == 0.0)
     if np.any(both):
-        i = np.flatnonzero(both)
-        if i.size:
-            turn_back(s, i)
+        turn_back(s, both)
         begin_phases(s)
         look_ahead(s, both, room)
-    lifts = c[ix.LIFT_AHEAD] <= c[ix.START_AHEAD] * (1.0 + TOGETHER)
+    latest = c[ix.START_AHEAD] * (1.0 + TOGETHER)
+    lifts = c[ix.LIFT_AHEAD] <= latest
     c[ix.START_AHEAD] = np.where(here, np.where(lifts, INFINITY, c[ix.START_AHEAD]), c[ix.START_AHEAD])
     c[ix.STRETCH] = np.where(here, np.minimum(c[ix.START_AHEAD], c[ix.STRETCH]), c[ix.STRETCH])
     for t in s.tables:
         if t.kind == ix.OF_TIME:
             c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], s.highest,
                 c[ix.STRETCH]), c[t.cells + ix.INC])
-    i = np.flatnonzero(here)
-    if i.size:
-        leave_rest(s, i, limit[i], room[i])
+    leave_rest(s, here, limit, room)
 
 
 def rest_on(s: Lanes, here: Mask) -> None:
@@ -2892,31 +2944,32 @@ def rest_on(s: Lanes, here: Mask) -> None:
     look_ahead(s, here, room)
     later = none_of(s)
     for t in s.tables:
-        exact = s.autonomous == 2 and s.timed == 1 and (not s.samples) and (not s.logged) and (t.terms == 2)
+        alone = s.autonomous == 2 and s.timed == 1
+        exact = alone and (not s.samples) and (not s.logged) and (t.terms == 2)
         if exact and t.kind == ix.OF_TIME and (not t.sine):
             later = slide_together(s, here, t)
-    rest_to_change(s, here & (c[ix.PENDING] == float(ix.READY)) & np.logical_not(later), limit, room)
+    rest_to_change(s, here & (c[ix.PENDING] == ix.READY) & np.logical_not(later), limit, room)
 
 
 def stop_endless(s: Lanes, here: Mask) -> None:
     """Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow."""
     c = s.cells
-    going = c[ix.STATUS] <= float(ix.RESTING)
-    most = np.where(c[ix.OMEGA] > 0.0, float(ix.MOST_STEPS), float(2 * ix.MOST_STEPS))
+    going = c[ix.STATUS] <= ix.RESTING
+    most = np.where(c[ix.OMEGA] > 0.0, ix.MOST_STEPS, float(2 * ix.MOST_STEPS))
     too_long = c[ix.STEPS] > most
     if not s.timed:
-        too_long = too_long | (c[ix.TURNS] > float(ix.MOST_TURNS))
+        too_long = too_long | (c[ix.TURNS] > ix.MOST_TURNS)
     total = c[ix.TIME] + c[ix.X] + c[ix.OMEGA] + c[ix.ROTATION]
-    c[ix.STATUS] = np.where(here, np.where(going & too_long, float(ix.TOO_LONG), c[ix.STATUS]), c[ix.STATUS])
-    c[ix.STATUS] = np.where(here, np.where(going & (total - total != 0.0), float(ix.FAILED), c[ix.STATUS]),
-        c[ix.STATUS])
+    overflows = going & (total - total != 0.0)
+    c[ix.STATUS] = np.where(here, np.where(going & too_long, ix.TOO_LONG, c[ix.STATUS]), c[ix.STATUS])
+    c[ix.STATUS] = np.where(here, np.where(overflows, ix.FAILED, c[ix.STATUS]), c[ix.STATUS])
 
 
 def advance(s: Lanes, here: Mask) -> None:
     """Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest."""
     c = s.cells
-    moving = here & (c[ix.STATUS] == float(ix.MOVING))
-    resting = here & (c[ix.STATUS] == float(ix.RESTING))
+    moving = here & (c[ix.STATUS] == ix.MOVING)
+    resting = here & (c[ix.STATUS] == ix.RESTING)
     if s.roles.net_sine >= 0 and (not s.samples):
         moving = moving & np.logical_not(swing(s, moving))
     if s.by_rotation and (not s.samples):
@@ -2937,14 +2990,19 @@ def advance(s: Lanes, here: Mask) -> None:
 
 def load(s: Lanes) -> None:
     """Start lanes that have not begun, and begin their pending phases."""
-    begun = np.flatnonzero(s.cells[ix.STATUS] == ix.START)
-    if begun.size:
+    begun = s.cells[ix.STATUS] == ix.START
+    if np.any(begun):
         start(s, begun)
     begin_phases(s)
 
 
 def integrate(
-    program: Program, tables: Sequence[Any], cells: Floats, samples: Any = None, log: Log | None = None
+    program: Program,
+    tables: Sequence[Any],
+    cells: Floats,
+    samples: Any = None,
+    log: Log | None = None,
+    shared: Any = (),
 ) -> None:
     """Integrate every lane until it rests, ends or fails.
 
@@ -2959,7 +3017,12 @@ def integrate(
         What to read off on the way.
     log : list, optional
         Takes the events of the first lane: kind, time, rotation, direction.
+    shared : ndarray, optional
+        (cells,), with which all lanes begin, except for those cells that are not a number here.
     """
+    if len(shared):
+        alike = shared == shared
+        cells[alike] = shared[alike, None]
     live = np.flatnonzero(cells[ix.STATUS] <= ix.RESTING)
     with np.errstate(all="ignore"):
         while live.size:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 33baacc52a05ffd20ab15a9b53a1003e8c55cc6d2323be60edc9aaf59915c0b9
+# sha256 of the text below: 0c721610bf573f0ef6719914a899e728bea1f1b8065de8c1508275240a1e2bfd
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "e2ea6c4b33cf3b48ab289622c27bb36e2d93c90fcf967f398a90a7d29c82c7eb"  # of the compiled integrator's source
+DIGEST = "0ac29a729f631ee559a5ee21f2cf81bc608426bfcef12614e1bebc503a93f60b"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -8,6 +8,7 @@ import json
 import math
 from dataclasses import replace
 from functools import partial
+from inspect import unwrap
 from typing import Any
 from unittest.mock import Mock
 
@@ -43,7 +44,7 @@ def test_numpy_is_as_accurate() -> None:
 def agrees(number: int, motion: Any) -> None:
     reference = ROWS[number]["reference"]
     decisions = (motion.moves, motion.arrested, bool(motion.lift_off))
-    assert decisions == (reference["moves"], reference["arrested"], reference["lifted"]), f"scene {number}"
+    assert decisions == (reference["moves"], reference["arrested"], bool(reference["lift_off"])), f"scene {number}"
     assert motion.error_estimate >= max(true_error(motion, reference)), f"scene {number}"
 
 
@@ -148,7 +149,7 @@ def test_six_references_are_derived_again() -> None:
     few = [k for k in NUMBERS if ROWS[k]["reference"]["phases"] < MANY // 5]
     for k in [*rng.choice(few, 4, False).tolist(), *rng.choice([*TIMED], 2, False).tolist()]:
         digits = references.digits(ROWS[k]["group"])
-        again = taylor.solve(ROWS[k]["scene"], ROWS[k]["shares"], digits)
+        again = unwrap(taylor.solve)(ROWS[k]["scene"], ROWS[k]["shares"], digits)
         assert references.agree(again, ROWS[k]["reference"], digits), f"scene {k}"
 
 

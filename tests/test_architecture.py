@@ -141,6 +141,7 @@ LAYERS = {
     "derive": (
         *(
             "__init__",
+            "kinds",
             "progress",
             "stages",
             "check",

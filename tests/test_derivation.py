@@ -34,7 +34,7 @@ def test_an_antiderivative_that_jumps_is_refused(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(integrate, "integrate", lambda _integrand, _x: jumps)
     integrand = 1 / (1 + sp.sin(x) ** 2)
     assert integrate.antiderivative(integrand, x, "1.5") == jumps
-    with pytest.raises(ProofError, match=r"found a jump of 2\.2.* for -1\.75 < x < -1\.5"):
+    with pytest.raises(ProofError, match=r"found a jump of 2\.2.* between 0 and -4\.0"):
         integrate.antiderivative(integrand, x, "4")
 
 

@@ -25,10 +25,8 @@ EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which so many dig
 
 def outputs(scene: golden.Data, free: bool, digits: int) -> list[arb]:
     """Peak velocity, run-out and duration to so many digits."""
-    p = taylor.Problem(scene)
-    p.free |= free  # followed to its first standstill, as if without friction
-    found = taylor.Solution(p, digits + 6, digits)
-    return [found.peak()[1] * p.unit, found.run_out * p.radius, found.duration * p.scale]
+    found = taylor.solve(scene, digits=digits, problem=taylor.Released if free else taylor.Problem)
+    return [arb(found[name]) for name in EXACT]
 
 
 def shifted(scene: golden.Data, name: str, by: Fraction) -> golden.Data:

@@ -246,7 +246,7 @@ def test_malformed_integers_are_refused(name: str) -> None:
 
     def call(code: Any = code, tables: Any = pieces, begin: int = 0, end: int = LANES, times: Any = nothing,
              outputs: Any = nothing) -> None:  # fmt: skip
-        BINARY.integrate(code.tobytes(), tables, cells.copy(), begin, end, 2, times, outputs, nothing, 0)
+        BINARY.integrate(code.tobytes(), tables, cells.copy(), begin, end, 2, times, outputs, nothing, 0, nothing)
 
     call()
     malformed = [*MALFORMED.values()]

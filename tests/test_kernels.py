@@ -72,6 +72,7 @@ DISCS = [(k * 2.0**-60, np.pi - k * 2.0**-60) for k in range(106, 500, 7)]
 ENDS = [*oracle.WHOLE, "limit_friction"]
 
 
+@cache
 def of_ends(name: str, theta_1: float, theta_2: float) -> arb:
     """J_r, J_theta or mu_eq, by quadrature of the raw definitions."""
     if name in oracle.WHOLE:

@@ -31,6 +31,8 @@ GENERATED = Path(__file__).parents[1] / "generated"
 PROGRAMS = live.page_script()
 SOLVED = ("vaiont", "vaiont-softening", "real-slope", "layered-slope", "vaiont-shaken", "weak-toe")
 POSITIONS = 40
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), "")
+needs_browser = pytest.mark.skipif(not CHROMIUM, reason="needs a browser: Debian's package chromium")
 
 
 @cache
@@ -67,14 +69,11 @@ def browsed(page: str, folder: Path, width: int, state: str = "", until: str = '
 
     The engine is compiled beside the page's own clock, which may be over before.
     """
-    chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if chromium is None:
-        pytest.skip("needs a browser: Debian's package chromium")
     path = folder / "page.html"
     path.write_text(page, "utf-8")
     quiet = "--no-sandbox --disable-gpu --disable-background-networking --disable-component-update --disable-sync"
     size, profile = f"--window-size={width},900", f"--user-data-dir={folder / 'profile'}"
-    command = [chromium, "--headless", *quiet.split(), "--no-first-run", size, profile, "--dump-dom"]
+    command = [CHROMIUM, "--headless", *quiet.split(), "--no-first-run", size, profile, "--dump-dom"]
     waits = "--virtual-time-budget=20000"
     document = ""
     for _ in range(5):
@@ -90,6 +89,7 @@ def value(document: str, name: str) -> float:
     return float(number)
 
 
+@needs_browser
 def test_a_browser_solves_the_scene_of_the_address(tmp_path: Path) -> None:
     """The page draws the mass at the time of the address, with the given scene beside it, also on a phone."""
     document = browsed(page("vaiont"), tmp_path, 390, "t=17.3&friction.angle_deg=13.6")
@@ -126,6 +126,7 @@ def asked(scene: Scene, sliders: list[Slider], positions: Any, folder: Path) -> 
     return list(json.loads(answers))
 
 
+@needs_browser
 @pytest.mark.parametrize("name", SOLVED)
 def test_a_browser_solves_as_solve_does(name: str, tmp_path: Path) -> None:
     """Outcomes, states, stresses and energy agree at random positions of all sliders, within the stated errors."""
@@ -158,6 +159,7 @@ def test_a_browser_solves_as_solve_does(name: str, tmp_path: Path) -> None:
     assert moved > POSITIONS / 4
 
 
+@needs_browser
 def test_where_the_mass_stays_swings_or_has_no_result_the_page_says_so_in_our_words(tmp_path: Path) -> None:
     """The page explains masses that stay, swing or have no result, at the ends of its sliders."""
     vaiont = load("vaiont")
@@ -175,6 +177,7 @@ def test_where_the_mass_stays_swings_or_has_no_result_the_page_says_so_in_our_wo
     assert (status, run_out) == ("MOVING", pytest.approx(free.run_out, rel=1e-9))
 
 
+@needs_browser
 @pytest.mark.parametrize(
     ("damaged", "said"),
     [
@@ -337,6 +340,7 @@ def test_a_command_writes_the_page(tmp_path: Path, said: Any) -> None:
     assert [first[name] for name in ("key", "low", "high", "value")] == ["friction.angle_deg", 9.0, 20.0, 10.0]
 
 
+@needs_browser
 def test_a_slider_of_the_geometry_states_its_error_and_keeps_it(tmp_path: Path) -> None:
     """Inputs that are no polynomials: a radius of a section, within what the page says."""
     scene = load("real-slope")

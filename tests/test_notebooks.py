@@ -6,6 +6,7 @@ measured times.
 """
 
 import base64
+import gc
 import io
 import json
 import math
@@ -117,6 +118,7 @@ def run(path: Path, first: str = "", draw: Callable[..., None] = print_png) -> A
         patch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # IPython puts its namespace there
         patch.chdir(folder)
         patch.setattr(FigureCanvasAgg, "print_png", draw)
+        patch.setattr(gc, "collect", lambda *_: 0)  # twice in every reset
         patch.setattr(progress, "FIRST", math.inf)
         patch.setattr(progress_of_commands, "_SELDOM", math.inf)
         matplotlib.rcdefaults()

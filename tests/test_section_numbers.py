@@ -77,8 +77,8 @@ def outputs(given: Any, name: str, to: float) -> list[arb]:
     field, *at = name.split(".")
     box = {"centre": lambda: arc["centre"], "radius": lambda: arc}.get(field, lambda: arc[field][int(at[0])])()
     box["xy".index(at[-1]) if at else field] = to
-    found = taylor.Solution(section_references.Section(given | {"arc": arc}), 40, 34)
-    return [abs(found.peak()[1]) * found.p.unit, found.run_out * found.p.radius, found.duration * found.p.scale]
+    found = taylor.solve(given | {"arc": arc}, digits=34, problem=section_references.Section)
+    return [abs(arb(found["peak_velocity"])), arb(found["run_out"]), arb(found["duration"])]
 
 
 def in_two_layers(scene: Scene) -> Scene:

@@ -5,10 +5,10 @@ The substitution omega = y'/(b y) makes the Riccati equation linear, y'' = a b y
 
 from functools import cache
 
-from sympy import Add, Expr, Symbol, cos, cosh, diff, exp, expand, factor, log, simplify, sinh, solve, sqrt, symbols
+from sympy import Add, Symbol, cos, cosh, diff, exp, expand, factor, log, simplify, sinh, solve, sqrt, symbols
 
 from derive.algebra.prove import prove_zero
-from derive.declare.symbols import a, alpha, b, omega_0, t
+from derive.declare.symbols import Forms, a, alpha, b, omega_0, t
 
 # Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17)-(3.13).
 R, g, rho, ell = symbols("R g rho ell", positive=True)
@@ -17,7 +17,7 @@ omega_star, rate_star, sigma_mean = symbols("omega_star rate_star sigma_mean", r
 
 
 @cache
-def balance() -> dict[str, Expr]:
+def balance() -> Forms:
     """Return the right-hand sides of (2.20) and (3.11)-(3.21), and both sides of (3.8), by equation number.
 
     The assumptions are the paper's: the radial balance as a scalar sum (2.1), the uniform normal stress (2.9), (3.5),
@@ -50,7 +50,7 @@ def balance() -> dict[str, Expr]:
 
 
 @cache
-def solution() -> dict[str, Expr]:
+def solution() -> Forms:
     """Return the solution of (3.16) by name for a b > 0, continued to any sign: omega = y'/(b y)."""
     k = Symbol("k", positive=True)  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
     y = cosh(k * t) + b * omega_0 * sinh(k * t) / k
@@ -70,8 +70,7 @@ def solution() -> dict[str, Expr]:
         "phi(0) = 0": ways["rotation"].subs(t, 0),
     }
     for claim, zero in claims.items():
-        in_exponentials = zero.subs(a, k**2 / b).rewrite(exp)
-        prove_zero(in_exponentials, claim)
+        prove_zero(zero.subs(a, k**2 / b).rewrite(exp), claim)
     return ways
 
 

@@ -65,8 +65,7 @@ def prove_rational(expression: Expr, claim: str) -> None:
     """
     expression = reduce_roots(expression.replace(exp, lambda exponent: expand(exp(exponent))))
     unknowns = sorted(expression.atoms(Symbol, Function), key=default_sort_key)
-    names = [f"x{i}" for i in range(len(unknowns))]
-    context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
+    context = fmpq_mpoly_ctx.get([f"x{i}" for i in range(len(unknowns))], Ordering.degrevlex)
     one = context.constant(1)
     known = {Integer(1): (one, one)}
     for x, polynomial in zip(unknowns, context.gens(), strict=True):

@@ -48,7 +48,7 @@ from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import SineRest, unfold
 from derive.declare.quantities import Moment
-from derive.declare.symbols import alpha, r, theta
+from derive.declare.symbols import Forms, alpha, r, theta
 
 REACH = Rational(1, 4)
 NODES = 10
@@ -88,7 +88,7 @@ def _split(weight: Expr) -> tuple[int, Expr]:
     return n, weight / r ** (n - 1)
 
 
-def triangles() -> dict[str, Expr]:
+def triangles() -> Forms:
     """Return integrals over the triangle between the centre and an edge, in p, t1, t2, tau and L, by the weight's name.
 
     The inner integral is integrated term by term over t from t1 to t2, and each sum is differentiated to prove it.
@@ -105,8 +105,7 @@ def triangles() -> dict[str, Expr]:
         integrand = expand(simplify(over_theta * _P / rho**2))
         form = Add(*map(_along_edge, Add.make_args(integrand)))
         at_2 = diff(form, _T2) + diff(form, _LOG) / _rho(_T2)  # dL/dt2 = 1/r2, proved in `prove`
-        slope = integrand.subs(_T, _T2)
-        prove_zero(at_2 - slope, f"{name}: the triangle's integral grows with t2 as it must")
+        prove_zero(at_2 - integrand.subs(_T, _T2), f"{name}: the triangle's integral grows with t2 as it must")
         prove_zero(form.subs({_T2: _T1, _LOG: 0}), f"{name}: an edge without length has none")
         integrals[name] = form
     return integrals
@@ -188,8 +187,7 @@ def rings() -> tuple[Expr, ...]:
         n, direction = _split(WEIGHTS[name])
         power = 2 if direction == 1 else 3
         integral = (1 - r**n) / n / r**power
-        in_r = form.subs(G, 1 - r**2).subs(sqrt(r**2), r)
-        prove_zero(in_r - integral, f"{name}: the ring over dtheta")
+        prove_zero(form.subs(G, 1 - r**2).subs(sqrt(r**2), r) - integral, f"{name}: the ring over dtheta")
     return tuple(forms.values())
 
 
@@ -205,7 +203,7 @@ _N, _S, _RHO, _Y = symbols("N S rho y", real=True)
 _CIRCLE = {SINE**2: 1 - COSINE**2}
 
 
-def slices() -> dict[str, Expr]:
+def slices() -> Forms:
     """Return integrands over beta from the balance of one slice, by name. `generated.slopes` describes each.
 
     N and S are the normal and shear force over dbeta: force = N outward + S along. In the ordinary method the forces
@@ -236,7 +234,7 @@ def slices() -> dict[str, Expr]:
     }
 
 
-def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
+def _bishop(balance: Matrix, strength: Expr) -> Forms:
     """Return Bishop's strength times lever, lever m_alpha, and effective normal stress by name, from the balance."""
     vertical = solve(balance[1].subs(_S, strength / FACTOR), _N)[0]
     lever = COSINE - SINE * MU / FACTOR
@@ -250,8 +248,7 @@ def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
 
 def _strip(integrand: Expr, primitive: Expr) -> Expr:
     """Return the integral over y from the arc to the ground in a strip, after proving its primitive."""
-    slope = diff(primitive, _Y) + diff(primitive, _RHO) * _Y / _RHO
-    prove_zero(slope - integrand, f"{primitive} over a strip")
+    prove_zero(diff(primitive, _Y) + diff(primitive, _RHO) * _Y / _RHO - integrand, f"{primitive} over a strip")
     at_ground = primitive.subs({_RHO: DISTANCE, _Y: HEIGHT - COSINE}, simultaneous=True)
     at_arc = primitive.subs({_RHO: 1, _Y: -COSINE}, simultaneous=True)
     return logcombine(at_ground - at_arc, force=True)
@@ -277,7 +274,7 @@ def prove(*moments: Moment) -> list[str]:
     return [*claims]
 
 
-def _of_edges() -> dict[str, Expr]:
+def _of_edges() -> Forms:
     """Return claims about L and dtheta along an edge, and about 1 - rho^2 as a sum of positive terms."""
     ratio = (_T2 - _T1) / (_rho(_T1) + _rho(_T2))  # L is computed from it
     s, g1, g2 = symbols("s g1 g2", real=True)
@@ -294,7 +291,7 @@ def _of_edges() -> dict[str, Expr]:
     }
 
 
-def _of_moments(moments: Sequence[Moment]) -> dict[str, Expr]:
+def _of_moments(moments: Sequence[Moment]) -> Forms:
     """Return claims that moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
     claims = {}
     for moment in moments:
@@ -311,7 +308,7 @@ def _of_moments(moments: Sequence[Moment]) -> dict[str, Expr]:
     return claims
 
 
-def _of_one_chord() -> dict[str, Expr]:
+def _of_one_chord() -> Forms:
     """Return claims that slices of the mass under one straight chord give the paper's closed forms."""
     forms = slices()
     middle, u = symbols("beta_m u", real=True)
@@ -319,8 +316,7 @@ def _of_one_chord() -> dict[str, Expr]:
     chord = {SINE: sin(BETA), COSINE: cos(BETA), HEIGHT: height, K_H: 0, PRESSURE: 0}
 
     def over_arc(name: str) -> Expr:
-        integrand = forms[name].subs(chord).subs(BETA, middle + u)
-        primitive = antiderivative(expand_trig(integrand), u, "1.55")
+        primitive = antiderivative(expand_trig(forms[name].subs(chord).subs(BETA, middle + u)), u, "1.55")
         return primitive.subs(u, alpha) - primitive.subs(u, -alpha)
 
     # Fellenius' normal force of one chord, closed: the mean of h cos^2 over the arc.
@@ -334,7 +330,7 @@ def _of_one_chord() -> dict[str, Expr]:
     }
 
 
-def _of_heads() -> dict[str, Expr]:
+def _of_heads() -> Forms:
     """Return claims that `head` is the integral of a line's height above the arc."""
     low = Symbol("low", real=True)
     integral = unfold(head())
@@ -347,7 +343,7 @@ def _of_heads() -> dict[str, Expr]:
     }
 
 
-def _of_strips() -> dict[str, Expr]:
+def _of_strips() -> Forms:
     """Return claims about the normal stress of strips after a rotation: n = A cos(phi) - B sin(phi) + P omega^2.
 
     A strip and the point of the arc below it turn with the mass by phi, which decreases the dip.

@@ -16,6 +16,7 @@ from derive.approximate.programs import Variant, variants_of_ends
 from derive.check import certify, losses, midpoints, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest, seal
 from derive.code.operations import Floats
+from derive.kinds import Pair, TextDict, Texts
 from derive.progress import parallel
 
 
@@ -50,7 +51,7 @@ def round_up(x: float) -> float:
 def certified(variant: Variant) -> Record:
     """Return the record of a variant with proved bounds within its goals, and with the worst known input."""
     record = plain(variant)
-    boxes: list[tuple[float, float]] = []
+    boxes: list[Pair] = []
     for claim, patches in certify.by_claim(record).items():
         bound, worst_boxes = certify.halve(record, patches, halvings=750)
         record[claim] = round_up(bound)
@@ -91,12 +92,11 @@ def errors(variant: Variant, alpha: Floats) -> list[float]:
             reference = truth.enclosure(variant.definition, arb(x))
             relative = TIERS[variant.tier].unit == "relative"
             unit = reference if relative else arb(certify.ulp(float(reference)))
-            error = abs(arb(y) - reference) / unit
-            measured.append(float(error.mid()))
+            measured.append(float((abs(arb(y) - reference) / unit).mid()))
     return measured
 
 
-def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float, float]:
+def worst(variant: Variant, boxes: Iterable[Pair]) -> Pair:
     """Return the worst input found by a search from the worst boxes of the proof, and its error.
 
     A box is an interval (lower, upper) of alpha.
@@ -104,10 +104,9 @@ def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float
     Evenly spaced points in each box, then steps of ever fewer ulp around the worst one. Nothing in it is random.
     """
 
-    def worst_of(points: Iterable[float]) -> tuple[float, float]:
+    def worst_of(points: Iterable[float]) -> Pair:
         alpha = np.unique(np.clip(np.array(list(points)), 2.0**-12, truth.TOP))
-        measured = errors(variant, alpha)
-        return max(zip(measured, alpha.tolist(), strict=True), key=itemgetter(0))
+        return max(zip(errors(variant, alpha), alpha.tolist(), strict=True), key=itemgetter(0))
 
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
     points: list[float] = []
@@ -138,18 +137,16 @@ def of_ends(proved: Iterable[Record]) -> list[Record]:
     certified = []
     for v in variants_of_ends():
         assert v.part
-        part = plain(v.part)
-        of_part = parts[part["sha256"]]
-        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, of_part)
+        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, parts[plain(v.part)["sha256"]])
         record = record | {"bound": round_up(record["bound"])}
         check_goals(record)
         certified.append(seal(record))
     return certified
 
 
-def files(records: Iterable[Record]) -> dict[str, str]:
+def files(records: Iterable[Record]) -> TextDict:
     """Return the text of every certificate file by its name below `generated`, with one field or operation per line."""
-    blocks: dict[str, list[str]] = {}
+    blocks: dict[str, Texts] = {}
     for record in records:
         rows = []
         for key, value in record.items():

@@ -13,7 +13,8 @@ from typing import Any
 from flint import arb, arb_mat, arb_poly, ctx, fmpq
 from sympy import Expr, pi
 
-from derive.check.truth import as_ball, fraction
+from derive.check.truth import Balls, as_ball, fraction
+from derive.kinds import Coefficients
 
 BITS = 240  # of the fit; the functions themselves are evaluated with more
 GUARD = 400
@@ -56,9 +57,9 @@ def value_at(closed: Expr, a: arb) -> arb:
 class Samples:
     """Function and weight of its error on a grid, with ``error = weight (approximant - function)``."""
 
-    points: list[arb]
-    values: list[arb]
-    weights: list[arb]
+    points: Balls
+    values: Balls
+    weights: Balls
 
     def without(self, coefficient: arb) -> "Samples":
         """Return (function - coefficient)/point, the function to fit once the lowest coefficient is fixed."""
@@ -99,7 +100,7 @@ def sample(
 
 def minimax(
     samples: Samples, above: int, below: int = 0, logs: tuple[Sequence[arb], int] | None = None, rounds: int = _ROUNDS
-) -> tuple[list[arb], list[arb], float]:
+) -> tuple[Balls, Balls, float]:
     """Return the numerator of degree `above`, the denominator 1 + ... of degree `below`, and the least maximal error.
 
     With ``logs = (l, degree)`` a polynomial of that degree times l, a number for each point, is added, and returned
@@ -115,13 +116,12 @@ def minimax(
         references = [min(count - 1, i) for i in evenly]
         denominators = [arb(1)] * count
         least = math.inf
-        best: list[arb] = []
+        best: Balls = []
         for _ in range(rounds):
             coefficients, level, denominators = _levelled(samples, basis, references, denominators, above, below)
             numerators = (matrix * arb_mat([[c] for c in coefficients])).entries()
             errors = _errors(samples, numerators, denominators)
-            sizes = (abs(float(e)) for e in errors)
-            worst = max(sizes)
+            worst = max(abs(float(e)) for e in errors)
             if worst < least:
                 least = worst
                 best = coefficients
@@ -132,7 +132,7 @@ def minimax(
         return best[: above + 1], second if logs else [arb(1), *second], least
 
 
-def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], int] | None) -> list[list[arb]]:
+def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], int] | None) -> list[Balls]:
     """Return the basis functions at each point: 1, x, x**2, ..., followed by -f x, -f x**2, ... or l, l x, ...
 
     The degrees ``above`` and ``below`` and the factors ``logs`` are those of `minimax`.
@@ -155,8 +155,8 @@ def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], 
 
 
 def _levelled(
-    samples: Samples, basis: list[list[arb]], references: list[int], denominators: list[arb], above: int, below: int
-) -> tuple[list[arb], arb, list[arb]]:
+    samples: Samples, basis: list[Balls], references: list[int], denominators: Balls, above: int, below: int
+) -> tuple[Balls, arb, Balls]:
     """Return coefficients whose weighted errors alternate with equal size at the references, with the error.
 
     The third result are the denominators at all points. ``references`` are indices of points, and ``denominators``
@@ -183,7 +183,7 @@ def _levelled(
     return coefficients, level, denominators
 
 
-def _errors(samples: Samples, numerators: list[arb], denominators: list[arb]) -> list[arb]:
+def _errors(samples: Samples, numerators: Balls, denominators: Balls) -> Balls:
     """Return the weighted errors of the approximant at all points.
 
     For a rational function p/q, ``numerators`` are the values of p - f (q - 1), from the linear system, and
@@ -193,7 +193,7 @@ def _errors(samples: Samples, numerators: list[arb], denominators: list[arb]) ->
     return [(weight * (p - f) / q).mid() for p, f, weight, q in terms]
 
 
-def _exchange(errors: list[arb], references: list[int]) -> list[int]:
+def _exchange(errors: Balls, references: list[int]) -> list[int]:
     """Return the index of the largest error of every run of one sign, or the present references if runs are missing.
 
     Surplus runs at the ends are omitted, the smaller first. ``errors`` are those at all points.
@@ -212,7 +212,7 @@ def _exchange(errors: list[arb], references: list[int]) -> list[int]:
     return largest if len(largest) == len(references) else references
 
 
-def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, ...], float]:
+def rounded(samples: Samples, degree: int, careful: int) -> tuple[Coefficients, float]:
     """Return minimax coefficients of this degree as doubles, lowest first, and the error before rounding.
 
     Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.

@@ -21,6 +21,7 @@ from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
 from derive.check import ends
 from derive.code.program import ROUND, Builder, Program, Value, without_dead
 from derive.declare.quantities import LIMIT_FRICTION, MOMENTS
+from derive.kinds import Names
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,7 @@ class Variant:
     """Kernel at one tier of accuracy and in one form: fused (multiply-adds), plain, or numpy (with its logarithm)."""
 
     kernel: str
-    definition: tuple[str, ...]
+    definition: Names
     tier: str
     form: str
     program: Program
@@ -93,8 +94,7 @@ class Code(Builder):
 def excess(code: Code, closed: Expr, piece: Pieces) -> Value:
     """Return q of W = 1 + q in the plain form, where the form F is x (u + u q) times its limit."""
     u = code.u
-    coefficients = shapes.near_fit(closed, piece.seam, piece.count, Fraction(1))
-    return code.horner(u, coefficients) * u
+    return code.horner(u, shapes.near_fit(closed, piece.seam, piece.count, Fraction(1))) * u
 
 
 def to_limit(closed: Expr, w: Value) -> Value:
@@ -164,8 +164,7 @@ def near_value(code: Code, closed: Expr, piece: Pieces) -> Value:
         h = near(code, closed, piece)
         return code.fma(x, h.high, x * h.low)
     u = code.u
-    q = excess(code, closed, piece)
-    w = code.fma(u, q, u)
+    w = code.fma(u, excess(code, closed, piece), u)
     return to_limit(closed, w) * x
 
 
@@ -223,8 +222,7 @@ def fused_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -
     """Return F1/F2, near 0 from W1/W2: one division, corrected for rounding errors of itself and its parts."""
     fma = code.fma
     seam = min(part.seam for part in parts)
-    pairs = zip(forms, parts, strict=True)
-    over, under = (fused_part(code, closed, part, seam) for closed, part in pairs)
+    over, under = (fused_part(code, closed, part, seam) for closed, part in zip(forms, parts, strict=True))
     inverse = 1.0 / under.high
     q = over.high * inverse
     residual = fma(-q, under.high, over.high) + over.low
@@ -257,8 +255,7 @@ def fused_part(code: Code, closed: Expr, part: Pieces, seam: float) -> Pair:
     x = code.x
     u = code.u
     w, _, p1 = near_sum(code, closed, part)
-    u_lost = fma(x, x, -u)
-    w_low = fma(u_lost, p1, w.low)
+    w_low = fma(fma(x, x, -u), p1, w.low)
     if part.far:
         beyond = far(code, closed, part.far, seam)
         total = beyond.total
@@ -268,8 +265,7 @@ def fused_part(code: Code, closed: Expr, part: Pieces, seam: float) -> Pair:
         total = x * h.high
         lost = fma(x, h.low, fma(x, h.high, -total))
     high = code.below(seam, w.high, total)
-    low = code.below(seam, w_low, lost)
-    return Pair(high, low)
+    return Pair(high, code.below(seam, w_low, lost))
 
 
 def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
@@ -279,8 +275,7 @@ def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
     if not below:
         return code.horner(u, over) * u * code.x
     w = HALF_PI * HALF_PI - u
-    numerator = code.horner(w, over) * u
-    return numerator / code.horner(w, under) * code.x
+    return code.horner(w, over) * u / code.horner(w, under) * code.x
 
 
 def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
@@ -307,16 +302,14 @@ def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Varia
     if tier != "best":
         value = (rounding if tier == "float32" else cheap)(code, closed, *shape)
     elif others:  # of parts that have one seam, to the last place or nearly so
-        quotient = fused_quotient if code.fused else plain_quotient
-        value = quotient(code, kernel.closed, shape)
+        value = (fused_quotient if code.fused else plain_quotient)(code, kernel.closed, shape)
     else:
         (piece,) = shape
         value = near_value(code, closed, piece)
         if piece.far:
             beyond = far(code, closed, piece.far, piece.seam).total
             value = code.below(piece.seam, value, beyond)
-    program = code.program(kernel.name, value)
-    return Variant(kernel.name, kernel.definition, tier, form, program)
+    return Variant(kernel.name, kernel.definition, tier, form, code.program(kernel.name, value))
 
 
 @cache
@@ -344,14 +337,13 @@ def variants() -> tuple[Variant, ...]:
 # --- both ends -------------------------------------------------------------------------------------------------------
 
 
-def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
+def functions_of_ends() -> Iterator[tuple[str, str, Names]]:
     """Yield the moments that turn with the bisector, and the limit friction: name, kernel and definition."""
     for moment in MOMENTS:
         if not moment.amplitude:
             continue
         kernel, _ = moment.kernel
-        direction = str(derive(moment).direction)
-        words = direction.replace("(", " ").rstrip(")")
+        words = str(derive(moment).direction).replace("(", " ").rstrip(")")
         yield moment.name, kernel, (*moment.definition, words)
     ratio = next(kernel for kernel in shapes.kernels() if kernel.name == LIMIT_FRICTION)
     yield "limit_friction", ratio.name, (*ratio.definition, "tan psi")

@@ -23,6 +23,7 @@ from derive.check.patches import patches
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, seal
 from derive.declare.symbols import alpha
+from derive.kinds import Coefficients, Pair
 from derive.progress import parallel
 
 SEAMS = [k / 100 for k in range(64, 124, 4)]
@@ -44,10 +45,8 @@ def price(kernel: Kernel, shape: Best) -> float:
     """Return the price of a shape in ulp: the best fused tier's bound from FROM to TO, plus OPERATION per operation."""
     fused = variant(kernel, "best", "fused", shape)
     record = certificates.plain(fused)
-    between = list(patches(record, FROM, TO))
-    bound, _ = certify.halve(record, between, halvings=HALVINGS)
-    operations = sum(fused.program.operations().values())
-    return bound + OPERATION * operations
+    bound, _ = certify.halve(record, list(patches(record, FROM, TO)), halvings=HALVINGS)
+    return bound + OPERATION * sum(fused.program.operations().values())
 
 
 def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Variant]:
@@ -90,14 +89,13 @@ def baseline(closed: Expr, seam: float) -> Far:
         values.append((x, float(value_at(closed, arb(x)))))
     about = end(closed)
 
-    def rank(far: Far) -> tuple[float, ...]:
-        error = _baseline_error(closed, far, values)
-        return error, abs(far.bend - about.first), far.slope, far.line, far.bend
+    def rank(far: Far) -> Coefficients:
+        return _baseline_error(closed, far, values), abs(far.bend - about.first), far.slope, far.line, far.bend
 
     return min(_baselines(values, about.odd), key=rank)
 
 
-def _baselines(values: Sequence[tuple[float, float]], odd: bool) -> Iterator[Far]:
+def _baselines(values: Sequence[Pair], odd: bool) -> Iterator[Far]:
     """Yield slopes, bends, and lines in steps of 1/128 for the remainder, and the line through the end.
 
     ``values`` are pairs (alpha, F), the last one at pi/2. There are no bends if the form is ``odd``.
@@ -116,7 +114,7 @@ def _baselines(values: Sequence[tuple[float, float]], odd: bool) -> Iterator[Far
                 yield Far(slope, line, bend, 1.0, 0)
 
 
-def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]]) -> float:
+def _baseline_error(closed: Expr, far: Far, values: Sequence[Pair]) -> float:
     """Return rounding errors of a baseline's operations, in ulp(F) at the worst of some points, the last one pi/2.
 
     F = straight + (constant + bent + b**power core), each sum and product rounded once.
@@ -185,8 +183,7 @@ def falls(variant: Variant, seam: float) -> bool:
     bits = np.float64(seam).view(np.int64) + np.arange(-near, near)
     alpha = bits.view(np.float64)
     inside = alpha[alpha <= HALF_PI]
-    steps = np.diff(variant.program.run(inside))
-    return bool(np.any(steps < 0))
+    return bool(np.any(np.diff(variant.program.run(inside)) < 0))
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:

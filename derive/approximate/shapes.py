@@ -26,6 +26,7 @@ from derive.check.proof import ProofError
 from derive.check.truth import as_ball
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import alpha
+from derive.kinds import Coefficients, Names, Pair
 
 HALF_PI = truth.TOP
 RECORDS = Path(__file__).resolve().parent.parent.parent / "generated" / "shapes.json"
@@ -37,7 +38,7 @@ class Kernel:
 
     name: str
     closed: tuple[Expr, ...]
-    definition: tuple[str, ...]
+    definition: Names
 
 
 def kernels() -> list[Kernel]:
@@ -51,8 +52,7 @@ def kernels() -> list[Kernel]:
     for q in QUOTIENTS:
         parts = (q.numerator, q.denominator)
         forms = tuple(closed[part] for part in parts)
-        statements = tuple(definitions[part][0] for part in parts)
-        certified.append(Kernel(q.name, forms, statements))
+        certified.append(Kernel(q.name, forms, tuple(definitions[part][0] for part in parts)))
     return certified
 
 
@@ -171,7 +171,7 @@ class Shape:
 
 
 @cache
-def recorded_shapes() -> dict[tuple[str, ...], Shape]:
+def recorded_shapes() -> dict[Names, Shape]:
     """Return the recorded shapes by definition, including shapes that were found in this run."""
     shapes = {}
     for definition, record in json.loads(RECORDS.read_text(encoding="utf-8")).items():
@@ -181,8 +181,7 @@ def recorded_shapes() -> dict[tuple[str, ...], Shape]:
             if far is not None:
                 piece["far"] = Far(**far)
             best.append(Pieces(**piece))
-        cheap = tuple(map(tuple, record["cheap"]))
-        shapes[tuple(definition.split(" / "))] = Shape(tuple(best), cheap)
+        shapes[tuple(definition.split(" / "))] = Shape(tuple(best), tuple(map(tuple, record["cheap"])))
     return shapes
 
 
@@ -216,7 +215,7 @@ def near_samples(closed: Expr, seam: float, count: int, limit_at_0: Fraction) ->
 
 
 @cache
-def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> tuple[float, ...]:
+def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> Coefficients:
     """Return c1, c2, ..., ``count`` numbers, of W = limit + u (c1 + u (c2 + ...)), fitted to F/alpha**3 on [0, seam].
 
     W is F/alpha**3 times the constant that makes its limit at 0 ``limit_at_0``.
@@ -227,7 +226,7 @@ def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> tup
 
 
 @cache
-def logarithm_fit() -> tuple[float, tuple[float, ...]]:
+def logarithm_fit() -> tuple[float, Coefficients]:
     """Return ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, q <= 1/5, by its coefficients, lowest first."""
 
     def rest(z: arb) -> arb:
@@ -243,7 +242,7 @@ def logarithm_fit() -> tuple[float, tuple[float, ...]]:
 
 
 @cache
-def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
+def cheap_fit(closed: Expr, above: int, below: int) -> tuple[Coefficients, Coefficients, float]:
     """Return numerator and denominator of F/alpha**3, and their relative error before rounding.
 
     Their degrees are ``above`` and ``below``. Without denominator it is a polynomial in alpha**2, otherwise a rational
@@ -259,7 +258,7 @@ def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], 
 
 
 @cache
-def rounding_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
+def rounding_fit(closed: Expr, above: int, below: int) -> tuple[Coefficients, Coefficients, float]:
     """Return numerator and denominator of (W - W(0))/u, and the relative error of F = alpha u W.
 
     Their degrees are ``above`` and ``below``. Without denominator it is a polynomial in u = alpha**2, otherwise a
@@ -312,8 +311,8 @@ class FarFit:
     tilt: float
     power: int
     shift: int
-    r: tuple[float, ...]
-    q: tuple[float, ...]
+    r: Coefficients
+    q: Coefficients
     error: float
 
 
@@ -325,7 +324,7 @@ def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
     power, shift = powers(closed, far)
     constant, tilt = _constant_and_tilt(closed, far)
     samples = _far_samples(closed, far, constant, tilt, seam)
-    q: tuple[float, ...] = ()
+    q: Coefficients = ()
     if about.log:
         with ctx.workprec(GUARD):
             scale = as_ball(far.scale)
@@ -348,7 +347,7 @@ def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> 
     return Samples(samples.points, values, samples.weights)
 
 
-def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
+def _constant_and_tilt(closed: Expr, far: Far) -> Pair:
     """Return the excess of F over the baseline at fl(pi/2), and its slope by b if F is even in b."""
     about = end(closed)
     with ctx.workprec(GUARD):

@@ -38,17 +38,15 @@ from derive.check.records import (
 )
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import TOP, working
+from derive.kinds import Pair
 from derive.progress import parallel
 
 VANISHING = 2.0**-352  # below this alpha every kernel is less than 2**-1055
 
 
 def ulp(x: float) -> float:
-    """Return the unit in the last place of an exact value x >= 0, the smaller unit at powers of two."""
-    mantissa, exponent = math.frexp(x)
-    if x:
-        return math.ldexp(1.0, exponent - 53 - (mantissa == 0.5))
-    return 0.0
+    """Return the unit in the last place of an exact value x > 0, the smaller unit at powers of two."""
+    return math.ulp(math.nextafter(x, 0.0))
 
 
 def in_units(tier: str, distance: float, last: float, smallest: float, least: float = 0.0) -> float:
@@ -80,7 +78,7 @@ def below_underflow(record: Record, whole: float) -> float:
     whole_interval = [(0.0, 1.0)]
     upper_half = [(i / 32, (i + 1) / 32) for i in range(16, 32)]
 
-    def bound(s: float, boxes: list[tuple[float, float]]) -> float:
+    def bound(s: float, boxes: list[Pair]) -> float:
         """Return the bound for alpha = s xi, with xi in these boxes."""
         window = near.window(s, s)
         least = TINY / s / s / s
@@ -129,7 +127,7 @@ class Box(NamedTuple):
 
 def halve(
     record: Record, parts: list[Patch], wanted: float = 0.0, halvings: float = math.inf
-) -> tuple[float, list[tuple[float, float]]]:
+) -> tuple[float, list[Pair]]:
     """Return the bound proved on these patches, and at most 16 boxes of alpha with the greatest bounds, in order.
 
     The box with the greatest bound is halved until the bound is at most ``wanted``, ``halvings`` is reached, or the box
@@ -153,22 +151,12 @@ def halve(
         heapq.heappush(boxes, box(number, middle, upper))
         halvings -= 1
     bounds = (-x.minus_bound for x in boxes)
-    worst = [_in_alpha(parts[x.number], x) for x in _worst_of_each(boxes)]
+    worst = []
+    of_each_patch = {x.number: x for x in sorted(boxes, reverse=True)}
+    for x in heapq.nsmallest(16, of_each_patch.values()):
+        scale = 2.0**-10 if parts[x.number].top else 1.0  # a window represents every power of two
+        worst.append((x.lower * scale, x.upper * scale))
     return max(bounds, default=0.0), worst
-
-
-def _worst_of_each(boxes: list[Box]) -> list[Box]:
-    """Return the worst box of each patch, at most 16."""
-    by_patch = {}
-    for box in sorted(boxes, reverse=True):
-        by_patch[box.number] = box
-    return heapq.nsmallest(16, by_patch.values())
-
-
-def _in_alpha(part: Patch, box: Box) -> tuple[float, float]:
-    """Return a box of alpha, for a window, which represents every power of two, near 2**-10."""
-    scale = 2.0**-10 if part.top else 1.0
-    return box.lower * scale, box.upper * scale
 
 
 def prove(record: Record) -> float:
@@ -193,7 +181,13 @@ def prove(record: Record) -> float:
         raise rejected("assumptions", record, stated, assumptions(record))
     try:
         _check_program(record)
-        proved = max(_prove_claim(record, claim, parts) for claim, parts in by_claim(record).items())
+        proved = 0.0
+        for claim, parts in by_claim(record).items():
+            claimed = min(record["bound"], record[claim])
+            bound, boxes = halve(record, parts, claimed)
+            if not bound <= claimed:
+                raise rejected("bound", record, f"{bound:.4g}, alpha near {boxes[0][0]!r}", f"at most {claimed}")
+            proved = max(proved, bound)
         claimed = record["bound_underflow"]
         underflow = 0.0 if claimed == math.inf else below_underflow(record, record["bound"])
         if not underflow <= claimed:
@@ -217,14 +211,6 @@ def _check_program(record: Record) -> None:
         values, _ = rounding.forward(specialise(record, 0.0, 0.0), arb(0))
     if len(record["definition"]) == 1 and not values[-1] == 0:  # a quotient is nonzero at 0
         raise rejected("zero", record, f"{values[-1]} at alpha = 0", 0)
-
-
-def _prove_claim(record: Record, claim: str, parts: list[Patch]) -> float:
-    claimed = min(record["bound"], record[claim])
-    bound, boxes = halve(record, parts, claimed)
-    if not bound <= claimed:
-        raise rejected("bound", record, f"{bound:.4g}, alpha near {boxes[0][0]!r}", f"at most {claimed}")
-    return bound
 
 
 def checked(record: Record) -> tuple[str, bool]:
@@ -253,8 +239,7 @@ def prove_all() -> bool:
     start = time.perf_counter()
     accepted = bool(records)
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
-    grouped = groupby(records, itemgetter("kernel"))
-    by_kernel = [list(those) for _, those in grouped]
+    by_kernel = [list(those) for _, those in groupby(records, itemgetter("kernel"))]
     for line, proved in parallel(checked, by_kernel, "kernels checked"):
         print(line, flush=True)
         accepted &= proved

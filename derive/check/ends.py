@@ -21,6 +21,7 @@ from operator import add
 from typing import Any
 
 from derive.check.truth import TOP, Definition
+from derive.kinds import Coefficients
 
 LIMIT = 2.0**16  # greatest end, rad: ten thousand turns
 PASSES = 3
@@ -72,7 +73,7 @@ def _two_sum(a: RecordedValue, b: RecordedValue) -> tuple[RecordedValue, Recorde
     return a + b, a.put("lost", b)
 
 
-def _horner(x: RecordedValue, coefficients: tuple[float, ...]) -> RecordedValue:
+def _horner(x: RecordedValue, coefficients: Coefficients) -> RecordedValue:
     """Return the polynomial with these coefficients, lowest first."""
     *others, second, last = coefficients
     result = x * last + second
@@ -120,8 +121,7 @@ def reduced(one: RecordedValue, two: RecordedValue, odd: bool) -> tuple[Recorded
     for _ in range(PASSES):
         terms = passed(terms)
     high = terms.pop()
-    rest = reduce(add, terms)
-    b, low = _two_sum(high, rest)
+    b, low = _two_sum(high, reduce(add, terms))
     b = b.put("min", 2 * TOP)
     b = b.put("max", -2 * TOP)
     quarter = half * 0.5

@@ -68,8 +68,7 @@ def reduction_loss() -> float:
 def traced(function: Callable[[RecordedValue], RecordedValue]) -> Tape:
     """Return the operations of a function of one number in [0, TOP], for the analysis of rounding."""
     start = RecordedValue([["input", [], "x"]])
-    output = function(start).place
-    return specialise({"operations": start.operations, "output": output}, 0.0, TOP)
+    return specialise({"operations": start.operations, "output": function(start).place}, 0.0, TOP)
 
 
 @cache
@@ -88,8 +87,7 @@ def sinc_loss(tier: str) -> float:
     with working(ROUNDING_BITS):
         for x in boxes(0.0, TOP):
             rest, last = rounding_sum(tape, x)
-            error = (rest + last + series) / x.sinc()
-            worst = max(worst, above(error))
+            worst = max(worst, above((rest + last + series) / x.sinc()))
     return worst
 
 
@@ -101,8 +99,7 @@ def cotangent_loss() -> float:
     with working(BITS):
         for x in boxes(0.0, TOP):
             computed, *_ = ideal(tape, x)
-            exact = x.cos() / x.sinc()
-            worst = max(worst, above(computed - exact))
+            worst = max(worst, above(computed - x.cos() / x.sinc()))
     return worst + 2.0**-40
 
 
@@ -116,14 +113,12 @@ def slope_gap(statement: str) -> float:
     power = int(statement.split()[0].removeprefix("r^"))
     first, *others = SEGMENTS
     with working(BITS):
-        thin = arb(first.upper).cos() ** -(power + 2)
-        worst = above(3 * (thin - 1))
+        worst = above(3 * (arb(first.upper).cos() ** -(power + 2) - 1))
         for segment in others:
             model = truth.kernel_model(statement, segment)
             for x in boxes(segment.lower, segment.upper):
                 s, c = x.sin_cos()
-                half = (arb.pi() / 2 - x) / 2
-                h = -half.tan().log()
+                h = -((arb.pi() / 2 - x) / 2).tan().log()
                 slope = 2 * s * truth.folded(power, x, s, c, h)
                 amplitude = model(x - segment.centre)
                 steepness = x * slope / amplitude
@@ -135,8 +130,7 @@ def slope_gap(statement: str) -> float:
 def boxes(lower: float, upper: float) -> Iterator[arb]:
     """Yield an interval in 64 parts."""
     width = (upper - lower) / 64
-    points = [lower + k * width for k in range(64)]
-    for ends in pairwise([*points, upper]):
+    for ends in pairwise([*(lower + k * width for k in range(64)), upper]):
         yield ball(*ends)
 
 

@@ -23,6 +23,7 @@ from derive.check import truth
 from derive.check.records import TIERS, Record, rejected
 from derive.check.rounding import above, below
 from derive.check.truth import BITS, SEGMENTS, TOP, Model, Segment, working
+from derive.kinds import Coefficients, Texts
 
 SIGNIFICANDS = range(2**23, 2**24)
 BLOCK = 2**14  # inputs per block
@@ -40,7 +41,7 @@ def hard_inputs(statement: str) -> Iterator[float]:
 
 
 @cache
-def _of_binade(statement: str, exponent: int) -> tuple[float, ...]:
+def _of_binade(statement: str, exponent: int) -> Coefficients:
     """Return the hard inputs from 2**exponent up to twice that; none if they give less than half of the least float32.
 
     They are found when they are needed, since a program with a wrong rounding is refused at the first one.
@@ -149,7 +150,7 @@ def prove(record: Record) -> None:
         raise rejected("hard", record, " ".join(stated), " ".join(found))
 
 
-def hard(record: Record) -> list[str]:
+def hard(record: Record) -> Texts:
     """Return the significands of the inputs that the bound leaves undecided, after checking the rounding at each."""
     (statement,) = record["definition"]
     significands = set()
@@ -197,6 +198,5 @@ def run(record: Record, x: float) -> float:
         elif kind == "const":
             values.append(float.fromhex(constant))
         else:
-            operands = (values[k] for k in args)
-            values.append(MEANING[kind](*operands))
+            values.append(MEANING[kind](*(values[k] for k in args)))
     return values[record["output"]]

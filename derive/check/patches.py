@@ -14,7 +14,7 @@ from flint import arb, arb_series
 from derive.check import rounding, truth
 from derive.check.records import Record
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, VALUE, Node, Tape, Unbounded, above, below, specialise
-from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
+from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Balls, Definition, Model, Segment, ball, working
 
 SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1], and one window represents every power of two s
 UNDERFLOW = 2.0**-320  # below, products may underflow, and another bound applies
@@ -60,7 +60,7 @@ def _cuts(record: Record) -> set[float]:
     return cuts
 
 
-def ideal(tape: Tape, centre: arb) -> list[arb]:
+def ideal(tape: Tape, centre: arb) -> Balls:
     """Return Taylor coefficients of the program in real arithmetic for every point of the ball ``centre`` at once."""
     values: list[Any] = []
     for node in tape:
@@ -70,8 +70,7 @@ def ideal(tape: Tape, centre: arb) -> list[arb]:
             operands = (values[a] for a in node.args)
             values.append(VALUE[node.kind](*operands))
         else:  # a constant, or an error, which is 0 in real arithmetic
-            constant = node.value if node.kind == "const" else 0
-            values.append(arb_series([arb(constant)]))
+            values.append(arb_series([arb(node.value if node.kind == "const" else 0)]))
     return truth.coefficients(values[-1])
 
 
@@ -143,8 +142,7 @@ def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, up
     centre = segment.centre
     with working(BITS):
         fat = ball(min(lower, centre), max(upper, centre))
-        thin = arb(centre)
-        computed = truth.model(ideal(tape, thin), ideal(tape, fat), order)
+        computed = truth.model(ideal(tape, arb(centre)), ideal(tape, fat), order)
         if second is None:
             main = computed.main - first.main
             last = computed.last - first.last
@@ -200,8 +198,7 @@ def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[
 
 def near_zero(record: Record) -> Patch:
     """Return the patch [0, SMALL], which `Patch.window` rescales to cover all powers of two of a range at once."""
-    tape = specialise(record, 0.0, SMALL)
-    return patch(record["definition"], tape, SEGMENTS[0], 0.0, SMALL)
+    return patch(record["definition"], specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
 
 
 def scaled_tape(tape: Tape, degree: int, top: float, bottom: float) -> Tape:

@@ -6,8 +6,7 @@ class ProofError(Exception):
 
     def __init__(self, claim: str, found: object, wanted: object = 0, check: str = "") -> None:
         # All four, so that it can be pickled.
-        arguments = (claim, str(found), str(wanted), check)
-        super().__init__(*arguments)
+        super().__init__(claim, str(found), str(wanted), check)
         self.check = check
 
     def __str__(self) -> str:

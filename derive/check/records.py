@@ -96,9 +96,9 @@ def promised(record: Record) -> tuple[float, str]:
     return (0.5, "ulp of float32") if "hard" in record else (record["bound"], unit(record))
 
 
-def read_records(folder: Path = FOLDER, both_ends: bool = False) -> list[Record]:
+def read_records(both_ends: bool = False) -> list[Record]:
     """Return the records of all certificate files, for functions of alpha or of both ends."""
     records: list[Record] = []
-    for path in sorted(folder.glob("*.json")):
+    for path in sorted(FOLDER.glob("*.json")):
         records += json.loads(path.read_text("utf-8"))["certificates"]
     return [record for record in records if of_both_ends(record) == both_ends]

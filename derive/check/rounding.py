@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from derive.check.records import LOG_ULPS, Record
-from derive.check.truth import as_ball, ball, fraction, working
+from derive.check.truth import Balls, as_ball, ball, fraction, working
+from derive.kinds import Pair
 
 ROUNDING_BITS = 80  # precision of the balls
 # more than all roundings of the float arithmetic done on bounds
@@ -84,8 +85,7 @@ def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:
     if node.kind == "const":
         return arb(node.value)
     if node.kind == "error":
-        bound = sum(noise[a] for a in node.args)
-        return arb(0, bound * UP)
+        return arb(0, sum(noise[a] for a in node.args) * UP)
     operands = [values[a] for a in node.args]
     if node.kind == "scale":
         return operands[0] * ball(0.0, node.value)
@@ -114,22 +114,22 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
     return (half + node.floor) * UP
 
 
-def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
+def forward(tape: Tape, x: arb) -> tuple[Balls, list[float]]:
     """Return ranges of all computed values for alpha in x, and bounds on their rounding errors."""
-    values: list[arb] = []
+    values: Balls = []
     noise: list[float] = []
     for node in tape:
         _append(node, x if node.kind == "x" else _operate(node, values, noise), values, noise)
     return values, noise
 
 
-def _append(node: Node, exact: arb, values: list[arb], noise: list[float]) -> None:
+def _append(node: Node, exact: arb, values: Balls, noise: list[float]) -> None:
     bound = _rounding(node, exact, values)
     values.append(exact + arb(0, bound) if bound else exact)
     noise.append(bound)
 
 
-def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
+def rounding_sum(tape: Tape, x: arb) -> Pair:
     """Return bounds on the effect of all roundings but the last on the result, and on the last rounding."""
     values, noise = forward(tape, x)
     last = len(tape) - 1
@@ -140,8 +140,7 @@ def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
         kind, args, value, _, _ = tape[i]
         slope = adjoint[i]
         if i != last and kind not in ("x", "const"):
-            sensitivity = above(slope + weight[i])
-            total += (sensitivity + TINY) * noise[i]
+            total += (above(slope + weight[i]) + TINY) * noise[i]
         if slope == 0:
             continue
         if kind == "error":
@@ -168,7 +167,7 @@ class _Specialise:
         self.operations = record["operations"]
         self.ends = Fraction(lower), Fraction(upper)
         self.tape: list[Node] = []
-        self.values: list[arb] = []
+        self.values: Balls = []
         self.noise: list[float] = []
         self.affine: list[Line | None] = []
         self.grid: list[int] = []
@@ -261,8 +260,7 @@ class _Specialise:
             self.noise.append(0.0)
         else:
             line = None
-            result = _operate(node, self.values, self.noise)
-            _append(node, result, self.values, self.noise)
+            _append(node, _operate(node, self.values, self.noise), self.values, self.noise)
         self.tape.append(node)
         self.affine.append(line)
         self.grid.append(max(grid, -1074))
@@ -291,8 +289,7 @@ class _Specialise:
         if line:
             size = max(map(abs, line))
         else:
-            result = _operate(node, self.values, self.noise)
-            size = above(result)
+            size = above(_operate(node, self.values, self.noise))
         exact = kind == "neg" or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
         return line if grid >= -1074 else None, grid, exact
 

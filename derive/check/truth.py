@@ -34,6 +34,7 @@ CUBE = 3  # every base quantity is alpha**3 times a function that is analytic an
 LEVER = "2 alpha f"
 WEIGHT = re.compile(r"r\^(\d+)( cos u)?")
 
+Balls = list[arb]
 Definition = Sequence[str]  # one statement, or the statements of numerator and denominator
 
 
@@ -46,8 +47,7 @@ def exactly(statement: str, a: Any, s: Any, c: Any, h: Any) -> Any:
         raise ValueError(f"no definition reads {statement!r}")
     power = int(match[1])
     turned = bool(match[2])
-    order = power if turned else power + 1
-    term = folded(order, a, s, c, h)
+    term = folded(power if turned else power + 1, a, s, c, h)
     return (s - c * term if turned else a - term) * fmpq(2, power + 1)
 
 
@@ -79,8 +79,8 @@ def as_ball(x: float | Fraction) -> arb:
 
 def fraction(x: arb) -> Fraction:
     """Return the value of a ball of radius 0."""
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    exact = x.fmpq()
+    return Fraction(int(exact.p), int(exact.q))
 
 
 def ball(lower: float | arb, upper: float | arb) -> arb:
@@ -104,7 +104,7 @@ def half_disc_limit(definition: Definition) -> arb:
     return reduce(truediv, values)
 
 
-def _taylor(statement: str, centre: arb) -> list[arb]:
+def _taylor(statement: str, centre: arb) -> Balls:
     """Return Taylor coefficients of a base quantity for every point of the ball ``centre`` at once."""
     a = arb_series([centre, 1])
     s, c = a.sin_cos()
@@ -114,7 +114,7 @@ def _taylor(statement: str, centre: arb) -> list[arb]:
     return coefficients(exactly(statement, a, s, c, h))
 
 
-def coefficients(series: Any) -> list[arb]:
+def coefficients(series: Any) -> Balls:
     """Return all TERMS + 1 coefficients of a series or of a constant, as balls."""
     if isinstance(series, arb):
         series = arb_series([series])
@@ -168,7 +168,7 @@ class Model:
         return main + self.last * rest
 
 
-def model(thin: list[arb], fat: list[arb], order: int = 0) -> Model:
+def model(thin: Balls, fat: Balls, order: int = 0) -> Model:
     """Return the Taylor model of f/t**order from coefficients of f at the centre and over the segment (Lagrange)."""
     if any(not (x == 0) for x in thin[:order]):
         raise ArithmeticError(f"a series is not of order alpha**{order}")

@@ -13,6 +13,7 @@ import numpy as np
 
 from derive.code.program import Program
 from derive.code.text import WIDTH, Language, Part, Reader, statements
+from derive.kinds import Coefficients, Names, TextMap, TextPair, Texts
 
 
 @dataclass(frozen=True)
@@ -23,11 +24,11 @@ class Function:
     summary: str
     formula: str
     equation: str
-    parameters: tuple[tuple[str, str], ...]
+    parameters: tuple[TextPair, ...]
     returns: str
     domain: str  # description
     accuracy: str
-    given: tuple[float, ...]  # arguments of the example
+    given: Coefficients  # arguments of the example
     tiers: Mapping[str, Program]  # NumPy program of each tier
 
 
@@ -39,12 +40,29 @@ PYTHON = Language(
     several="{names} = {function}({arguments})",
     integer="{space}.rint({0})",
 )
+# Imports of all generated modules; of the certified functions beyond these, and of their stub.
+IMPORTS = "from __future__ import annotations\n\nfrom typing import Any\n\nimport numpy as np\n"
+KERNEL_IMPORTS = """
+from generated._compiled import Text, direct, kernel
+from generated._evaluate import Array, horner, lost
+"""
+STUB_IMPORTS = """\
+from __future__ import annotations
+
+from typing import Any, TypeVar, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from generated._compiled import Text
+from generated._evaluate import Out
+"""
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
 HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
-def filled(name: str, marks: Mapping[str, str] | None = None) -> str:
+def filled(name: str, marks: TextMap | None = None) -> str:
     """Return the text of the template ``name`` with values in place of its marks.
 
     A mark for lines occupies its own line.
@@ -112,7 +130,7 @@ def numpydoc(
     summary: str,
     formula: str,
     parameters: Iterable[tuple[str, str, str]],
-    returns: tuple[str, str],
+    returns: TextPair,
     *notes: str,
     examples: Sequence[str] = (),
     width: int = 112,
@@ -139,11 +157,16 @@ def numpydoc(
     ]
     if examples:
         lines += ["", "Examples", "--------", *examples]
-    lines.append('"""')
-    return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
+    text = ""
+    for line in (*lines, '"""'):
+        indented = f"    {line}".rstrip()
+        indent = indented[: len(indented) - len(indented.lstrip())]
+        text += textwrap.fill(indented, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+        text += "\n"
+    return text
 
 
-def example(p: Program, place: str, given: Sequence[float]) -> tuple[str, ...]:
+def example(p: Program, place: str, given: Sequence[float]) -> Names:
     """Return a call and its printed result, with few enough digits to be equal on every processor.
 
     ``place`` is the module of the function, and ``given`` its arguments.
@@ -188,19 +211,13 @@ def identifier(kernel: str, tier: str) -> str:
     return f"{kernel}_{tier}".replace("-", "_").rstrip("_")
 
 
-def _fill(line: str, width: int = 112) -> str:
-    """Return a docstring line wrapped to a width, with its indent."""
-    indent = line[: len(line) - len(line.lstrip())]
-    return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
-
-
 def functions_module(docstring: str, functions: Sequence[Function], parts: Sequence[Program]) -> str:
     """Return the module of the certified functions, preceded by the parts that they call."""
     text = PythonText()
     code = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
     code += "".join("\n\n" + text.body(p, space="xp") for p in parts)
     code += "".join(f"\n\n{function(f, text)}" for f in functions)
-    return _module(docstring, [f.program.name for f in functions], code)
+    return _module(docstring, [f.program.name for f in functions], code, KERNEL_IMPORTS)
 
 
 def stub(functions: Sequence[Function]) -> str:
@@ -214,10 +231,10 @@ def stub(functions: Sequence[Function]) -> str:
                 f"\n@overload\ndef {f.program.name}(\n    {typed},\n    out: {out} = None,\n    *,\n"
                 f"    where: {where} = True,\n    accuracy: float | None = None,\n) -> {result}: ...\n"
             )
-    return f"{_imports(code)}\n\n{code}"
+    return f"{STUB_IMPORTS}\n{code}"
 
 
-def _overloads(count: int) -> Iterator[tuple[list[str], str, str, str]]:
+def _overloads(count: int) -> Iterator[tuple[Texts, str, str, str]]:
     """Yield types of ``count`` arguments, `out`, `where` and result: for numbers, arrays and numbers, and otherwise."""
     yield ["float"] * count, "None", "bool", "np.float64"
     for k in range(count):
@@ -246,7 +263,9 @@ def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: s
     return plain_module(docstring, documented, before='@np.errstate(all="ignore")\n')
 
 
-def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "", before: str = "") -> str:
+def plain_module(
+    docstring: str, programs: Sequence[tuple[Program, str]], code: str = "", before: str = "", imports: str = ""
+) -> str:
     """Return a module of functions for callers that respect the domain: arrays or floats, without checks.
 
     ``code`` precedes them, and each has the decorator ``before``.
@@ -256,25 +275,11 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
         public = re.sub(r"\b_(\w+\()", r"\1", text.body(p).replace("Array", "Any"))
         signature, body = public.split("\n", 1)
         code += f"\n\n{before}{signature}\n{doc}{body}"
-    return _module(docstring, [p.name for p, _ in programs], code)
+    return _module(docstring, [p.name for p, _ in programs], code, imports)
 
 
-# Imports of generated modules, in this order.
-IMPORTS = (
-    "from __future__ import annotations",
-    "",
-    "from typing import Any, TypeVar, overload",
-    "",
-    "import numpy as np",
-    "from numpy.typing import ArrayLike, NDArray",
-    "",
-    "from generated._compiled import Text, direct, kernel",
-    "from generated._evaluate import Array, Out, horner, lost",
-)
-
-
-def _module(docstring: str, names: list[str], code: str) -> str:
-    """Return the complete text of a module that exports these names, with the imports that its code needs.
+def _module(docstring: str, names: Texts, code: str, imports: str) -> str:
+    """Return the complete text of a module that exports these names, with ``imports`` beyond those of all modules.
 
     Coefficients that occur repeatedly become tables.
     """
@@ -284,7 +289,7 @@ def _module(docstring: str, names: list[str], code: str) -> str:
         code = code.replace(numbers, f"SERIES_{k}")
         data += f"\nSERIES_{k} = {numbers}"
     listed = "".join(f'    "{n}",\n' for n in names)
-    head = f'"""{docstring}"""\n\n{_imports(code)}\n\n__all__ = [\n{listed}]\n{data}'
+    head = f'"""{docstring}"""\n\n{IMPORTS}{imports}\n__all__ = [\n{listed}]\n{data}'
     if data:
         head += "\n"
     if code.startswith("#"):
@@ -292,33 +297,18 @@ def _module(docstring: str, names: list[str], code: str) -> str:
     return head + code
 
 
-def _imports(code: str) -> str:
-    """Return the imports of the names that occur in the code outside strings."""
-    without_strings = re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)
-    used = set(re.findall(r"\w+", without_strings))
-    imports = []
-    for line in IMPORTS:
-        start, _, names = line.rpartition("import ")
-        needed = [x for x in names.split(", ") if x.endswith((" as np", "annotations")) or x in used]
-        if needed:
-            imports.append(f"{start}import {', '.join(needed)}")
-        elif not line:
-            imports.append("")
-    return re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
-
-
 _ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:, ?|$)""")
 
 
 def wrapped(text: str) -> str:
     """Return the text with lines of at most 120 columns. Longer lines break after commas and in strings."""
-    lines: list[str] = []
+    lines: Texts = []
     for line in text.split("\n"):
         lines += _wrap(line) if len(line) > 120 and '"""' not in line else [line]
     return "\n".join(lines)
 
 
-def _wrap(line: str) -> list[str]:
+def _wrap(line: str) -> Texts:
     """Return a line broken into lines of at most 120 columns, after commas and in strings, where it has such places."""
     indent = " " * (len(line) - len(line.lstrip()) + (8 if line.startswith("def") else 4))
     lines = []

@@ -21,7 +21,6 @@ from derive.algebra.remainders import Select, expm1, log1p
 Floats = NDArray[np.float64]
 
 EXACT = 4400  # bits that contain the sum of any product and number
-_THREE_QUARTERS = 0x3FE8000000000000  # bits of 0.75: the significand lies in [0.75, 1.5)
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
@@ -45,15 +44,13 @@ def fma(a: Floats, b: Floats, c: Floats) -> Floats:
 
 def exponent(x: Floats) -> Floats:
     """Return k of x = significand 2**k for a normal x > 0."""
-    return ((x.view(np.int64) - _THREE_QUARTERS) >> 52).astype(np.float64)
+    half_to_one, power = np.frexp(x)
+    return np.asarray(power - (half_to_one < 0.75), np.float64)
 
 
 def significand(x: Floats) -> Floats:
     """Return x 2**-k, in [0.75, 1.5)."""
-    bits = x.view(np.int64)
-    k = (bits - _THREE_QUARTERS) >> 52
-    scaled = bits - (k << 52)
-    return np.asarray(scaled.view(np.float64))
+    return np.asarray(x * 2.0 ** -exponent(x))
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from sympy import Add, Basic, Expr, Function, Integer, Mul, N, Symbol, default_s
 
 from derive.algebra.remainders import Exp, Horner, Select, SineRest
 from derive.code.operations import OPERATIONS
+from derive.kinds import Names
 
 _NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
 ROUND = 1.5 * 2.0**52  # added and subtracted, it rounds to an integer
@@ -37,7 +38,7 @@ class Program:
     """Straight-line program with a name and one or several outputs."""
 
     name: str
-    inputs: tuple[str, ...]
+    inputs: Names
     ops: tuple[Op, ...]
     outputs: tuple[int, ...]
 
@@ -130,7 +131,7 @@ class Value(NDArrayOperatorsMixin):
 class _Lowering(Builder):
     """Conversion of SymPy expressions to operations."""
 
-    def __init__(self, inputs: tuple[str, ...]) -> None:
+    def __init__(self, inputs: Names) -> None:
         super().__init__()
         self.inputs = inputs
         self.done: dict[Basic, Value] = {Symbol(x, real=True): self.put("input", value=x) for x in inputs}
@@ -250,7 +251,7 @@ class _Lowering(Builder):
         return result
 
 
-def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr] | None = None) -> Program:
+def program(name: str, inputs: Names, *outputs: Expr, let: Mapping[Symbol, Expr] | None = None) -> Program:
     """Return the program of SymPy expressions in the symbols named by ``inputs``, in the order of its arguments.
 
     Equal subexpressions are computed once. ``let`` contains intermediate values by
@@ -261,8 +262,8 @@ def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Sym
         result = low.add(value)
         low.done = {e: v for e, v in low.done.items() if not e.has(symbol)}
         low.done[symbol] = result
-    results = tuple(low.add(e).place for e in outputs)
     # Parts of a `let` may be unused.
+    results = tuple(low.add(e).place for e in outputs)
     return without_dead(Program(name, inputs, tuple(low.ops), results))
 
 

@@ -8,11 +8,12 @@ import textwrap
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
 from derive.code.program import ROUND, Builder, Op, Program, walk
+from derive.kinds import Names, Texts, ValueDict
 
 WIDTH = 116  # width of a statement, including its indent
 INLINE = 72  # greatest length of a value that is written where it is used once
@@ -27,7 +28,7 @@ class Language:
     number: Callable[[float], str]
     polynomial: str  # with {x}, {degree} and {coefficients}
     space: str = ""
-    passed: tuple[str, ...] = ()  # further arguments of every call of a part
+    passed: Names = ()  # further arguments of every call of a part
     integer: str = ""  # rounding to an integer, if the language has a function for it
     several: str = ""  # call with several results: {names}, {function}, {arguments}, {places} of results
 
@@ -55,7 +56,7 @@ class _Text:
         self.program = program
         self.language = language
         self.text: dict[int, tuple[str, int]] = {}
-        self.lines: list[str] = []
+        self.lines: Texts = []
         self.counts: Counter[str] = Counter()
         self.names = _known(program)
         self.calls = _calls(program, parts)
@@ -109,8 +110,7 @@ class _Text:
         if i in self.polynomials:
             return self._polynomial(*self.polynomials[i]), 9
         while len(self._operation(op)) > WIDTH - 24:  # room for the name
-            longest = max(op.args, key=lambda a: len(self.text[a][0]))
-            self._name(longest)
+            self._name(max(op.args, key=lambda a: len(self.text[a][0])))
         return self._operation(op), OPERATIONS[op.kind].binds
 
     def _arguments(self, call: Call) -> str:
@@ -228,8 +228,7 @@ def seam(program: Program) -> tuple[float, int, int] | None:
         return None
     chosen, near, far = output.args
     less = program.ops[chosen]
-    compared = [program.ops[i].kind for i in less.args]
-    if less.kind != "less" or compared != ["input", "const"]:
+    if less.kind != "less" or [program.ops[i].kind for i in less.args] != ["input", "const"]:
         return None
     return float(program.ops[less.args[1]].value), near, far  # type: ignore[arg-type]
 
@@ -324,7 +323,7 @@ def _call(program: Program, places: Mapping[Op, int], i: int, part: Part) -> Cal
     return Call(part.name, tuple(inputs[x] for x in part.program.inputs), tuple(results))
 
 
-def statements(program: Program, language: Language, parts: Sequence[Part] = ()) -> tuple[list[str], list[str]]:
+def statements(program: Program, language: Language, parts: Sequence[Part] = ()) -> tuple[Texts, Texts]:
     """Return the statements that compute a program, and the text of each output.
 
     Values that one of ``parts`` computes are written as a call of its function.
@@ -337,7 +336,7 @@ def statements(program: Program, language: Language, parts: Sequence[Part] = ())
 class Reader:
     """Executor of written text on operands that record operations. Functions that have been read can be called."""
 
-    scope: dict[str, Any]
+    scope: ValueDict
     builder: Builder = field(default_factory=Builder)
 
     def check(self, program: Program, name: str, text: str) -> None:

@@ -9,6 +9,7 @@ from flint import arb
 from sympy import Expr, Symbol, diff, lambdify
 
 from derive.check.truth import ball
+from derive.kinds import TextPair
 
 BOXES = 400  # to look at
 SMALL = 1e-3  # of a box that is not bisected further, over its distance from 0 where that is above 1
@@ -20,7 +21,7 @@ _ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos",
 }
 
 
-def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
+def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> TextPair:
     """Return where an expression has a pole, is complex or negative, and where it is undecided; otherwise empty texts.
 
     ``domain`` has the least and greatest value of each symbol. An undecided expression is searched again at the ends of
@@ -40,7 +41,7 @@ def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
     return "", ""
 
 
-def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
+def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> TextPair:
     """Return the place of a fault and an undecided place, as `fault` does, from a limited number of boxes.
 
     Those that may hold a pole come first, and one that is small and may still hold it does. Of the others those come
@@ -53,13 +54,11 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> tuple[str, str]:
         if not boxes:
             return "", ""
         _, box = heapq.heappop(boxes)
-        balls = [ball(*ends) for ends in box]
-        enclosed = arb(value(*balls))
+        enclosed = arb(value(*(ball(*ends) for ends in box)))
         if enclosed.lower() > BELOW:
             continue
         middle = [_middle(*ends) for ends in box]
-        points = map(arb, middle)
-        here = arb(value(*points))
+        here = arb(value(*map(arb, middle)))
         if here.upper() < BELOW:
             return f"{float(here.mid()):.3g} at {_place(domain, middle)}", ""
         widest = max(range(len(box)), key=lambda k: _width(*box[k]))

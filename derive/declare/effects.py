@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from derive.declare.limits import LIMITS, PREFIXES
+from derive.kinds import Names, Pair
 
 # The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
@@ -60,7 +61,7 @@ class Parameter:
     kind: str = "number"
 
     @property
-    def bounds(self) -> tuple[float, float]:
+    def bounds(self) -> Pair:
         """Open bounds, from `LIMITS` of the unit where the declared bounds only state the sign."""
         if not self.key or self.kind not in ("number", "list", "series", "fixed"):
             return self.lower, self.upper
@@ -103,7 +104,7 @@ class Effect:
     friction: sp.Expr = _ZERO
     states: tuple[sp.Symbol, ...] = ()
     growth: sp.Expr = _ZERO
-    any_of: tuple[str, ...] = ()
+    any_of: Names = ()
 
     @property
     def symbols(self) -> dict[sp.Symbol, Parameter]:
@@ -123,7 +124,7 @@ class Effect:
         }
 
     @property
-    def depends_on(self) -> tuple[str, ...]:
+    def depends_on(self) -> Names:
         """Variables by which the effect changes during a motion, except for its quadratic terms in the speed."""
         free = set().union(*(e.free_symbols for e in self.terms.values()))
         every = {
@@ -154,7 +155,7 @@ class Law:
     source: str = ""
 
     @property
-    def depends_on(self) -> tuple[str, ...]:
+    def depends_on(self) -> Names:
         """Variables of the law: slip, speed or time."""
         if self.coefficient is None:
             return (self.parameters[0].name,)

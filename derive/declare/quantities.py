@@ -10,6 +10,7 @@ import sympy as sp
 from derive.check.proof import ProofError
 from derive.check.truth import LEVER
 from derive.declare.symbols import alpha, r, theta, theta_1
+from derive.kinds import Names, TextPair
 
 HIGHEST = 5  # power of r in a weight: of r^6 the best tier is not proved within 1 ulp
 TURNS = (sp.Integer(1), sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(theta))
@@ -32,17 +33,17 @@ class Moment:
     symbol: str
     weight: sp.Expr
     help: str
-    amplitude: tuple[str, str] | None = None
+    amplitude: TextPair | None = None
     equation: str = ""
     source: str = ""
 
     @property
-    def kernel(self) -> tuple[str, str]:
+    def kernel(self) -> TextPair:
         """Name and symbol of its function of alpha."""
         return self.amplitude or (self.name, self.symbol)
 
     @property
-    def definition(self) -> tuple[str, ...]:
+    def definition(self) -> Names:
         """Definition of the function of alpha in its certificates."""
         forms = {r**n * turn: n for n in range(1, HIGHEST + 1) for turn in TURNS}
         strange = [x for x in self.weight.free_symbols - {r, theta} if str(x) in ("r", "theta")]
@@ -67,7 +68,7 @@ class Elementary:
     equation: str
     form: sp.Expr
     help: str
-    definition: tuple[str, ...]
+    definition: Names
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import sympy as sp
 # Geometry of the arc (paper, section 1): half opening angle, polar angles of its ends and of its bisector.
 alpha, theta, theta_1, theta_2, theta_m = sp.symbols("alpha theta theta_1 theta_2 theta_m", real=True)
 r, u = sp.symbols("r u", real=True)  # of the definitions' integrals: r* = r/R and u = theta - theta_m
+Forms = dict[str, sp.Expr]  # by name
 a, b, omega_0, t = sp.symbols("a b omega_0 t", real=True)  # d(omega)/dt = a - b*omega**2 (3.16), omega(0) = omega_0
 
 

@@ -13,7 +13,7 @@ from derive.algebra.phase_plane import BASIS, NET, SOFTENING, drive, q, sine, ve
 from derive.algebra.prove import prove_zero
 from derive.check.proof import ProofError
 from derive.flow.integrator import energy, softening
-from derive.flow.integrator.hyperbolic import FIRST, PAIRS, SHIFT, hyperbolic_energy
+from derive.flow.integrator.hyperbolic import FIRST, HALF, SHIFT, hyperbolic_energy
 from derive.flow.integrator.softening import TERMS
 from derive.flow.layout import STRIDE
 
@@ -118,5 +118,5 @@ def _prove_hyperbolic() -> None:
 
         place = mpmath.mpf(NEAR_START)
         found = missed(*values.values(), place, energy_at(place), mpmath.diff(energy_at, place))
-        if abs(found) > place ** (2 * PAIRS):
+        if abs(found) > place ** (2 * HALF):
             raise ProofError("E under hyperbolic friction in the integrator", found)

@@ -22,9 +22,10 @@ from derive.declare.effects import (
     OMEGA_2,
     THETA,
     Effect,
-    Law,
 )
 from derive.declare.symbols import in_words
+from derive.flow.fragments import CALLABLE
+from derive.kinds import Values
 
 
 class Term(NamedTuple):
@@ -161,29 +162,25 @@ def _effect_terms(effect: Effect) -> Terms:
     return (*(_position(True) if effect.turns else ()), *terms)
 
 
-def _law_terms(law: Law) -> tuple[Term, ...]:
-    """Return the friction coefficient of a law. For a table or a Python function only its argument is named."""
-    if law.coefficient is not None:
-        return (term("mu", law.coefficient),)
-    (argument,) = law.depends_on
-    return (Term("mu", f"mu({argument})", rf"\mu(\mathrm{{{argument}}})"),)
-
-
 def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
     """Return the terms of gravity and of each effect; "frozen" is the position without rotation."""
     every = {"gravity": GRAVITY, "frozen": _position(False)}
     every |= {effect.name: _effect_terms(effect) for effect in EFFECTS}
     shown = {}
     for name, added in every.items():
-        terms = (term(q, e, by_soil) for q, e in added)
-        shown[name] = tuple(terms)
+        shown[name] = tuple(term(q, e, by_soil) for q, e in added)
     return shown | ({"soils": tuple(term(q, e) for q, e in SOILS)} if by_soil else {})
 
 
 def laws() -> dict[str, tuple[Term, ...]]:
-    """Return the friction coefficient of each law."""
-    every = {law.name: _law_terms(law) for law in LAWS}
-    return every | {"callable": (Term("mu", "mu(slip)", r"\mu(\mathrm{slip})"),)}
+    """Return the friction coefficient of each law. For a table or a Python function only its argument is named."""
+    shown: dict[str, tuple[Term, ...]] = {}
+    for law in (*LAWS, CALLABLE):
+        argument = "".join(law.depends_on)
+        shown[law.name] = (Term("mu", f"mu({argument})", rf"\mu(\mathrm{{{argument}}})"),)
+        if law.coefficient is not None:
+            shown[law.name] = (term("mu", law.coefficient),)
+    return shown
 
 
 def equation_text() -> str:
@@ -208,8 +205,7 @@ def _as_tuples(terms: Mapping[str, Sequence[Term]]) -> dict[str, tuple[Any, ...]
     return {name: tuple(map(tuple, added)) for name, added in terms.items()}
 
 
-def _table(name: str, rows: Mapping[str, Any]) -> str:
+def _table(name: str, rows: Values) -> str:
     """Return the dictionary ``name`` as Python source with one row per line."""
-    lines = (f"    {key!r}: {value!r},\n" for key, value in rows.items())
-    body = "".join(lines)
+    body = "".join(f"    {key!r}: {value!r},\n" for key, value in rows.items())
     return f"{name} = {{\n{body}}}\n"

@@ -41,8 +41,9 @@ from derive.declare.effects import (
     Law,
     Parameter,
 )
+from derive.declare.symbols import Forms
 from derive.flow import pace
-from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, cell, series, total, varying
+from derive.flow.lowering import ONE, ZERO, Fragment, Increment, Lowering, Split, cell, series, total, varying
 
 # Inputs of every scene, over Theta*.
 INPUTS = {
@@ -84,7 +85,7 @@ def sign(q: Symbol) -> Expr:
     return DIRECTION if q in ODD else ONE
 
 
-def _position() -> dict[Symbol, tuple[Expr, Increment]]:
+def _position() -> dict[Symbol, Split]:
     """Return the weight's components at the start of a phase and their increments, zero for a frozen mass.
 
     q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
@@ -111,7 +112,7 @@ def _scaled(e: Expr) -> Expr:
     return expand(expand(expand(e).subs(over_theta)) / THETA)
 
 
-def quantities(effect: Effect) -> dict[str, Expr]:
+def quantities(effect: Effect) -> Forms:
     """Return the terms of an effect in the balance.
 
     Terms of one soil are multiplied by mu, by which `soils` divides.
@@ -126,8 +127,7 @@ def quantities(effect: Effect) -> dict[str, Expr]:
     if SOIL_MU not in effect.friction.free_symbols:
         return adds
     none = dict.fromkeys(SOIL_SUMS, ZERO)
-    of_soils = {y: expand(adds[x] * SLIP_MU) for x, y in SOIL_SUMS.items()}
-    return adds | none | of_soils
+    return adds | none | {y: expand(adds[x] * SLIP_MU) for x, y in SOIL_SUMS.items()}
 
 
 def odd(effect: Effect) -> set[Symbol]:
@@ -150,7 +150,7 @@ def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
     return True
 
 
-def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
+def moving(effect: Effect | None = None) -> dict[Symbol, Split]:
     """Return base and increment, by symbol, of what may change during a phase; without an effect, for a law."""
     speed = (ZERO, series("omega"))
     variables = _position()
@@ -247,8 +247,7 @@ def _log_speed(law: Law, low: Lowering) -> None:
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
     low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
     base = low.cell(-beyond)
-    over_start = low.cell(beyond / start)
-    low.put("lin", "relative_speed", base, ((over_start, "omega"),))
+    low.put("lin", "relative_speed", base, ((low.cell(beyond / start), "omega"),))
     low.put("log", "log_speed", "relative_speed")
 
 
@@ -380,8 +379,7 @@ def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAW
     for law in (*laws, CALLABLE):
         every[law.name] = law_fragment(law)
     factors = {cell(x): varying(x) for x in ("slip_mu", "rate_mu")}
-    both = Lowering("product", factors)
-    every["product"] = both.fragment({"mu": Mul(*factors)})
+    every["product"] = Lowering("product", factors).fragment({"mu": Mul(*factors)})
     soils = Lowering("soils", {cell(x): varying(x) for x in (*SOIL_SUMS.values(), "slip_mu")})
     every["soils"] = soils.fragment({x: cell(y) / SLIP_MU for x, y in SOIL_SUMS.items()})
     return every | {"balance": _balance(), "pace": pace.fragment(), "energy": _energy()}

@@ -1,7 +1,8 @@
 """Numbers shared by the integrators in C and in NumPy, declared once: the cells of a lane, and their codes."""
 
-from collections.abc import Mapping
 from typing import NamedTuple
+
+from derive.kinds import TextDict, TextMap
 
 # First cells of every program, in this order, with their meaning.
 CELLS = {
@@ -163,7 +164,7 @@ class Numbered(NamedTuple):
     words: str
     prefix: str
     first: int
-    members: Mapping[str, str]
+    members: TextMap
 
 
 # Enumerations by their names in the text of the integrator.
@@ -184,25 +185,26 @@ def python() -> str:
     """Return the module `generated.layout`."""
     parts = ['"""Places and meanings of the numbers of a lane, the same in NumPy and in C."""\n\n']
     for words, prefix, start, names in NUMBERED.values():
-        numbered = enumerate(names.items(), start)
-        lines = (f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in numbered)
-        rows = "".join(lines)
+        rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
     given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
     given["STRIDE"] = STRIDE
     return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
 
 
-def c() -> dict[str, str]:
+def c() -> TextDict:
     """Return the same for the compiled integrator, and the members of the struct of a program's roles, by mark."""
-    rows = [
-        [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]
-        for _, prefix, start, names in NUMBERED.values()
-    ]
-    rows += [[f"{x} = {y}" for x, y in LIMITS.items()]]
-    enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
+    rows = []
+    for _, prefix, start, names in NUMBERED.values():
+        row = [f"{prefix}{x}" for x in names]
+        if start:
+            row[0] += f" = {start}"
+        rows.append(row)
+    rows.append([f"{x} = {y}" for x, y in LIMITS.items()])
+    enums = [f"enum {{ {', '.join(row)} }};\n" for row in rows]
+    shares = [f"#define {x} {y}\n" for x, y in SHARES.items()]
     return {
-        "CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),
+        "CELLS": "".join(enums + shares),
         "SIZES": f"HIGHEST = {HIGHEST}, STRIDE = {STRIDE}, CELLS = {len(CELLS)}, PARTS = {len(TABLE) - 1}, "
         f"REGISTER_ROLES = {sum(not x.startswith('cell_') for x in ROLES)}",
         "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n",

@@ -40,12 +40,14 @@ from derive.declare.effects import (
     Effect,
     Law,
 )
+from derive.declare.symbols import Forms
 from derive.flow.fragments import CALLABLE, degree
 from derive.flow.link import lookup
 from derive.flow.link.definitions import OF_COHESION, OF_SOIL, Recipe
 from derive.flow.link.program import Program, build
 from derive.flow.lowering import ONE, ZERO, without_tanh
 from derive.flow.recurrences import CELLS, OPERATIONS, SeriesOperation
+from derive.kinds import Texts
 
 Cells = Mapping[str, Expr]
 
@@ -77,7 +79,7 @@ def since(parameter: str) -> Symbol:
 # --- the program -----------------------------------------------------------------------------------------------------
 
 
-def rates(program: Program, known: Cells) -> dict[str, Expr]:
+def rates(program: Program, known: Cells) -> Forms:
     """Return the rates of the states of a program at a moment, and its normal force if that varies during a phase.
 
     ``known`` are cells at the start of the phase by name.
@@ -272,9 +274,7 @@ def symbols_at(
     return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: slip}
 
 
-def derived_rates(
-    effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells
-) -> dict[str, Expr]:
+def derived_rates(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells) -> Forms:
     """Return the rates of the states by (3.11) with the declared terms of effects, and the normal force, over Theta*.
 
     Rotation and centripetal stress follow from the balance laws.
@@ -332,12 +332,12 @@ def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequ
     yield from ((turning, (constant, replace(law, name=law.name + OF_COHESION))) for law in of_slip)
 
 
-def prove(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = (*LAWS, CALLABLE)) -> list[str]:
+def prove(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = (*LAWS, CALLABLE)) -> Texts:
     """Prove that programs of effects and laws are (3.11); return the claims."""
     return [claim for case in cases(effects, laws) for claim in prove_case(*case)]
 
 
-def prove_case(effects: Sequence[Effect], laws: Sequence[Law]) -> list[str]:
+def prove_case(effects: Sequence[Effect], laws: Sequence[Law]) -> Texts:
     """Prove that the program of these effects and laws is (3.11), in both directions of travel and in all phases.
 
     The drive at the start is computed from the limit friction (3.21), later from the terms of the balance. All

@@ -16,11 +16,15 @@ from sympy import Add, Expr, Integer, Min, Mul, Rational, Symbol, Tuple, cos, ex
 from derive.algebra.remainders import Exp, Select
 from derive.check.proof import ProofError
 from derive.code.program import program
+from derive.declare.symbols import Forms
 from derive.flow.recurrences import OPERATIONS, Q, first
+from derive.kinds import Names, Texts
 
 # Increment: the coefficient of each product of registers, whose names are in order.
 Increment = Mapping[tuple[str, ...], Expr]
-Moving = Mapping[Symbol, tuple[Expr, Increment]]  # base and increment by symbol
+Split = tuple[Expr, Increment]  # base and increment
+Moving = Mapping[Symbol, Split]
+Products = tuple[tuple[str, str], ...]  # of cells and registers, by name
 ONE = Integer(1)
 ZERO = Integer(0)
 KNOWN = "sums, products, powers, exp, log, sin, cos and tanh, and min and max that change branch at a parameter"
@@ -36,14 +40,14 @@ def series(name: str, coefficient: Expr = ONE) -> Increment:
     return {(name,): coefficient}
 
 
-def varying(name: str) -> tuple[Expr, Increment]:
+def varying(name: str) -> Split:
     """Return base and increment of a quantity with the cell ``x_0`` and the register ``dx``."""
     return cell(f"{name}_0"), series(f"d{name}")
 
 
-def total(*terms: tuple[Expr, Increment]) -> Increment:
+def total(*terms: Split) -> Increment:
     """Return the sum of increments, each multiplied by its factor, without terms that are zero."""
-    coefficients: dict[tuple[str, ...], Expr] = defaultdict(lambda: ZERO)
+    coefficients: dict[Names, Expr] = defaultdict(lambda: ZERO)
     for factor, increment in terms:
         for product, coefficient in increment.items():
             coefficients[product] += factor * coefficient
@@ -60,8 +64,7 @@ def times(a: Increment, b: Increment) -> Increment:
     terms = []
     for p, c in a.items():
         for q, d in b.items():
-            product = tuple(sorted(p + q))
-            terms.append((c * d, {product: ONE}))
+            terms.append((c * d, {tuple(sorted(p + q)): ONE}))
     return total(*terms)
 
 
@@ -93,10 +96,10 @@ class Lowering:
     name: str
     moving: Moving
     series: list[tuple[object, ...]] = field(default_factory=list)
-    cells: dict[str, Expr] = field(default_factory=dict)  # results of the prologue, by name
+    cells: Forms = field(default_factory=dict)  # results of the prologue, by name
     count: int = 0
 
-    def split(self, e: Expr) -> tuple[Expr, Increment]:
+    def split(self, e: Expr) -> Split:
         """Return the base of an expression, its value at the start of the phase, and its increment since then."""
         if e in self.moving:
             return self.moving[e]
@@ -113,7 +116,7 @@ class Lowering:
             return self._product([e.base] * int(e.exp))
         return self.function(e)
 
-    def _sum(self, terms: Iterable[Expr]) -> tuple[Expr, Increment]:
+    def _sum(self, terms: Iterable[Expr]) -> Split:
         """Return base and increment of the sum of these terms."""
         bases = []
         increments = []
@@ -123,7 +126,7 @@ class Lowering:
             increments.append((ONE, increment))
         return Add(*bases), total(*increments)
 
-    def _product(self, factors: Iterable[Expr]) -> tuple[Expr, Increment]:
+    def _product(self, factors: Iterable[Expr]) -> Split:
         """Return base and increment of a product by d(a b) = a_0 db + b_0 da + da db."""
         base = ONE
         increment = total()
@@ -133,7 +136,7 @@ class Lowering:
             base = base * b
         return base, increment
 
-    def function(self, e: Expr) -> tuple[Expr, Increment]:
+    def function(self, e: Expr) -> Split:
         """Return base and increment of exp, log, a power, sin or cos, by an operation on the argument's increment."""
         b, d = self.split(e.base if e.is_Pow else e.args[0])
         relative = total((1 / b, d)) if b != 0 else {}
@@ -204,7 +207,7 @@ class Lowering:
         """Define the register of a complete quantity from the cell of its base and the register of its increment."""
         self.put("lin", name, base, (("=1.0", increment),))
 
-    def product(self, registers: tuple[str, ...]) -> str:
+    def product(self, registers: Names) -> str:
         """Return the register that contains the product of these registers."""
         result, *rest = registers
         for other in rest:
@@ -216,12 +219,11 @@ class Lowering:
             result = name
         return result
 
-    def sum(self, increment: Increment) -> tuple[tuple[str, str], ...]:
+    def sum(self, increment: Increment) -> Products:
         """Return an increment as a sum of pairs (cell, register), each a product."""
         terms = []
         for registers, coefficient in increment.items():
-            number = self.cell(coefficient)
-            terms.append((number, self.product(registers)))
+            terms.append((self.cell(coefficient), self.product(registers)))
         return tuple(terms)
 
     def cell(self, e: Expr, name: str = "") -> str:
@@ -238,7 +240,7 @@ class Lowering:
         self.cells[name] = e
         return name
 
-    def add(self, e: Expr, quantity: str) -> tuple[str, str, tuple[tuple[str, str], ...]]:
+    def add(self, e: Expr, quantity: str) -> tuple[str, str, Products]:
         """Return base, size of the base's terms, and increment of the term ``e`` that is added to a quantity.
 
         Base and size are names of cells, the increment pairs (cell, register).
@@ -247,8 +249,7 @@ class Lowering:
         base, scale = self.base(e, direct)
         name = f"{self.name}.{quantity}"
         base_cell = self.cell(base, name)
-        size_cell = self.cell(scale, f"{name}_size")
-        return base_cell, size_cell, self.sum(increment)
+        return base_cell, self.cell(scale, f"{name}_size"), self.sum(increment)
 
     def base(self, e: Expr, direct: Expr) -> tuple[Expr, Expr]:
         """Return a base of the term ``e`` and the size of its terms; ``direct`` is its value at the phase's start.
@@ -295,7 +296,7 @@ class Lowering:
             tables=tables,
         )
 
-    def scalar(self) -> tuple[tuple[str, ...], ...]:
+    def scalar(self) -> tuple[Names, ...]:
         """Return the prologue: rows of an operation, its result and its operands, cells by name.
 
         Constants are named by their value, ``=2.0``.
@@ -306,7 +307,7 @@ class Lowering:
         first_names: dict[int, str] = {}
         for name, index in outputs.items():
             first_names.setdefault(index, name)
-        names: list[str] = []
+        names: Texts = []
         operations = []
         for index, op in enumerate(prologue.ops):
             if op.kind == "input":
@@ -316,8 +317,7 @@ class Lowering:
             else:
                 names.append(first_names.get(index, f"{self.name}.t{index}"))
                 operations.append((op.kind, names[index], *(names[j] for j in op.args)))
-        copies = [("set", name, names[i]) for name, i in outputs.items() if names[i] != name]
-        return (*operations, *copies)
+        return (*operations, *(("set", name, names[i]) for name, i in outputs.items() if names[i] != name))
 
 
 def size(e: Expr) -> Expr:

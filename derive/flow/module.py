@@ -2,13 +2,12 @@
 
 import ast
 import inspect
-from collections.abc import Sequence
 from types import ModuleType
 
 from sympy import Float, sstr
 
 from derive.code.emit import filled
-from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
+from derive.declare.effects import LAWS, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.link import definitions, integers, linker, program, soils
@@ -18,17 +17,16 @@ from derive.flow.recurrences import RESULTS
 LINKER = (definitions, linker, program, soils, integers)
 
 
-def flow_module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
+def flow_module() -> str:
     """Return the text of the module."""
     blocks = {
         "INPUTS": {name: repr(meaning) for name, meaning in INPUTS.items()},
-        "PIECES": {law.name: _pieces(law) for law in laws if law.kinks},
-        "FRAGMENTS": {name: _fragment(f) for name, f in fragments(effects, laws).items()},
+        "PIECES": {law.name: _pieces(law) for law in LAWS if law.kinks},
+        "FRAGMENTS": {name: _fragment(f) for name, f in fragments().items()},
     }
     marks = {}
     for mark, rows in blocks.items():
-        lines = (f"    {x!r}: {row},\n" for x, row in rows.items())
-        marks[mark] = "".join(lines)
+        marks[mark] = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
     marks |= {"FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.equation_text()}
     return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES), "RESULTS": repr(RESULTS)})
 
@@ -76,5 +74,4 @@ def _without_imports(part: ModuleType) -> str:
     """Return the source of a module after its last ``from`` import."""
     source = inspect.getsource(part)
     *_, last = (x for x in ast.parse(source).body if isinstance(x, ast.ImportFrom))
-    body = source.splitlines()[last.end_lineno :]
-    return "\n".join(body).strip("\n")
+    return "\n".join(source.splitlines()[last.end_lineno :]).strip("\n")

@@ -11,10 +11,11 @@ where net(mu) is the net moment under a constant friction mu.
 from sympy import Expr
 
 from derive.declare.effects import SPEED
+from derive.declare.symbols import Forms
 from derive.flow.lowering import ZERO, Fragment, Lowering, cell, series, varying
 
 
-def of_friction(coefficient: Expr) -> dict[str, Expr]:
+def of_friction(coefficient: Expr) -> Forms:
     """Return far and pace of a friction coefficient by cell, empty unless it is such a quotient."""
     far, change = coefficient.as_independent(SPEED, as_Add=True)
     _, quotient = change.as_independent(SPEED, as_Add=False)

@@ -31,6 +31,8 @@ from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import expm1, log1p, unfold
 from derive.code import operations
 from derive.declare.effects import DEGREE
+from derive.declare.symbols import Forms
+from derive.kinds import Texts, Values
 
 CELLS = {name: o for name, o in operations.OPERATIONS.items() if o.vector}  # operations on numbers of lanes
 n, k = symbols("n k", integer=True)
@@ -122,7 +124,7 @@ SCALAR = {name: code for code, name in enumerate(CELLS)}
 RESULTS = {o.name: len(o.results) for o in OPERATIONS.values() if len(o.results) > 1}  # other operations have one
 
 
-def prove(order: int = 6) -> list[str]:
+def prove(order: int = 6) -> Texts:
     """Prove each operation's coefficients equal to SymPy's series of its definition, and return the claims."""
     claims = []
     for o in OPERATIONS.values():
@@ -154,8 +156,7 @@ def _coefficients(o: SeriesOperation, highest: int) -> dict[IndexedBase, tuple[E
         coefficients[Z] = (y - 1, *others)
         rates[y] = rates[z]
     if Q in o.arguments:  # coefficients of the other argument times their order
-        other = coefficients[o.arguments[-1]]
-        coefficients[Q] = tuple(i * x for i, x in enumerate(other))
+        coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
     first_two: dict[Expr, Expr] = {}
     for x, a in coefficients.items():
         first_two[x] = a[0]
@@ -177,14 +178,14 @@ def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
     return e.xreplace(named)
 
 
-def _cell(name: str, cells: Mapping[str, Any]) -> Any:
+def _cell(name: str, cells: Values) -> Any:
     """Return a cell by its name. ``=1.0`` is a constant, and an unknown cell a symbol."""
     if name in cells:
         return cells[name]
     return Float(name[1:]) if name.startswith("=") else Symbol(name, real=True)
 
 
-def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> dict[str, Expr]:
+def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> Forms:
     """Return order 0 of every register that operations on series compute, from order 0 of the given registers.
 
     ``series`` are rows of the operation, its results and its operands, and ``cells`` are known numbers by name.

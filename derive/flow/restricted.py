@@ -6,14 +6,14 @@ Statements outside this grammar are rejected with file and line.
 """
 
 import ast
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import factorial
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from derive.flow import layout
 from derive.flow.integrator import TEXT, one_lane
+from derive.kinds import TextMap, ValueDict, Values
 
 FOLDER = Path(one_lane.__file__).parent
 
@@ -35,9 +35,10 @@ SIGNS = {
     ast.Eq: "==",
     ast.NotEq: "!=",
 }
-CODES: dict[str, tuple[str, Mapping[str, Any]]] = {
-    x: (row.prefix, row.members) for x, row in layout.NUMBERED.items()
-} | {"Limit": ("", layout.LIMITS), "Share": ("", layout.SHARES)}
+CODES: dict[str, tuple[str, Values]] = {x: (row.prefix, row.members) for x, row in layout.NUMBERED.items()} | {
+    "Limit": ("", layout.LIMITS),
+    "Share": ("", layout.SHARES),
+}
 # Entries of lanes, of one lane, of tables and of states, by the kind of their owner: category and kind of each.
 _OF_LANES = {
     **{x.lower(): ("CELL", "V") for x in (*layout.CELLS, *layout.WORKING)},
@@ -63,9 +64,7 @@ ENTRIES |= {
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
-    **dict.fromkeys(
-        ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt", "hypot", "number"), ""
-    ),
+    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt", "number"), ""),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at"), "V"),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
@@ -75,13 +74,23 @@ PRIMITIVES = {
     "tail": "S",
     "numbers": "A",
     "none_of": "M",
-    "isnan": "B",
 }
 
 
 # Constants that `one_lane` defines.
-GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS", "SHORTEST", "NODES", "SHARES", "LAST_SHARES",
-         "NEXT_SHARES")  # fmt: skip
+GIVEN = (
+    "EPS",
+    "INFINITY",
+    "SINES",
+    "COSINES",
+    "ARCSINE",
+    "LAST_OF_ARCSINE",
+    "SHORTEST",
+    "NODES",
+    "SHARES",
+    "LAST_SHARES",
+    "NEXT_SHARES",
+)
 
 
 class GrammarError(Exception):
@@ -95,7 +104,7 @@ class RestrictedFunction:
     name: str
     path: str
     node: ast.FunctionDef
-    parameters: Mapping[str, str]
+    parameters: TextMap
     returns: str
 
     @property
@@ -115,7 +124,7 @@ class Text:
     """Functions of the text by name, in order, and its constants, numbers or tuples of numbers."""
 
     functions: dict[str, RestrictedFunction] = field(default_factory=dict)
-    constants: dict[str, Any] = field(default_factory=lambda: {x: getattr(one_lane, x) for x in GIVEN})
+    constants: ValueDict = field(default_factory=lambda: {x: getattr(one_lane, x) for x in GIVEN})
 
     def read(self, source: str, path: str) -> None:
         """Add the functions and constants of a module from its source text. ``path`` names it in error messages."""
@@ -125,12 +134,12 @@ class Text:
                     parameters = {x.arg: annotation(x.annotation, path, node) for x in arguments}
                     result = annotation(returns, path, node)
                     self.functions[node.name] = RestrictedFunction(node.name, path, node, parameters, result)
-                case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                case ast.Assign(targets=[ast.Name(id=name)], value=value) if name not in self.constants:
                     self.constants[name] = eval(ast.unparse(value), {"factorial": factorial, **self.constants})
                 case ast.Expr(value=ast.Constant()) | ast.ImportFrom():
                     pass
                 case _:
-                    refuse_node(path, node, "a module has imports, constants and functions")
+                    refuse_node(path, node, "a module has imports, functions, and constants with one value in all modules")
 
     def names_of(self, function: RestrictedFunction) -> set[str]:
         """Return the names of the functions of the text that a function calls."""

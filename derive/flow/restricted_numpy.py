@@ -7,7 +7,7 @@ import ast
 from collections.abc import Iterator
 
 from derive.flow.restricted import RestrictedFunction, Text
-from derive.flow.writer import TypedExpression, Writer
+from derive.flow.writer import TypedExpression, Writer, stored_in
 
 TYPES = {
     "V": "Floats",
@@ -80,8 +80,6 @@ FORMS = {
     "expm1": "np.expm1",
     "log1p": "np.log1p",
     "sqrt": "np.sqrt",
-    "hypot": "np.hypot",
-    "isnan": "np.isnan",
     "number": "float",
     "number.F": "{a}",
     "new_series": "np.zeros((ix.STRIDE, {series}.shape[1]))",
@@ -155,7 +153,7 @@ class NumPy(Writer):
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
-        changed = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+        changed = stored_in(s)
         kept = [f"{x}_{mark}" for x in names]
         known = ", ".join([*names, f"place_{mark}"])
         yield f"{', '.join(kept)} = {', '.join(f'{x}.copy()' if x in changed else x for x in names)}"
@@ -205,5 +203,4 @@ def numpy_functions(text: Text) -> str:
     """Return the NumPy source of all functions of the restricted text, preceded by its constants."""
     lines = [f"{x} = {value!r}" for x, value in text.constants.items() if x != "INFINITY"]
     lines.append("INFINITY = np.inf")
-    functions = (NumPy(text, f).source() for f in text.functions.values())
-    return "\n\n\n".join(["\n".join(lines), *functions]) + "\n"
+    return "\n\n\n".join(["\n".join(lines), *(NumPy(text, f).source() for f in text.functions.values())]) + "\n"

@@ -10,6 +10,7 @@ from derive.code.emit import filled
 from derive.code.program import program
 from derive.code.text import Language, statements
 from derive.flow.recurrences import CELLS, OPERATIONS, SCALAR, SERIES, SeriesOperation, k, n
+from derive.kinds import TextDict, Texts
 
 
 class _Sum(NamedTuple):
@@ -108,7 +109,7 @@ def _sums(o: SeriesOperation) -> list[_Sum]:
     return sums
 
 
-def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ()) -> tuple[list[str], list[str]]:
+def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ()) -> tuple[Texts, Texts]:
     """Return statements in a language that compute the forms, and the text of each form.
 
     Coefficients of series are inputs by their text, 1/n is `by_n`, and ``sums`` are replaced by their names.
@@ -121,11 +122,10 @@ def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ())
         coefficients = (*e.atoms(Indexed), n, k)
         plain.append(e.xreplace({x: Symbol(str(x), real=True) for x in coefficients}))
     inputs = {x.name for e in plain for x in e.free_symbols}
-    made = program("series", tuple(sorted(inputs)), *plain)
-    return statements(made, language)
+    return statements(program("series", tuple(sorted(inputs)), *plain), language)
 
 
-def _body(o: SeriesOperation, target: _Target) -> tuple[list[str], list[str]]:
+def _body(o: SeriesOperation, target: _Target) -> tuple[Texts, Texts]:
     """Return statements for order 0 and for order n. A result may be used by later results."""
     start, texts = _texts(o.start, target.language)
     for x, e, text in zip(o.results, o.start, texts, strict=True):
@@ -167,7 +167,7 @@ def _indented(lines: Iterable[str], by: int) -> str:
     return "\n".join(" " * by + x for x in lines)
 
 
-def _loop(sums: Sequence[_Sum]) -> list[str]:
+def _loop(sums: Sequence[_Sum]) -> Texts:
     """Return the lines of C with the loop of all sums of an operation, none without sums."""
     if not sums:
         return []
@@ -195,14 +195,13 @@ def _c_case(o: SeriesOperation) -> str:
     )
 
 
-def c_operations() -> dict[str, str]:
+def c_operations() -> TextDict:
     """Return codes, operands and cases of the operations on series and cells as C text, by marks of the template."""
     codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in CELLS])
     enums = (f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
     named = [(1, 0), (1, 1)]
     for o in OPERATIONS.values():
-        registers = len(o.results) + len(o.arguments)
-        named.append((registers, len(o.numbers)))
+        named.append((len(o.results) + len(o.arguments), len(o.numbers)))
     arguments = []
     cases = ""
     for name, operation in CELLS.items():
@@ -212,12 +211,11 @@ def c_operations() -> dict[str, str]:
         case = f"{{ {loads}*d = IN(choose)(here, {text}, *d); at += {3 + len(others)}; break; }}"
         arguments.append(1 + len(others))
         cases += f"        case S_{name.upper()}: {case}\n"
-    series = map(_c_case, OPERATIONS.values())
     return {
         "CODES": "".join(enums),
         "NAMED": ", ".join(f"{{{x}, {y}}}" for x, y in named),
         "ARGUMENTS": ", ".join(map(str, arguments)),
-        "SERIES": "".join(series),
+        "SERIES": "".join(map(_c_case, OPERATIONS.values())),
         "CELL_OPERATIONS": cases,
     }
 

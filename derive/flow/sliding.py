@@ -95,7 +95,8 @@ def prove() -> str:
         if net > 0 > after:
             expected += _peak(speed, net, after)
         for name, value, derived in zip(names, found, expected, strict=False):
-            exact = nsimplify(value, rational=True)
-            difference = exact - derived
-            prove_rational(difference.xreplace(of_units), f"{name} in a piece in which a mass {case}")
+            prove_rational(
+                (nsimplify(value, rational=True) - derived).xreplace(of_units),
+                f"{name} in a piece in which a mass {case}",
+            )
     return f"speed, path, standstill and peak in {len(rows)} kinds of pieces"

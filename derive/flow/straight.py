@@ -16,6 +16,7 @@ from derive.flow.link import lookup
 from derive.flow.link.definitions import Recipe
 from derive.flow.link.program import Program, build
 from derive.flow.recurrences import OPERATIONS
+from derive.kinds import TextDict, Texts
 
 # Parameters that change along the motion: none, a level of water, a record in one direction or in two.
 MOVING: tuple[tuple[Symbol, ...], ...] = ((), (WATER,), (K_H,), (K_H, K_V))
@@ -50,7 +51,7 @@ def programs() -> Iterator[Program]:
         yield build(recipe, parts)
 
 
-def operation(kind: str, *places: Any) -> list[str]:
+def operation(kind: str, *places: Any) -> Texts:
     """Return an operation of a program as C reads it: a list of C expressions, with CELL for each cell or missing cell.
 
     ``places`` are the numbers of its results, registers and cells, as in `Program.series`.
@@ -67,7 +68,7 @@ def operation(kind: str, *places: Any) -> list[str]:
     return [kind.upper(), *(f"{register} * STRIDE" for register in registers), *["CELL"] * cells]
 
 
-def c_programs() -> dict[str, str]:
+def c_programs() -> TextDict:
     """Return programs as integers, as functions, and as a table of these functions, by their marks in the C text."""
     patterns = functions = rows = ""
     for k, program in enumerate(programs()):

@@ -1,7 +1,7 @@
 """Translation of restricted Python to another language: statements, expressions, kinds, and rejected constructs."""
 
 import ast
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NoReturn
 
@@ -17,6 +17,7 @@ from derive.flow.restricted import (
     annotation,
     refuse_node,
 )
+from derive.kinds import TextMap
 
 
 @dataclass
@@ -35,7 +36,7 @@ class Writer:
     function of a `Lane` or in the body of an ``if`` on a mask.
     """
 
-    forms: Mapping[str, str]
+    forms: TextMap
 
     def __init__(self, text: Text, function: RestrictedFunction) -> None:
         self.all = text
@@ -82,8 +83,7 @@ class Writer:
             case ast.Subscript():
                 return self._element(e)
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-                values = [self.value(x) for x in arguments]
-                return self._call(name, values, e)
+                return self._call(name, [self.value(x) for x in arguments], e)
             case ast.IfExp(test=test, body=a, orelse=b):
                 chosen, *ends = map(self.value, (test, a, b))
                 if chosen.kind != "N":
@@ -131,8 +131,7 @@ class Writer:
         """Return the text and the kind of a variable or constant. ``e`` is its place in error messages."""
         if kind := self.kinds.get(name):
             here = self._here(kind)
-            text = name if here == kind else self.say("of_lane", name)
-            return TypedExpression(text, here)
+            return TypedExpression(name if here == kind else self.say("of_lane", name), here)
         if name not in self.all.constants:
             self.refuse(e, f"{name} has no value here")
         return TypedExpression(name, "N" if isinstance(self.all.constants[name], int) else "K")
@@ -287,8 +286,7 @@ class Writer:
             self.refuse(s, "a loop counts between integers that all lanes share")
         name = ast.unparse(s.target)
         self.kinds[name] = "N"
-        head = self.say(way, bare(first.text), of=name, to=bare(last.text))
-        yield from self.block(head, s.body)
+        yield from self.block(self.say(way, bare(first.text), of=name, to=bare(last.text)), s.body)
 
     def _if(self, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that is shared by all lanes, or decided by each."""
@@ -318,7 +316,7 @@ class Writer:
     def _by_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that lanes decide separately."""
         outside = set(self.kinds)
-        assigned = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+        assigned = stored_in(s)
         if shared := outside & assigned:
             names = ", ".join(sorted(shared))
             self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
@@ -343,6 +341,11 @@ class Writer:
     def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
         raise NotImplementedError
+
+
+def stored_in(s: ast.stmt) -> set[str]:
+    """Return the names to which a statement assigns values."""
+    return {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
 
 
 def joined(values: Sequence[TypedExpression], order: str = "VFIKN") -> str:

@@ -23,6 +23,7 @@ from derive.declare.effects import (
 from derive.declare.limits import LEAST, LIMITS, OTHER_UNITS, QUESTIONED_FRICTION, USUAL, USUAL_FRICTION
 from derive.declare.symbols import in_words
 from derive.flow.equation import term
+from derive.kinds import Names
 
 
 def effects_module() -> str:
@@ -33,8 +34,7 @@ def effects_module() -> str:
     rows["COHESION_LAWS"] = COHESION_LAWS
     texts = {}
     for mark, entries in rows.items():
-        lines = (f"    {e.name!r}: {_effect(e)},\n" for e in entries)
-        texts[mark] = "".join(lines)
+        texts[mark] = "".join(f"    {e.name!r}: {_effect(e)},\n" for e in entries)
     return filled("_effects.py.in", {mark: repr(value) for mark, value in marks.items()} | texts)
 
 
@@ -62,7 +62,7 @@ def _parameter(p: Parameter) -> str:
 _NOTATION = {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho", REFERENCE: "sigma_ref"}
 
 
-def formulas(effect: Effect) -> tuple[str, ...]:
+def formulas(effect: Effect) -> Names:
     """Return the terms of an effect in the balance, and definitions of dimensionless parameters, marked by a star."""
     starred = {symbol: p for symbol, p in effect.symbols.items() if p.dimensionless != VALUE}
     stars = {symbol: Symbol(f"{symbol}_star") for symbol in starred}

@@ -16,6 +16,7 @@ from derive.code.emit import identifier
 from derive.code.operations import OPERATIONS
 from derive.code.program import Program, without_dead
 from derive.code.text import Language, Part, Reader, seam, statements
+from derive.kinds import Texts
 
 HALF_PI = float.fromhex("0x1.921fb54442d18p+0")
 # Largest alpha of the domain, since half discs given in degrees are slightly above pi/2.
@@ -143,7 +144,7 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
     return emit.filled("_kernels.c", marks)
 
 
-def _loops_and_table(variants: Sequence[Variant]) -> tuple[list[str], list[str]]:
+def _loops_and_table(variants: Sequence[Variant]) -> tuple[Texts, Texts]:
     """Return a loop for each tier in double and for each kernel in float, and the table of ufuncs."""
     tiers = {(v.kernel, v.tier): v for v in variants}
     double_loops = []

@@ -24,8 +24,7 @@ _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 
 def public_functions(proved: Sequence[Record]) -> list[Function]:
     """Return the base quantities, their quotients, and the functions of both ends, with their proved accuracy."""
-    closed = closed_forms()
-    formulas = {name: str(form) for name, form in closed.items()}
+    formulas = {name: str(form) for name, form in closed_forms().items()}
     for q in QUOTIENTS:
         formulas[q.name] = f"{q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
     quantities: tuple[Moment | Elementary | Quotient, ...] = (*MOMENTS, RESISTANCE, *QUOTIENTS)
@@ -69,7 +68,7 @@ def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
     """Return the proved bounds of the kernel ``name`` in words, from the records of its certificates."""
     mine = [r for r in proved if r["kernel"] == name]
-    bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
+    bounds = {(str(r["tier"]), r["form"]): r["bound"] for r in mine}
     (unit_of_best,) = {unit(r) for r in mine if r["tier"] == "best"}
     fused = bounds["best", "fused"]
     plain = bounds["best", "plain"]

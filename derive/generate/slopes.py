@@ -110,4 +110,4 @@ def slopes_module() -> str:
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
         f"`closed`.\nREACH, NODES = {float(REACH)!r}, {NODES}\n"
     )
-    return emit.plain_module(TITLE, functions, constants)
+    return emit.plain_module(TITLE, functions, constants, imports="\nfrom generated._evaluate import horner\n")

@@ -21,6 +21,7 @@ from derive.code import emit
 from derive.declare.quantities import QUOTIENTS
 from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
+from derive.kinds import TextDict, TextMap, Texts, ValueDict
 from derive.stages import RECORD, digest_of, stage
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -28,7 +29,7 @@ FOLDER = ROOT / "generated"
 MEND = "python -m derive"
 
 
-def flow_files() -> dict[str, str]:
+def flow_files() -> TextDict:
     """Return the files that depend on `derive.flow` and the declared laws and effects, by name."""
     integrator = restricted.integrator()
     text = {"INTEGRATOR": restricted_c.c_functions(integrator), "PROCESSOR": emit.PROCESSOR}
@@ -46,7 +47,7 @@ def flow_files() -> dict[str, str]:
     return written | {browser.NAME: browser.browser_text(written["_flow.c"], FOLDER / browser.NAME)}
 
 
-def kernel_files() -> dict[str, str]:
+def kernel_files() -> TextDict:
     """Return all other files by name: the kernels are approximated and certified as far as no certificate serves."""
     kernels = shapes.kernels()
     stage("kernels", "definition", lambda: sum(map(shapes.agree, kernels)), "{} comparisons with the checker's")
@@ -56,12 +57,12 @@ def kernel_files() -> dict[str, str]:
     return stage("kernels", "emit", lambda: _kernel_texts(proved), "")
 
 
-def slope_files() -> dict[str, str]:
+def slope_files() -> TextDict:
     """Return the file that depends on `derive.algebra.slopes`, by name."""
     return _written({"slopes.py": slopes.slopes_module()})
 
 
-def _kernel_texts(proved: list[Record]) -> dict[str, str]:
+def _kernel_texts(proved: list[Record]) -> TextDict:
     """Return all files that do not depend on `derive.flow`, from the records of the kernels."""
     kernels = functions.public_functions(proved)
     closed = integrate.closed_forms()
@@ -86,7 +87,7 @@ def _kernel_texts(proved: list[Record]) -> dict[str, str]:
     return _written(texts | certificates.files(proved))
 
 
-def _written(texts: Mapping[str, str]) -> dict[str, str]:
+def _written(texts: TextMap) -> TextDict:
     """Return texts with wrapped lines and headers."""
     wrapped = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
     return {name: header(name, text) + text for name, text in wrapped.items()}
@@ -107,7 +108,7 @@ def header(name: str, text: str) -> str:
 
 def tiers_module(records: Iterable[Record], digest: str) -> str:
     """Return the module with the proved bounds for the runtime, and the digest of the C source to which they apply."""
-    kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
+    kernels: dict[str, ValueDict] = {}
     # Relative error of one ulp in [1, 2).
     ulps = {"ulp": 2.0**-52, "ulp of float32": 2.0**-23}
     for record in records:
@@ -142,7 +143,7 @@ def definitions_module(closed: Mapping[str, Expr]) -> str:
     )
 
 
-def _package(names: list[str]) -> str:
+def _package(names: Texts) -> str:
     """Return the text of `generated/__init__.py`, which imports the functions of these names."""
     listed = "".join(f"    {n},\n" for n in sorted(names))
     quoted = "".join(f'    "{n}",\n' for n in sorted(names))
@@ -154,7 +155,7 @@ def _package(names: list[str]) -> str:
     )
 
 
-def present_files(folder: Path = FOLDER) -> dict[str, str]:
+def present_files(folder: Path = FOLDER) -> TextDict:
     """Return the text of each file; caches, binaries, the record of a run and files of a killed build are left out."""
     return {
         str(path.relative_to(folder)): path.read_text(encoding="utf-8")
@@ -185,7 +186,7 @@ def importable(parent: Path) -> None:
         raise ProofError("generated: import", done.stderr.strip().splitlines()[-1], "no error")
 
 
-def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], None] = lambda _: None) -> list[str]:
+def write(texts: TextDict, folder: Path = FOLDER, tried: Callable[[Path], None] = lambda _: None) -> Texts:
     """Write a new tree beside the folder, apply ``tried`` to it, replace changed files, and return their names.
 
     ``texts`` are the texts of all files by name, and files without a text are removed. ``tried`` receives the tree's
@@ -212,7 +213,7 @@ def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], 
     return changed
 
 
-def difference(texts: dict[str, str], folder: Path = FOLDER) -> str:
+def difference(texts: TextDict, folder: Path = FOLDER) -> str:
     """Return a unified diff from the folder's files to the given texts by name, empty if they are identical."""
     present_texts = present_files(folder) if folder.is_dir() else {}
     diff = ""

@@ -8,6 +8,7 @@ import mpmath as mp
 from sympy import Expr, oo, pi
 
 from derive.algebra.appendices import Appendix
+from derive.kinds import Names, TextPair
 
 VERDICTS = {
     "holds": "the form equals the form derived from what precedes it, or every value lies in the claimed range",
@@ -40,7 +41,7 @@ class Cause:
     words: str
     verdict: Literal["imprecise", "misprint", "wrong"]
     value: Callable[[], mp.mpf] | None = None
-    edit: tuple[str, str] = ("", "")
+    edit: TextPair = ("", "")
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ class Claim:
     dimension: str = ""
     law: Callable[[Expr], Iterable[Expr]] | None = None
     weight: Expr | None = None
-    given: tuple[str, ...] = ()
+    given: Names = ()
     domain: tuple[tuple[str, Any, Any], ...] = ()
     subject: Appendix | None = None
 

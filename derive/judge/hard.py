@@ -104,8 +104,7 @@ def _of_ends(terms: Mapping[str, Expr], of_alpha: Mapping[str, Form]) -> dict[st
     ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
     naive = {}
     for name, (words, form) in turned.items():
-        further = ("mu",) if form.has(_MU) else ()
-        rounded = program(name, ("theta_1", "theta_2", *further), form, let=ends)
+        rounded = program(name, ("theta_1", "theta_2", *(("mu",) if form.has(_MU) else ())), form, let=ends)
         naive[name] = Form(f"{words}, angles rounded", rounded, form.subs(ends))
     return naive
 
@@ -187,8 +186,7 @@ def measured() -> list[Result]:
     """Run all forms of every case and return their errors relative to the exact form."""
     solved = _solved()
     every = (*variants(), *variants_of_ends())
-    programs = [v.program for v in every if v.tier == "best" and v.form != "fused"]
-    ours = {p.name: p.run for p in programs}
+    ours = {v.program.name: v.program.run for v in every if v.tier == "best" and v.form != "fused"}
     results = []
     for case in track(hard_cases(), "hard cases measured", len(hard_cases())):
         form = forms()[case.function]

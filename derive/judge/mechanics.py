@@ -5,7 +5,6 @@ The paper's postulates about them and about the stress are in `derive.judge.post
 """
 
 from functools import cache
-from typing import Any
 
 import sympy as sp
 from sympy import (
@@ -33,7 +32,8 @@ from sympy import (
 from derive.algebra import dynamics
 from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
 from derive.declare.quantities import CHORD, RESISTANCE
-from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1, theta_2, u
+from derive.declare.symbols import Forms, a, alpha, b, omega_0, r, t, theta, theta_1, theta_2, u
+from derive.kinds import ValueDict
 
 Pair = tuple[Expr, Expr]
 
@@ -66,8 +66,7 @@ def rate(order: int) -> Pair:
 
 def planar() -> Expr:
     """Return the component normal to a plane of the acceleration of a point that moves along the plane."""
-    travel = Function("s")(t)
-    x, y = ((travel * f(theta)).diff(t, 2) for f in (cos, sin))
+    x, y = ((Function("s")(t) * f(theta)).diff(t, 2) for f in (cos, sin))
     return basis(x, y)[1]
 
 
@@ -122,8 +121,7 @@ def chord() -> Expr:
     first = R * _direction(theta_1)
     second = R * _direction(theta_1 + 2 * alpha)
     ray = r * _direction(theta)
-    collinear = Matrix.hstack(ray - first, second - first).det()
-    return solve(collinear, r)[0]
+    return solve(Matrix.hstack(ray - first, second - first).det(), r)[0]
 
 
 @cache
@@ -183,8 +181,7 @@ def momentum() -> Pair:
 def lever() -> Expr:
     """Return the factor of mu sigma* in (3.8) over ell rho g R^3, which is lambda (3.14)."""
     _, right = momentum()
-    resistance = -right.coeff(sigma_mean) / (g * R**3)
-    return simplify(resistance / mu * rho * g * DEPTH)
+    return simplify(-right.coeff(sigma_mean) / (g * R**3) / mu * rho * g * DEPTH)
 
 
 @cache
@@ -195,7 +192,7 @@ def motion(name: str) -> Expr:
 
 
 @cache
-def dimensional() -> dict[str, Expr]:
+def dimensional() -> Forms:
     """Return the motion with dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
     clock = sqrt(g / R)
     in_seconds = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
@@ -221,7 +218,7 @@ def expanded_in_time(motion: Expr) -> tuple[Expr, Expr, Expr]:
 
 
 @cache
-def names() -> dict[str, Any]:
+def names() -> ValueDict:
     """Return the notation of the transcribed forms: symbols, functions and forms by name."""
     symbols = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
     symbols += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)

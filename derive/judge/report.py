@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from derive.judge.claims import VERDICTS, Claim
 from derive.judge.paper import CLAIMS
 from derive.judge.verify import Row, judged
+from derive.kinds import Texts
 
 SIMPLY = ("holds", "holds to the printed digits", "definition")
 ERRORS = ("wrong", "misprint")
@@ -44,8 +45,7 @@ def selected(names: Sequence[str]) -> list[Claim]:
 
 def _plain(place: str) -> str:
     """Return a place such as "(3.15)" in lower case, without brackets and with single spaces."""
-    words = place.replace("(", "").replace(")", "")
-    return " ".join(words.casefold().split())
+    return " ".join(place.replace("(", "").replace(")", "").casefold().split())
 
 
 def counts(rows: Iterable[Row]) -> str:
@@ -118,7 +118,7 @@ def wrong_claims(rows: Sequence[Row], width: int) -> str:
     table.add_column("place", no_wrap=True)
     for name, ratio in (("printed", 3), ("correct", 4), ("cause", 8)):
         table.add_column(name, ratio=ratio)
-    places: dict[tuple[str, str, str], list[str]] = {}  # of a mistake, which may occur at several
+    places: dict[tuple[str, str, str], Texts] = {}  # of a mistake, which may occur at several
     for row in rows:
         if row.verdict in ERRORS:
             correct = re.sub(r": .*; \d+ operations -> \d+$", "", row.computed)  # an integral without its form
@@ -129,8 +129,7 @@ def wrong_claims(rows: Sequence[Row], width: int) -> str:
     with console.capture() as captured:
         console.print(table)
     lines = [line.rstrip() for line in captured.get().splitlines() if line.strip()]
-    note = f"{counts(rows)}. All claims: --all; one: 3.15."
-    return "\n".join([*lines, textwrap.fill(note, width)])
+    return "\n".join([*lines, textwrap.fill(f"{counts(rows)}. All claims: --all; one: 3.15.", width)])
 
 
 def _in_full(x: Row, width: int) -> str:
@@ -150,7 +149,7 @@ def _in_full(x: Row, width: int) -> str:
 def _markdown(rows: Sequence[Row]) -> str:
     """Return the report as Markdown: rules, errors, and all claims."""
 
-    def table(chosen: Iterable[Row]) -> list[str]:
+    def table(chosen: Iterable[Row]) -> Texts:
         head = ("where", "claim", "printed", "from the definitions", "verdict", "cause", "assumptions")
         cells = [head, ("---",) * len(head)]
         cells += [tuple(x.replace("|", "\\|").replace("*", "\\*") for x in row) for row in chosen]

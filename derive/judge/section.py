@@ -22,7 +22,12 @@ from derive.judge import mechanics
 
 # Table 2-1 in m, kN/m^3 and degrees; the residual friction angle, and the seconds that section 4 shows.
 GIVEN = {"R": "1492.6", "gamma": "20", "theta_10": "215.2", "theta_20": "276.9", "phi_res": "10", "span": "30"}
-IMPLYING = {"sigma_ref": "4.223", "2alpha": "61.7", "J_r": "0.0870", "c0": "0.1104"}  # printed, and implying others
+IMPLYING = {  # printed, and implying others
+    "sigma_ref": "4.223",
+    "2alpha": "61.7",
+    "J_r": "0.0870",
+    "c0": "0.1104",
+}
 GRAVITY = "9.81"  # used by the project; the paper states no value
 
 
@@ -99,8 +104,7 @@ def reference() -> mpf:
 
 def second_end(radial_weight: mpf) -> mpf:
     """Return the polar angle theta_20 in degrees for an arc of this opening and the given J_r."""
-    dip = acos(radial_weight / moment("radial_weight", psi=mpf(0)))
-    return 270 - mp.degrees(dip - HALF)
+    return 270 - mp.degrees(acos(radial_weight / moment("radial_weight", psi=mpf(0))) - HALF)
 
 
 def second_appendix() -> mpf:

@@ -50,6 +50,7 @@ from derive.judge import section as s
 from derive.judge.claims import DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
 from derive.judge.paper import CLAIMS
 from derive.judge.postulates import POSTULATES, Postulate, exhibit
+from derive.kinds import TextPair, Texts
 from derive.progress import track
 
 _DIGITS = 30
@@ -162,8 +163,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
         return False
     if claim.law is None:
         return True
-    differences = claim.law(printed[0])
-    return all(vanishes(x.subs(replaced), claim.domain) for x in differences)
+    return all(vanishes(x.subs(replaced), claim.domain) for x in claim.law(printed[0]))
 
 
 @cache
@@ -186,7 +186,7 @@ def judge(claim: Claim) -> Row:
         return Row(claim.id, claim.claim, claim.printed, computed, verdict, cause, "; ".join(_assumed(claim)))
 
 
-def _assumed(claim: Claim) -> list[str]:
+def _assumed(claim: Claim) -> Texts:
     """Return the assumptions of a claim in words: domains of its symbols, and given relations."""
     symbols = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
@@ -242,8 +242,7 @@ def _small(claim: Claim) -> Judgement:
     if low <= last <= high:
         return computed, "holds", claim.remark
     limit = low if last < low else high
-    interval = (0, largest)
-    threshold = mp.findroot(lambda phi: change(phi) - limit, interval, solver="anderson")
+    threshold = mp.findroot(lambda phi: change(phi) - limit, (0, largest), solver="anderson")
     holds_to = mp.nstr(mp.degrees(threshold), 3)
     reaches = mp.nstr(mp.degrees(largest), 3)
     cause = f"no range is stated; true up to {holds_to} degrees, but the paper reaches {reaches}"
@@ -260,7 +259,7 @@ def _range(claim: Claim) -> Judgement:
     return computed, *_explained(claim, lambda value: min(abs(value - x) for x in values) < _TINY)
 
 
-def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
+def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> TextPair:
     """Return verdict and words of the first cause whose value ``fits``, or that the cause was not found."""
     for cause in claim.causes:
         if cause.value:
@@ -281,8 +280,7 @@ def _form(claim: Claim) -> Judgement:
         computed = claim.shows.format(*map(_digits, derived)) if derived else "-"
         return computed, "not machine-checkable", claim.remark
     computed = claim.shows.format("; ".join(dict.fromkeys(map(words, derived))))
-    causes = (x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression)
-    edits = (None, *causes)
+    edits = (None, *(x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression))
     for postulates, cause in product(_candidates(claim), edits):
         printed = claim.expression.replace(*cause.edit) if cause else claim.expression
         if _form_holds(claim, printed, postulates):
@@ -299,7 +297,7 @@ def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
         yield from combinations(relevant, count)
 
 
-def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | None) -> tuple[str, str]:
+def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | None) -> TextPair:
     """Return verdict and words of a form that is correct under postulates, after the cause's edit if there is one."""
     remark = cause.words if cause else claim.remark
     if cause and (cause.verdict != "imprecise" or not postulates):

@@ -6,11 +6,12 @@ from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from functools import partial
 from heapq import heappop, heappush
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb
 
 from derive.check.truth import as_ball, fraction
+from derive.kinds import TextMap, Texts, ValueDict, Values
 from derive.progress import track
 from derive.theorem.motion import EFFORTS, Slide, Theorem, first_swing, theorem
 
@@ -18,7 +19,7 @@ from derive.theorem.motion import EFFORTS, Slide, Theorem, first_swing, theorem
 # scene of this name assumes.
 VAIONT = {"radius_m": "1492.6", "theta_1_deg": "215.2", "theta_2_deg": "276.9", "friction_deg": "10"}
 SOFTENING = {"peak_friction_deg": "22.5", "length_m": "1"}
-SCENES: dict[str, dict[str, Any]] = {"vaiont": {}, "vaiont-frozen": {"rotation": False}, "vaiont-softening": SOFTENING}
+SCENES: dict[str, ValueDict] = {"vaiont": {}, "vaiont-frozen": {"rotation": False}, "vaiont-softening": SOFTENING}
 PARTS = 2000  # largest number of parts of uncertain inputs
 PART_DIGITS = 1  # of each part, with the spare digits one more than are shown; uncertain inputs allow no more
 SHOWN_DIGITS = 6
@@ -61,7 +62,7 @@ def interval(text: str) -> _Interval:
     return _Interval(centre - radius, centre + radius)
 
 
-def _intervals(texts: Mapping[str, str]) -> dict[str, _Interval]:
+def _intervals(texts: TextMap) -> dict[str, _Interval]:
     """Return the intervals of quantities by name from their decimals, or raise a ValueError that lists all mistakes."""
     intervals, faults = dict[str, _Interval](), list[str]()
     for name, text in texts.items():
@@ -112,14 +113,13 @@ def _slide(given: Mapping[str, _Interval], **switches: bool) -> Slide:
     )
 
 
-def pair(x: arb, digits: int) -> list[str]:
+def pair(x: arb, digits: int) -> Texts:
     """Return decimals below and above all numbers of a ball, with this number of significant digits."""
     middle, radius = fraction(x.mid()), fraction(x.rad())
     ends = ((middle - radius, ROUND_FLOOR), (middle + radius, ROUND_CEILING))
     texts = []
     for end, way in ends:
-        quotient = Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))
-        texts.append(str(quotient))
+        texts.append(str(Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))))
     return texts
 
 
@@ -140,8 +140,7 @@ class Division(NamedTuple):
             coefficients = (*swing[:-1], swing.drop * swing.decay)
             return sum(float(x.rad()) for x in coefficients)
 
-        uncertain = [name for name, x in self.quantities.items() if x.low < x.high]
-        divided = min(uncertain, key=spread)
+        divided = min((name for name, x in self.quantities.items() if x.low < x.high), key=spread)
         low, high = self.quantities[divided]
         middle = (low + high) / 2
         for half in (_Interval(low, middle), _Interval(middle, high)):
@@ -179,7 +178,7 @@ def divided(whole: dict[str, _Interval], parts: int, **switches: bool) -> tuple[
     return Theorem(status, proved, numbers, reason if undecided else ""), undecided
 
 
-def theorem_report(options: Mapping[str, Any], digits: int, form: str, parts: int = PARTS) -> tuple[str, bool]:
+def theorem_report(options: Values, digits: int, form: str, parts: int = PARTS) -> tuple[str, bool]:
     """Return the theorem on the slide of these options, by default on each scene, and whether all are decided.
 
     ``options`` are decimals of quantities by name and the switches rotation and centripetal. ``form`` is "text" or
@@ -208,14 +207,14 @@ def theorem_report(options: Mapping[str, Any], digits: int, form: str, parts: in
     return "\n\n".join(_text(**row) for row in rows), decided
 
 
-def _plain(name: str, proof: Theorem, digits: int, undecided: float) -> dict[str, Any]:
+def _plain(name: str, proof: Theorem, digits: int, undecided: float) -> ValueDict:
     """Return the theorem on the slide ``name`` as plain data; ``undecided`` is the undecided share of its inputs."""
     numbers = {key: pair(x, digits) for key, x in proof.numbers.items()}
     about = {"name": name, "status": proof.status, "reason": proof.reason, "undecided_share": undecided}
     return about | numbers | {"proved": proof.proved}
 
 
-def _text(name: str, status: str, reason: str, undecided_share: float, proved: list[str], **numbers: list[str]) -> str:
+def _text(name: str, status: str, reason: str, undecided_share: float, proved: Texts, **numbers: Texts) -> str:
     """Return the lines of a theorem; each of ``numbers`` is a pair of decimals below and above it."""
     lines = [f"{name}: {status}"]
     if undecided_share:

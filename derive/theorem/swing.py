@@ -67,8 +67,7 @@ class Swing(NamedTuple):
 
         Friction is not recovered.
         """
-        drop = (-self.decay * rest).exp() * self.drop
-        return self._replace(dip=rest - self.dip, drop=drop)
+        return self._replace(dip=rest - self.dip, drop=(-self.decay * rest).exp() * self.drop)
 
 
 class Step(NamedTuple):
@@ -188,8 +187,7 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
         extremes = dict.fromkeys(GREATER, more) | dict.fromkeys(LESS, less)
         coefficients = {}
         for name, end in extremes.items():
-            ball = getattr(swing, name)
-            coefficients[name] = getattr(ball, end)()
+            coefficients[name] = getattr(getattr(swing, name), end)()
         ends.append(next_standstill(swing._replace(**coefficients), tolerance))
     longest, shortest = ends
     return stand._replace(

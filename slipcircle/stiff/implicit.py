@@ -63,7 +63,7 @@ def integrate_implicitly(
         state[ix.STATUS] = ix.MOVING
         state[ix.STEPS] = 0.0
         with quiet():
-            integrator.advance_origin(lane, _ONE)
+            integrator.advance_origin(lane, _HERE)
             state[ix.PENDING] = ix.BEGIN_PHASE
             integrator.begin_phases(lane)
             while lane.status <= ix.RESTING:
@@ -129,7 +129,7 @@ class _Implicit(integrator.Lanes):
         self.cells[ix.PASSED] = ix.NOTHING
         at_limit = np.array([uneventful])
         endless = np.array([False])
-        integrator.settle(self, _ONE, rate, at_limit, endless)
+        integrator.settle(self, _HERE, rate, at_limit, endless)
 
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import mpmath
 import numpy as np
-from flint import ctx
 from mpmath import mpf
 
 import slipcircle
@@ -84,14 +83,12 @@ def near_limit(number: int) -> bool:
     return number - next(k for k in range(300) if ROWS[k]["group"] == group) < references.NEAR.get(group, 0)
 
 
-def misses(motion: Motion, given: golden.Data, terms: int = 26, digits: int = 22) -> dict[str, float]:
+def misses(motion: Motion, given: golden.Data) -> dict[str, float]:
     """Return the errors of a motion compared with its Taylor series, over the estimated error; 1 at most is correct."""
     if given["friction"] == 0.0 and "cohesion" not in given["effects"]:  # `solve` gives the first standstill
         given = given | {"end_time": motion.duration}
-    with ctx.workprec(160):
-        exact = taylor.Solution(taylor.Problem(golden.to_the_right(given)), terms, digits)
-        reference = exact.record(golden.times(motion))
-        lifts = [float(t * exact.p.scale) for t in exact.lifts]  # those at rest are not among them
+    reference = taylor.solve(golden.to_the_right(given), golden.SHARES, digits=18)
+    lifts = reference["lift_off"]  # those at rest are not among them
     estimate, near = motion.error_estimate, 30 * math.sqrt(motion.error_estimate) * motion.duration
     others = [t for t in motion.lift_off if all(abs(t - x) > near for x in lifts)]
     alike = (

@@ -7,7 +7,7 @@ line of the package. That series of another length agree says how good they are.
 
 import math
 from bisect import bisect_right
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -16,6 +16,7 @@ from flint import arb, arb_series, ctx
 
 from tests.support import oracle
 from tests.support.pieces import Pieces, constant, law_of_slip, law_of_speed, lines, pulse
+from tests.support.recorded import recorded
 
 number = oracle.exact
 
@@ -72,7 +73,7 @@ class Problem:
             self.slip = law_of_slip(law, self.radius)
             if isinstance(law, Mapping) and "rate" in law:
                 self.speed = law_of_speed(law["rate"], self.unit)
-        self.free = self.cohesion == 0 and law == 0.0  # nothing brings it to rest
+        self.free = self.free or (self.cohesion == 0 and law == 0.0)  # nothing brings it to rest
         self.omega = number(scene["initial_velocity"]) / self.unit
         self.end = None if scene["end_time"] is None else (number(scene["end_time"]) / self.scale).mid()
         courses = (self.k_h, self.k_v, self.water, self.ratio, self.time)
@@ -82,6 +83,7 @@ class Problem:
         """Return the moments of the mass that the balance requires."""
         return oracle.moments(arc)
 
+    free = False  # of what brings it to rest
     borders: Sequence[arb] = ()  # rotations between which `under` is one formula
 
     def under(self, phi: arb_series, place: int) -> arb_series | int:
@@ -103,6 +105,12 @@ class Problem:
             k_h, k_v = self.k_h.on(t), self.k_v.on(t)
             fall, press = (1 - k_v) * sine + k_h * cosine, (1 - k_v) * along - k_h * across
         return fall * (self.fall * side), (press - along * ratio) * self.press - water * self.level
+
+
+class Released(Problem):
+    """A problem that is solved to its first standstill, as without friction."""
+
+    free = True
 
 
 def value(series: arb_series, h: arb) -> arb:
@@ -367,7 +375,7 @@ class Solution:
             "moves": bool(self.steps),
             "arrested": self.arrested,
             "phases": self.episodes,
-            "lifted": bool(self.lifts),
+            "lift_off": [float(t * p.scale) for t in self.lifts],
             "duration": text(self.duration * p.scale),
             "run_out": text(self.run_out * p.radius),
             "end_displacement": text(self.rotation * p.radius),
@@ -379,8 +387,9 @@ class Solution:
         }
 
 
-def solve(scene: Mapping[str, Any], shares: Sequence[float] = (), digits: int = 30,
-          problem: Callable[[Mapping[str, Any]], Problem] = Problem, **limits: Any) -> dict[str, Any]:  # fmt: skip
+@recorded
+def solve(scene: Mapping[str, Any], shares: Sequence[float] = (), digits: int = 30, problem: type[Problem] = Problem,
+          **limits: Any) -> dict[str, Any]:  # fmt: skip
     """Return the motion of a scene to so many digits, with states at these shares of its duration."""
     with ctx.workprec(120 + 5 * digits):
         found = Solution(problem(scene), digits + 12, digits + 8, **limits)

@@ -46,6 +46,7 @@ typedef struct {
     const Roles *role;
     Data data[MOST_TABLES];
     double *all; /* cells of all lanes, (cells, count); those from `begin` to `end` are integrated */
+    const double *shared; /* cells with which every lane starts; not a number where lanes have their own in `all` */
     int64_t count, begin, end, budget;
     const double *times; /* where states are read off: (samples, times_across), into (outputs, samples, count) */
     double *outputs; /* without times for the registers of lanes that are not integrated: (registers, count) */
@@ -195,13 +196,14 @@ static int table_fits(const Data *d, const Py_buffer *buffers, int64_t count)
            buffers[2].len == 8 * pieces;
 }
 
-static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
+static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level, shared)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
     "`program` are integers (see `slipcircle.core.integrator.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
     "across, sine, open). States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
-    "are written into `notes`, (rows, 4), and what has no room there is not written.\n\n"
+    "are written into `notes`, (rows, 4), and what has no room there is not written. A lane that has not begun takes its\n"
+    "cells from the column `shared`, unless it is empty, and only those that are not a number there from `cells`.\n\n"
     "With `outputs`, (registers, lanes), and no times nothing is integrated: all registers are evaluated where each lane is;\n"
     "with a budget a phase begins there first, in the direction that is set.";
 
@@ -265,16 +267,18 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     (void)self;
     Job job = {0};
     Held held;
-    Py_buffer cells, times, outputs, notes;
+    Py_buffer cells, times, outputs, notes, shared;
     PyObject *program, *tables, *result = NULL;
     int level;
     Py_ssize_t begin, end, budget;
-    if (!PyArg_ParseTuple(args, "OO!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
-                          &times, &outputs, &notes, &level)) return NULL;
+    if (!PyArg_ParseTuple(args, "OO!w*nnny*w*w*iy*", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
+                          &times, &outputs, &notes, &level, &shared)) return NULL;
     if (read_job(&job, &held, program, tables, level)) {
         job.all = cells.buf, job.count = cells.len / 8 / job.cells;
         job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
-        int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
+        job.shared = shared.len ? shared.buf : NULL;
+        int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end &&
+                   (!shared.len || shared.len == 8 * job.cells);
         if (fits && times.len) {
             job.times = times.buf, job.outputs = outputs.buf;
             job.samples = outputs.len / 8 / job.count / (2 + job.states);
@@ -291,6 +295,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     release(&held);
     PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs), PyBuffer_Release(&notes);
+    PyBuffer_Release(&shared);
     return result;
 }
 
@@ -859,16 +864,23 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 @INTEGRATOR@
 /* --- the queue --- */
 
+/* The cell with which a lane starts. */
+static double at_start(const Job *job, int i, int64_t column)
+{
+    return job->shared && !isnan(job->shared[i]) ? job->shared[i] : job->all[i * job->count + column];
+}
+
 /* A lane at its start has no numbers of a phase yet. */
 static void load_lane(Batch *b, unsigned k, int64_t column)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     const double *from = job->all + column;
-    const int count = from[STATUS * job->count] == START ? job->made : job->cells;
-    for (int i = 0; i < count; i++, from += job->count) c[i][k] = *from;
+    const int starts = from[STATUS * job->count] == START;
+    for (int i = 0; starts && i < job->made; i++) c[i][k] = at_start(job, i, column);
+    for (int i = 0; !starts && i < job->cells; i++, from += job->count) c[i][k] = *from;
     b->column[k] = column, b->held |= 1u << k;
-    if (c[STATUS][k] == START) start(b, k);
+    if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
 
 /* Neighbours that have not begun take all lanes at once. */
@@ -879,10 +891,15 @@ static int load_neighbours(Batch *b, int64_t first)
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
     const double *from = job->all + first;
     for (int i = 0; i < job->made; i++, from += job->count) {
+        if (job->shared && !isnan(job->shared[i])) {
+            b->c[i] = broadcast(job->shared[i]);
+            continue;
+        }
         memcpy(b->c + i, from, sizeof(V));
         __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
     }
-    for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
+    for (int k = 0; k < LANES; k++) b->column[k] = first + k;
+    start(b, lanes(ALL));
     b->held = ALL;
     return 1;
 }
@@ -952,11 +969,11 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         return 0;
     }
     for (int64_t k = job->begin; k < job->end; k++) {
-        const double order = job->all[ORDER * job->count + k];
+        const double order = at_start(job, ORDER, k);
         if (!(order >= 5.0 && order <= HIGHEST)) return -1;
         job->order = order > job->order ? (int)order : job->order;
     }
-    for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
+    for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
     const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {

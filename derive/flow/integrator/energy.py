@@ -33,7 +33,8 @@ def turned(x: V) -> tuple[V, V]:
     versine = versine * square
     for _ in up(1, 2):
         sine = h - lag
-        lag = 2.0 * (lag + sine * versine)
+        change = sine * versine
+        lag = 2.0 * (lag + change)
         versine = 2.0 * (sine * sine)
         h = 2.0 * h
     return lag, versine
@@ -47,7 +48,8 @@ def faded(y: V) -> V:
         part = part * h + FADING[k]
     for _ in up(1, 2):
         lost = 1.0 - h * part
-        part = 0.5 * part + 0.25 * (lost * lost)
+        square = lost * lost
+        part = 0.5 * part + 0.25 * square
         h = 2.0 * h
     return part
 
@@ -93,7 +95,8 @@ def bend_of(e: S, f: S) -> V:
     sine = f[0] - f[3]
     cosine = 1.0 - f[2]
     lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * (1.0 - e[4] * lost)
+    kept = 1.0 - e[4] * lost
+    faded_part = e[1] * kept
     turned_part = e[2] * cosine + e[3] * sine
     return faded_part + turned_part
 
@@ -120,7 +123,8 @@ def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
 def reverse(f: S, q: V) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
-    faded_by = 1.0 - y + q * q * f[1]
+    bend = q * q * f[1]
+    faded_by = 1.0 - y + bend
     square = f[0] * f[0]
     rest = square - f[1] - y * f[1]
     f[1] = rest / faded_by

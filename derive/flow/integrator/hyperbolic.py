@@ -16,7 +16,7 @@ form with a negative pole.
 
 from derive.flow.integrator.one_lane import Lanes, S, V, down, expm1, number, up, where
 
-PAIRS = 12  # of terms of the series
+HALF = 12  # of the degree of the series
 LEAST = 1e-100  # p in place of 0
 # Places of further factors of E: p, the load at the start over its factors, pole, -w/p and the terms of the series, and
 # drive, sine and vers of the load, and of the net moment without the load.
@@ -40,7 +40,7 @@ def hyperbolic_factors(s: Lanes, e: S, q: V, drive: V) -> None:
     even: V = 2.0
     odd: V = 0.0
     before: V = 0.0
-    for k in up(0, 2 * PAIRS):
+    for k in up(0, 2 * HALF):
         versine = fading - even
         whole = drive * fading + (whole_sine * odd + whole_vers * versine)
         e[POWER + k] = pole * whole + before
@@ -51,7 +51,7 @@ def hyperbolic_factors(s: Lanes, e: S, q: V, drive: V) -> None:
         even = of_cosine * s.inverse[k + 1]
         odd = of_sine * s.inverse[k + 1]
     higher: V = 0.0
-    for k in down(2 * PAIRS, 1):
+    for k in down(2 * HALF, 1):
         per = 1.0 / (e[SHIFT] + number(k))
         shrink = number(k + 1) * pole * per
         higher = e[POWER + k] * per - shrink * higher
@@ -65,9 +65,9 @@ def hyperbolic_energy(e: S, f: S, passed: V) -> V:
     x = e[POLE] * expm1(passed)
     f[0] = x
     square = x * x
-    even: V = e[POWER + 2 * PAIRS]
-    odd: V = e[POWER + 2 * PAIRS - 1]
-    for k in down(PAIRS - 1, 1):
+    even: V = e[POWER + 2 * HALF]
+    odd: V = e[POWER + 2 * HALF - 1]
+    for k in down(HALF - 1, 1):
         even = even * square + e[POWER + 2 * k]
         odd = odd * square + e[POWER + 2 * k - 1]
     series = x * (odd + x * even)

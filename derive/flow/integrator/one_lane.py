@@ -24,21 +24,39 @@ N = int  # a number that all lanes share
 EPS = 2.0**-52
 INFINITY = math.inf
 
-# Nodes of rules in `derive.flow.integrator.swing`: sin(u)^2 of the trapezoidal rule in u on [0, pi/4], halving by
-# halving, and squares of the positive nodes of Gauss's rule on [-1, 1], with their weights.
-_ORDER = (16, 8, *range(4, 16, 8), *range(2, 16, 4), *range(1, 16, 2))
+# Nodes of the trapezoidal rule in `derive.flow.integrator.swing`, sin(u)^2 for u in [0, pi/4], and coefficients of the
+# series of cosines from sums and differences over pairs of mirrored nodes, each divided by its number.
+SINES = tuple(float(mpmath.sin(mpmath.pi * k / 32) ** 2) for k in range(9))
+_MIRRORED = [2, 1, 1, 1, 1, 1, 1, 1, 2]  # times that each node is counted
+COSINES = tuple(
+    float(mpmath.cospi(mpmath.mpf(m * k) / 16) / times / max(m, 1))
+    for m in range(17)
+    for k, times in enumerate(_MIRRORED)
+)
+# Coefficients of the arcsine of z over z in powers of z^2.
+LAST_OF_ARCSINE = 20
+ARCSINE = tuple(math.comb(2 * k, k) / 4**k / (2 * k + 1) for k in range(LAST_OF_ARCSINE + 1))
 _gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
-SINES = tuple(float(mpmath.sin(mpmath.pi * k / 64) ** 2) for k in _ORDER)
-PLACES, WEIGHTS = zip(*sorted((float(x * x), float(weight)) for x, weight in _gauss(4, 120) if x > 0), strict=True)
 # Gauss's rules in `derive.flow.integrator.softening`, one after the other: nodes on [0, 1], weights on [-1, 1], and
 # weights of the last two coefficients of Legendre's series. The first has SHORTEST nodes, each other one twice as many.
 SHORTEST = 12
-_RULES = [
-    (0.5 + x / 2, weight, *((2 * n + 1) * mpmath.legendre(n, x) * weight for n in (count - 1, count - 2)))
-    for count, degree in ((SHORTEST, 3), (2 * SHORTEST, 4), (4 * SHORTEST, 5))
-    for x, weight in sorted(_gauss(degree, 120))
-]
-NODES, SHARES, LAST_SHARES, NEXT_SHARES = (tuple(map(float, column)) for column in zip(*_RULES, strict=True))
+
+
+def _rule(count: int, degree: int) -> list[list[Any]]:
+    """Return a row of numbers for each of the ``count`` nodes of a rule of Gauss."""
+    rows = []
+    for x, weight in sorted(_gauss(degree, 120)):
+        row = [0.5 + x / 2, weight]
+        for n in (count - 1, count - 2):
+            size = (2 * n + 1) * weight
+            row.append(size * mpmath.legendre(n, x))
+        rows.append(row)
+    return rows
+
+
+_RULES = _rule(SHORTEST, 3) + _rule(2 * SHORTEST, 4) + _rule(4 * SHORTEST, 5)
+_COLUMNS = [tuple(map(float, column)) for column in zip(*_RULES, strict=True)]
+NODES, SHARES, LAST_SHARES, NEXT_SHARES = _COLUMNS
 
 
 def _codes(name: str) -> Any:
@@ -96,7 +114,7 @@ numbers = tail = generated
 greatest = least = integer = generated
 all_lanes = none_of = lanes_in = generated
 log2_of = power_of_two = generated
-sin = cos = log = hypot = isnan = generated
+sin = cos = log = generated
 break_of = jump_of = constant_of = coefficients_of = generated
 breaks_at = heights_at = slopes_at = jumps_at = generated
 prologue = operate = operate_later = generated

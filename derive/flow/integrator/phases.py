@@ -1,4 +1,4 @@
-"""Phases of one lane: stick or slip at a standstill, and the numbers of the phase that begins.
+"""Phases: stick or slip at a standstill, and the numbers of the phase that begins.
 
 The cell `pending` contains the action that a lane needs before its next step, such as the beginning of a phase.
 """
@@ -16,13 +16,12 @@ from derive.flow.integrator.one_lane import (
     Status,
     V,
     any_lane,
-    hypot,
-    isnan,
     maximum,
     minimum,
     note,
     prologue,
     read_samples,
+    sqrt,
     where,
 )
 from derive.flow.integrator.series import ROUNDING, evaluate, find_negligible, normal_force
@@ -32,20 +31,6 @@ TIE = 256.0 * EPS  # relative difference up to which two peaks are equal
 CLOSEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero
 
 
-def update_peak(lane: Lane, rate: float) -> None:
-    """Record the current speed if it is the greatest.
-
-    If peaks differ by rounding, the earliest is recorded, so that every processor reports the same peak. A speed that
-    has risen from a record at the lane's time is compared exactly.
-    """
-    rises = lane.peak_time == lane.time
-    if lane.omega > where(rises, 1.0, 1.0 + TIE) * abs(lane.peak_omega):
-        lane.peak_time = lane.time
-        lane.peak_rotation = lane.rotation + lane.direction * lane.x
-        lane.peak_omega = lane.direction * lane.omega
-        lane.peak_rate = lane.direction * rate
-
-
 def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
     """Record a candidate for the greatest speed in the current step if it exceeds the record.
 
@@ -53,183 +38,212 @@ def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
     """
     faster = here and speed > abs(s.peak_omega)
     if any_lane(faster):
-        faster = faster and (s.peak_time == s.time or speed > (1.0 + TIE) * abs(s.peak_omega))
+        begins = s.peak_time == s.time
+        clearly = speed > (1.0 + TIE) * abs(s.peak_omega)
+        faster = faster and (begins or clearly)
         s.peak_omega = where(faster, s.direction * speed, s.peak_omega)
         s.peak_time = where(faster, time, s.peak_time)
         s.peak_rotation = where(faster, s.rotation + s.direction * x, s.peak_rotation)
         s.peak_rate = where(faster, s.direction * rate, s.peak_rate)
 
 
-def update_reach(lane: Lane) -> None:
+def update_reach(s: Lanes, here: M) -> None:
     """Record the current rotation if it is the greatest from the start."""
-    rotation = lane.rotation + lane.direction * lane.x
-    if abs(rotation) > abs(lane.reach_rotation):
-        lane.reach_rotation = rotation
-        lane.reach_time = lane.time
+    rotation = s.rotation + s.direction * s.x
+    here = here and abs(rotation) > abs(s.reach_rotation)
+    s.reach_rotation = rotation
+    s.reach_time = s.time
 
 
-def note_lift_off(lane: Lane) -> None:
+def note_lift_off(s: Lanes, here: M) -> None:
     """Log the loss of contact with the slip surface."""
-    note(lane, Note.LIFTS)
-    if isnan(lane.lift_time):
-        lane.lift_time = lane.time
+    if s.logged and here:
+        note(s, Note.LIFTS)
+    here = here and s.lift_time != s.lift_time  # not yet a number
+    s.lift_time = s.time
 
 
-def advance_origin(lane: Lane) -> None:
+def advance_origin(s: Lanes, here: M) -> None:
     """Reset the origin of rotation and slip to the current position, where another phase begins."""
-    lane.rotation = lane.rotation + lane.direction * lane.x
-    lane.slip = lane.slip + lane.x
-    lane.x = 0.0
+    s.rotation = s.rotation + s.direction * s.x
+    s.slip = s.slip + s.x
+    s.x = 0.0
 
 
-def face(lane: Lane, side: float) -> None:
+def face(s: Lanes, here: M, side: V) -> None:
     """Set the direction of travel at a standstill."""
-    lane.x = 0.0
-    lane.omega = 0.0
-    lane.direction = side
-    lane.lifted = 0.0
+    s.x = 0.0
+    s.omega = 0.0
+    s.direction = side
+    s.lifted = 0.0
 
 
-def start(lane: Lane) -> None:
-    """Start a lane with a velocity or at rest."""
-    lane.direction = where(lane.omega < 0.0, -1.0, 1.0)
-    lane.omega = abs(lane.omega)
-    lane.x = 0.0
-    lane.lifted = 0.0
-    lane.faced = 0.0
-    lane.pending = where(lane.omega > 0.0, Pending.START_MOVING, Pending.RESOLVE)
-    lane.clocked = 0.0
-    lane.negligible = ROUNDING  # of series in the rotation, since all runs of an estimate would lack equal terms
-    if lane.timed:
-        find_negligible(lane)
-    find_pieces(lane)
+def start(s: Lanes, here: M) -> None:
+    """Start lanes with a velocity or at rest."""
+    s.direction = where(s.omega < 0.0, -1.0, 1.0)
+    s.omega = abs(s.omega)
+    s.x = 0.0
+    s.lifted = 0.0
+    s.faced = 0.0
+    moves = s.omega > 0.0
+    s.pending = where(moves, Pending.START_MOVING, Pending.RESOLVE)
+    s.clocked = 0.0
+    s.negligible = ROUNDING  # of series in the rotation, since all runs of an estimate would lack equal terms
+    if s.timed and here:
+        find_negligible(s)
+    if here:
+        find_pieces(s)
 
 
-def start_moving(lane: Lane, rate: float) -> None:
+def start_moving(s: Lanes, here: M, rate: V) -> None:
     """Start slip in the current direction."""
-    lane.status = Status.MOVING
-    lane.passed = Passed.NOTHING
-    lane.phases = lane.phases + 1.0
-    lane.turns = lane.turns + where(lane.last_way * lane.direction < 0.0, 1.0, 0.0)
-    lane.last_way = lane.direction
-    note(lane, Note.BEGINS)
-    if lane.lifted > 0.0:
-        note_lift_off(lane)
-    update_peak(lane, rate)
-    lane.pending = Pending.READY
+    s.status = Status.MOVING
+    s.passed = Passed.NOTHING
+    s.phases = s.phases + 1.0
+    turns = s.last_way * s.direction < 0.0
+    s.turns = s.turns + where(turns, 1.0, 0.0)
+    s.last_way = s.direction
+    if s.logged and here:
+        note(s, Note.BEGINS)
+    note_lift_off(s, here and s.lifted > 0.0)
+    keep_faster(s, here, s.omega, s.time, s.x, rate)
+    s.pending = Pending.READY
 
 
-def stay(lane: Lane, status: float) -> None:
-    """Keep the lane at rest until its end."""
-    lane.status = status
-    lane.end_rotation = lane.rotation
-    lane.end_omega = 0.0
-    lane.end_rate = 0.0
-    lane.direction = 0.0
-    lane.rest_since = where(lane.rest_since > lane.end_time, lane.end_time, lane.rest_since)  # by rounding at most
-    lane.pending = Pending.READY
-    read_samples(lane, lane.time, INFINITY, 0, 0)
+def stay(s: Lanes, here: M, status: V) -> None:
+    """Keep lanes at rest until their end."""
+    s.status = status
+    s.end_rotation = s.rotation
+    s.end_omega = 0.0
+    s.end_rate = 0.0
+    s.direction = 0.0
+    s.rest_since = where(s.rest_since > s.end_time, s.end_time, s.rest_since)  # by rounding at most
+    s.pending = Pending.READY
+    if s.samples and here:
+        read_samples(s, s.time, INFINITY, 0, 0)
 
 
-def may_start(lane: Lane) -> bool:
-    """Return whether a mass at rest may start in its direction. Shaking starts a one-way mass only down-slope."""
-    pull = lane.driving_moment
-    down_slope = pull > 0.0 or (pull == 0.0 and lane.direction > 0.0)
-    return lane.one_way == 0.0 or down_slope
+def may_start(s: Lanes) -> M:
+    """Return whether masses at rest may start in their direction. Shaking starts a one-way mass only down-slope."""
+    pull = s.driving_moment
+    down_slope = pull > 0.0 or (pull == 0.0 and s.direction > 0.0)
+    return s.one_way == 0.0 or down_slope
 
 
-def never_rests(lane: Lane) -> bool:
-    """Return whether a mass swings for ever, because almost no force presses on it at its lowest point."""
-    load = lane.normal_load
-    most = hypot(load, lane.normal_load_slope)
-    carried = lane.normal0 + (most - load) <= Share.CARRIED * most
-    return lane.first_only == 1.0 or (carried and not still_changes(lane))
+def never_rests(s: Lanes) -> M:
+    """Return whether masses swing for ever, because almost no force presses on them at their lowest point."""
+    load = s.normal_load
+    slope = s.normal_load_slope
+    square = load * load + slope * slope
+    most = sqrt(square)
+    least = s.normal0 + (most - load)
+    carried = least <= Share.CARRIED * most
+    return s.first_only == 1.0 or (carried and not still_changes(s))
 
 
-def stick(lane: Lane) -> None:
-    """Keep the mass at rest, until a force changes or for good."""
-    lane.pending = Pending.READY
-    if not still_changes(lane):
-        stay(lane, Status.ARRESTED)
-        return
-    lane.status = Status.RESTING
-    if lane.lifted > 0.0:
-        note_lift_off(lane)
-    if not may_start(lane):
-        lane.direction = -lane.direction
-        lane.pending = Pending.BEGIN_PHASE
+def stick(s: Lanes, here: M) -> None:
+    """Keep masses at rest, until a force changes or for good."""
+    changes = still_changes(s)
+    stay(s, here and not changes, Status.ARRESTED)
+    here = here and changes
+    if any_lane(here):
+        s.status = Status.RESTING
+        s.pending = Pending.READY
+        note_lift_off(s, here and s.lifted > 0.0)
+        here = here and not may_start(s)
+        s.direction = -s.direction
+        s.pending = Pending.BEGIN_PHASE
 
 
-def resolve_stick_or_slip(lane: Lane) -> None:
+def rest_one_way(s: Lanes, here: M) -> None:
+    """Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start."""
+    may = may_start(s)
+    stick(s, here and may)
+    here = here and not may
+    face(s, here, -s.direction)
+    s.pending = Pending.RESOLVE
+
+
+def resolve_stick_or_slip(s: Lanes, here: M) -> None:
     """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
-    if lane.first_only > 0.0 and lane.phases > 0.0 and never_rests(lane):
-        stay(lane, Status.STOPPED)
-        return
-    may = may_start(lane)
-    if lane.pending == Pending.REST:  # a mass that moved down-slope does not turn back
-        if may:
-            stick(lane)
-            return
-        face(lane, -lane.direction)
-        lane.pending = Pending.RESOLVE
-        return
-    terms = abs(lane.driving) + lane.resisting
-    unsure = EPS * (terms + lane.mu * abs(lane.normal0))
-    of_weight = lane.driving == lane.driving_moment and lane.normal0 == lane.normal_load and lane.resisting == 0.0
-    unsure = where(lane.limit_rest * lane.drive != 0.0 and of_weight, lane.drive_scale, unsure)
-    if may:
-        lane.close = minimum(lane.close, abs(lane.drive) / maximum(unsure, CLOSEST))
-    if may and lane.drive > 0.0:
-        start_moving(lane, lane.drive)
-        return
-    lane.faced = lane.faced + 1.0
-    if lane.faced > 1.0 or (may and lane.one_way > 0.0):
-        stick(lane)
-        return
-    face(lane, -lane.direction)
+    terms = abs(s.driving) + s.resisting
+    unsure = EPS * (terms + s.mu * abs(s.normal0))
+    of_weight = s.driving == s.driving_moment and s.normal0 == s.normal_load
+    of_weight = of_weight and s.resisting == 0.0
+    refined = s.limit_rest * s.drive != 0.0 and of_weight
+    unsure = maximum(where(refined, s.drive_scale, unsure), CLOSEST)
+    may = here and may_start(s)
+    margin = abs(s.drive) / unsure
+    s.close = where(may, minimum(s.close, margin), s.close)
+    starts = may and s.drive > 0.0
+    start_moving(s, starts, s.drive)
+    here = here and not starts
+    if any_lane(here):
+        s.faced = s.faced + 1.0
+        stays_down = may and s.one_way > 0.0
+        sticks = here and (s.faced > 1.0 or stays_down)
+        stick(s, sticks)
+        face(s, here and not sticks, -s.direction)
 
 
-def carry_net_moment(lane: Lane, net: float) -> None:
+def resolve_standstill(s: Lanes, here: M) -> None:
+    """Decide whether masses at a standstill, or at the start, stop, stick or slip."""
+    stops = here and s.first_only > 0.0 and s.phases > 0.0
+    if any_lane(stops):
+        stops = stops and never_rests(s)
+        stay(s, stops, Status.STOPPED)
+        here = here and not stops
+    one_way = here and s.pending == Pending.REST
+    if any_lane(one_way):
+        rest_one_way(s, one_way)
+        here = here and not one_way
+    resolve_stick_or_slip(s, here)
+
+
+def carry_net_moment(s: Lanes, here: M, net: V) -> None:
     """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
-    terms = abs(lane.rate_before) + abs(net - lane.drive) + abs(lane.drive_before)
-    carried = lane.scale_before + EPS * terms
-    if carried < lane.drive_scale:
-        lane.drive = lane.drive + (lane.rate_before - net)
-        lane.drive_scale = carried
-    lane.pending = Pending.READY
+    s.pending = Pending.READY
+    change = net - s.drive
+    terms = abs(s.rate_before) + abs(change) + abs(s.drive_before)
+    carried = s.scale_before + EPS * terms
+    here = here and carried < s.drive_scale
+    s.drive = s.drive + (s.rate_before - net)
+    s.drive_scale = carried
 
 
-def resolve_pending(lane: Lane, net: float, force: float) -> None:
-    """Begin the phase for which the lane waits, from its net moment and normal force."""
-    if lane.pending == Pending.ENTER_PHASE:
-        carry_net_moment(lane, net)
-        return
-    if lane.pending == Pending.BEGIN_PHASE:
-        lane.pending = Pending.READY
-        return
-    lifts = where(lane.pending == Pending.START_MOVING, force < 0.0, lane.normal0 <= 0.0)
-    if lifts and lane.lifted == 0.0:
-        lane.lifted = 1.0  # the phase begins again as a lifted mass
-        return
-    if lane.pending == Pending.START_MOVING:
-        start_moving(lane, net)
-        return
-    if lane.pending == Pending.START_AGAIN:
-        lane.drive = where(lane.sudden > 0.0, lane.drive, 0.0)
-        start_moving(lane, lane.drive)
-        return
-    resolve_stick_or_slip(lane)
+def resolve_pending(s: Lanes, waits: M, net: V, force: V) -> None:
+    """Begin the phases for which lanes wait, from their net moments and normal forces."""
+    enters = waits and s.pending == Pending.ENTER_PHASE
+    begins = waits and s.pending == Pending.BEGIN_PHASE
+    moving = waits and s.pending == Pending.START_MOVING
+    again = waits and s.pending == Pending.START_AGAIN
+    decides = waits and not (enters or begins or moving or again)
+    by_force = moving and force < 0.0
+    at_rest = again or decides
+    by_load = at_rest and s.normal0 <= 0.0
+    lifts = (by_force or by_load) and s.lifted == 0.0
+    s.lifted = where(lifts, 1.0, s.lifted)  # the phase begins again as a lifted mass
+    s.pending = where(begins, Pending.READY, s.pending)
+    if any_lane(enters):
+        carry_net_moment(s, enters, net)
+    starts = (moving or again) and not lifts
+    if any_lane(starts):
+        level = again and starts and s.sudden <= 0.0
+        s.drive = where(level, 0.0, s.drive)
+        start_moving(s, starts, where(again, s.drive, net))
+    decides = decides and not lifts
+    if any_lane(decides):
+        resolve_standstill(s, decides)
 
 
-def on_discontinuity(lane: Lane, force: float) -> None:
+def on_discontinuity(s: Lanes, here: M, force: V) -> None:
     """Decide about contact after a jump of forces. If contact changes, another phase begins."""
     lifted = where(force < 0.0, 1.0, 0.0)
-    if lifted > lane.lifted:
-        note_lift_off(lane)
-    lane.pending = where(lane.lifted == lifted, Pending.READY, Pending.BEGIN_PHASE)
-    lane.lifted = lifted
-    if lane.pending == Pending.BEGIN_PHASE:
-        advance_origin(lane)
+    same = s.lifted == lifted
+    note_lift_off(s, here and lifted > s.lifted)
+    s.pending = where(same, Pending.READY, Pending.BEGIN_PHASE)
+    s.lifted = lifted
+    advance_origin(s, here and not same)
 
 
 def begin_phases(s: Lanes) -> None:
@@ -238,8 +252,7 @@ def begin_phases(s: Lanes) -> None:
     if any_lane(sudden):
         evaluate(s)
         force = normal_force(s)
-        if sudden:
-            on_discontinuity(s, force)
+        on_discontinuity(s, sudden, force)
     waits = s.pending != Pending.READY
     while any_lane(waits):
         if waits:
@@ -249,8 +262,7 @@ def begin_phases(s: Lanes) -> None:
             evaluate(s)
         force = normal_force(s)
         net = s.series.net[0]
-        if waits:
-            resolve_pending(s, net, force)
+        resolve_pending(s, waits, net, force)
         waits = s.pending != Pending.READY
 
 

@@ -56,9 +56,11 @@ def keep_quiet(s: Lanes, here: M, t: T, p: S, sign: V, terms: V) -> None:
     now = t.value + t.inc
     level = t.rise == 0.0
     way = sign * p[1] * t.rise
-    bound = where(level, now, now - SURE * p[0] * t.rise / p[1])
+    room = SURE * p[0] * t.rise / p[1]
+    bound = where(level, now, now - room)
     straight = p[2] == 0.0 and s.series_order <= 4.0
-    sure = straight and sign * p[0] > ROUNDINGS * terms and s.lifted == 0.0
+    rounding = ROUNDINGS * terms
+    sure = straight and sign * p[0] > rounding and s.lifted == 0.0
     s.quiet_from = where(level or way > 0.0, maximum(bound, s.quiet_from), s.quiet_from)
     s.quiet_to = where(level or way < 0.0, minimum(bound, s.quiet_to), s.quiet_to)
     s.quiet_to = where(sure, s.quiet_to, -INFINITY)
@@ -121,29 +123,36 @@ def standstill(omega: V, net: V, rise: V) -> V:
     """Return the first time at which a falling speed is zero."""
     square = net * net
     decrease = 2.0 * rise * omega
-    root = sqrt(maximum(square - decrease, 0.0))
+    left = maximum(square - decrease, 0.0)
+    root = sqrt(left)
     falls = net <= 0.0
     over = where(falls, 2.0 * omega, net + root)
     under = where(falls, root - net, 0.0 - rise)
     return over / under
 
 
-def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
-    """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
-    lane.x = x
-    lane.omega = omega
-    lane.status = where(omega > 0.0, Status.MOVING, Status.RESTING)
-    lane.steps = 0.0
-    lane.passed = Passed.NOTHING
-    if omega == 0.0:
-        lane.time = lane.rest_since
-        update_reach(lane)
-    advance_origin(lane)
+def enter_at(lane: Lane, t: T, piece: int) -> None:
+    """Place a lane at the left end of a piece."""
     edge = break_of(lane, t, piece)
     now = edge / t.scale
     stand_before(lane, t, piece, now)
     pass_break(lane, t)
-    lane.pending = Pending.BEGIN_PHASE
+
+
+def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
+    """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
+    s.x = x
+    s.omega = omega
+    s.steps = 0.0
+    s.passed = Passed.NOTHING
+    moves = omega > 0.0
+    s.status = where(moves, Status.MOVING, Status.RESTING)
+    s.time = where(moves, s.time, s.rest_since)
+    update_reach(s, here and not moves)
+    advance_origin(s, here)
+    if here:
+        enter_at(s, t, piece)
+    s.pending = Pending.BEGIN_PHASE
 
 
 def count_starts(s: Lanes, here: M) -> None:
@@ -184,7 +193,8 @@ def turn(s: Lanes, here: M, now: V, length: V, share: V, omega: V, net: V, after
     behind = path(span, nothing, push, rise)
     further = where(starts, behind, 0.0)
     before = path(stop, omega, net, rise)
-    return end, before + further
+    way = before + further
+    return end, way
 
 
 def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
@@ -237,7 +247,8 @@ def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, aft
 
 def latest_end(s: Lanes, t: T) -> V:
     """Return the place in a record, up to rounding, at which the end time is reached."""
-    return minimum(s.end_time * t.scale * (1.0 - 4.0 * EPS), LATEST)
+    end = s.end_time * t.scale * (1.0 - 4.0 * EPS)
+    return minimum(end, LATEST)
 
 
 def passes(s: Lanes, t: T, piece: N, before: V) -> M:
@@ -250,7 +261,8 @@ def passes(s: Lanes, t: T, piece: N, before: V) -> M:
 
 def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
     """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
-    return t.places[piece + 1] * per
+    end = t.places[piece + 1]
+    return end * per
 
 
 def height_after(s: Lanes, t: T, piece: N) -> float:
@@ -286,8 +298,8 @@ def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, ome
     """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
     inside = passes(s, t, piece, before) and press > 0.0
     leaves = on and not inside
-    if leaves:
-        end_slide(s, t, piece, x, omega)
+    if any_lane(leaves):
+        end_slide(s, leaves, t, piece, x, omega)
     return on and inside
 
 

@@ -38,7 +38,7 @@ def look_for_lift_off(s: Lanes, here: M, top: N) -> None:
     """Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead."""
     normal = s.series.normal
     sign = where(s.lifted > 0.0, -1.0, 1.0)
-    passed = s.passed == number(Passed.LIFT)
+    passed = s.passed == Passed.LIFT
     asked = here and may_cross(normal, top - 1, s.stretch, sign, 0.0, passed)
     if any_lane(asked):
         e = new_series()
@@ -67,10 +67,12 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     e = new_series()
     margin_of(e, net, top - 1, -1.0, 0.0, touches)
     at: V = INFINITY
-    asked = here and not jumps and may_cross(net, top - 1, s.stretch, -1.0, 0.0, touches)
+    crosses = may_cross(net, top - 1, s.stretch, -1.0, 0.0, touches)
+    asked = here and not jumps and crosses
     if any_lane(asked):
         at = first_root(e, top - 1, s.stretch, asked)
-    at = where(jumps or (touches and e[0] < 0.0), 0.0, at)
+    rises = touches and e[0] < 0.0
+    at = where(jumps or rises, 0.0, at)
     sooner = at < s.start_ahead
     s.start_ahead = where(sooner, at, s.start_ahead)
     s.start_direction = where(sooner, s.direction, s.start_direction)
@@ -80,66 +82,75 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
         look_for_lift_off(s, here, top)
 
 
-def turn_back(lane: Lane) -> None:
+def turn_back(s: Lanes, here: M) -> None:
     """Reverse the direction at rest."""
-    lane.direction = -lane.direction
-    lane.pending = Pending.BEGIN_PHASE
+    s.direction = -s.direction
+    s.pending = Pending.BEGIN_PHASE
 
 
-def leave_rest(lane: Lane, limit: float, room: float) -> None:
+def change_contact(s: Lanes, here: M) -> None:
+    """Lift masses at rest, or let them land."""
+    s.lifted = 1.0 - s.lifted
+    s.passed = Passed.LIFT
+    s.pending = Pending.BEGIN_PHASE
+    note_lift_off(s, here and s.lifted > 0.0)
+
+
+def start_again(s: Lanes, here: M) -> None:
+    """Start slip from rest."""
+    face(s, here, s.start_direction)
+    s.pending = Pending.START_AGAIN
+
+
+def enter_pieces(lane: Lane) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
+    for t in lane.tables:
+        if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
+            rest_through(lane, t)
+    pass_breaks(lane)
+
+
+def leave_rest(s: Lanes, here: M, limit: V, room: V) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
-    stretch = lane.stretch
-    lifts = lane.lift_ahead <= stretch
-    starts = lane.start_ahead <= stretch
+    stretch = s.stretch
+    lifts = s.lift_ahead <= stretch
+    starts = s.start_ahead <= stretch
     breaks = stretch >= room and not starts and not lifts
-    until = where(breaks, limit, lane.time + stretch)
+    until = where(breaks, limit, s.time + stretch)
     for_ever = not starts and not (until < INFINITY)
-    if lane.samples:
-        read_samples(lane, lane.time, minimum(until, lane.end_time), 0, 0)
-    rested = (
-        starts and stretch > TOGETHER * until
-    )  # an immediate start after an arrest counts as a step: it may tremble
-    lane.steps = where(breaks or rested, 0.0, lane.steps + 1.0)
-    lane.passed = Passed.NOTHING
-    if for_ever or until >= lane.end_time:  # changes after the end time have no influence
-        lane.time = where(for_ever, lane.time, lane.end_time)
-        stay(lane, where(for_ever, Status.ARRESTED, Status.PAUSED))
-        return
-    lane.time = until
-    if starts:
-        face(lane, lane.start_direction)
-        lane.pending = Pending.START_AGAIN
-        return
-    if lifts:
-        lane.lifted = 1.0 - lane.lifted
-        lane.passed = Passed.LIFT
-        lane.pending = Pending.BEGIN_PHASE
-        if lane.lifted > 0.0:
-            note_lift_off(lane)
-        return
-    if breaks:
-        for t in lane.tables:
-            if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
-                rest_through(lane, t)
-        pass_breaks(lane)
+    if s.samples and here:
+        read_samples(s, s.time, minimum(until, s.end_time), 0, 0)
+    # An immediate start after an arrest counts as a step: it may tremble.
+    least = TOGETHER * until
+    rested = starts and stretch > least
+    s.steps = where(breaks or rested, 0.0, s.steps + 1.0)
+    s.passed = Passed.NOTHING
+    ends = here and (for_ever or until >= s.end_time)  # changes after the end time have no influence
+    s.time = where(for_ever, s.time, minimum(until, s.end_time))
+    stay(s, ends, where(for_ever, Status.ARRESTED, Status.PAUSED))
+    here = here and not ends
+    start_again(s, here and starts)
+    change_contact(s, here and lifts and not starts)
+    here = here and breaks
+    if here:
+        enter_pieces(s)
 
 
 def rest_to_change(s: Lanes, here: M, limit: V, room: V) -> None:
     """Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too."""
     both = here and s.one_way == 0.0
     if any_lane(both):
-        if both:
-            turn_back(s)
+        turn_back(s, both)
         begin_phases(s)
         look_ahead(s, both, room)
-    lifts = s.lift_ahead <= s.start_ahead * (1.0 + TOGETHER)  # in this case the mass does not start
+    latest = s.start_ahead * (1.0 + TOGETHER)
+    lifts = s.lift_ahead <= latest  # in this case the mass does not start
     s.start_ahead = where(lifts, INFINITY, s.start_ahead)
     s.stretch = minimum(s.start_ahead, s.stretch)
     for t in s.tables:
         if t.kind == Kind.TIME:  # the same for both directions
             t.inc = t.inc + increment(t.series, s.highest, s.stretch)
-    if here:
-        leave_rest(s, limit, room)
+    leave_rest(s, here, limit, room)
 
 
 def rest_on(s: Lanes, here: M) -> None:
@@ -156,10 +167,11 @@ def rest_on(s: Lanes, here: M) -> None:
     look_ahead(s, here, room)
     later = none_of(s)
     for t in s.tables:
-        exact: N = s.autonomous == 2 and s.timed == 1 and not s.samples and not s.logged and t.terms == 2
+        alone: N = s.autonomous == 2 and s.timed == 1
+        exact: N = alone and not s.samples and not s.logged and t.terms == 2
         if exact and t.kind == Kind.TIME and not t.sine:
             later = slide_together(s, here, t)
-    rest_to_change(s, here and s.pending == number(Pending.READY) and not later, limit, room)
+    rest_to_change(s, here and s.pending == Pending.READY and not later, limit, room)
 
 
 # --- one round -------------------------------------------------------------------------------------------------------
@@ -167,14 +179,15 @@ def rest_on(s: Lanes, here: M) -> None:
 
 def stop_endless(s: Lanes, here: M) -> None:
     """Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow."""
-    going = s.status <= number(Status.RESTING)
-    most = where(s.omega > 0.0, number(Limit.MOST_STEPS), number(2 * Limit.MOST_STEPS))  # rest allows more
+    going = s.status <= Status.RESTING
+    most = where(s.omega > 0.0, Limit.MOST_STEPS, number(2 * Limit.MOST_STEPS))  # rest allows more
     too_long = s.steps > most
     if not s.timed:
-        too_long = too_long or s.turns > number(Limit.MOST_TURNS)
+        too_long = too_long or s.turns > Limit.MOST_TURNS
     total = s.time + s.x + s.omega + s.rotation
-    s.status = where(going and too_long, number(Status.TOO_LONG), s.status)
-    s.status = where(going and total - total != 0.0, number(Status.FAILED), s.status)
+    overflows = going and total - total != 0.0
+    s.status = where(going and too_long, Status.TOO_LONG, s.status)
+    s.status = where(overflows, Status.FAILED, s.status)
 
 
 def advance(s: Lanes, here: M) -> None:
@@ -182,8 +195,8 @@ def advance(s: Lanes, here: M) -> None:
 
     The cost of a step does not depend on the number of lanes, so that the minority waits until it is the majority.
     """
-    moving = here and s.status == number(Status.MOVING)
-    resting = here and s.status == number(Status.RESTING)
+    moving = here and s.status == Status.MOVING
+    resting = here and s.status == Status.RESTING
     if s.has.net_sine and not s.samples:
         moving = moving and not swing(s, moving)
     if s.by_rotation and not s.samples:

@@ -132,13 +132,15 @@ def falling_root(p: S, n: N, t: V, last: V, slope: V, here: M) -> V:
     """
     touches = p[0] == 0.0
     positive = p[0] > 0.0 or (touches and p[1] > 0.0)
-    falls = here and positive and (last < 0.0 or (p[1] < 0.0 and slope > 0.0))
+    dips = p[1] < 0.0 and slope > 0.0
+    falls = here and positive and (last < 0.0 or dips)
     e = new_series()
     root: V = INFINITY
     if any_lane(falls):
         margin_of(e, p, n, 1.0, 0.0, touches)
         root = first_root(e, n, t, falls)
-    hump = here and p[0] < 0.0 and p[1] > 0.0 and last < 0.0 and slope < 0.0
+    rises = p[0] < 0.0 and p[1] > 0.0
+    hump = here and rises and last < 0.0 and slope < 0.0
     if any_lane(hump):
         differentiate(e, p, n)
         top = bracketed_root(e, n - 1, 0.0, e[0], t, slope, hump)

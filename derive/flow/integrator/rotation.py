@@ -29,7 +29,6 @@ from derive.flow.integrator.one_lane import (
     minimum,
     new_series,
     none_of,
-    number,
     sqrt,
     up,
     where,
@@ -113,7 +112,7 @@ def expand_about_end(s: Lanes, p: S, n: N) -> None:
     for first in up(0, n - 1):
         for j in down(n - 1, first):
             p[j] = p[j] + s.step * p[j + 1]
-    stands = s.event == number(Event.STANDSTILL)
+    stands = s.event == Event.STANDSTILL
     p[0] = where(stands, 0.0, p[0])
 
 
@@ -192,7 +191,7 @@ def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
         slope = value(net, top - 1, there)
         keep_faster(s, peaks, speed, s.time + before, s.x + there, slope)
     change = abs(net[0]) * step
-    uneventful = s.event == number(Event.NONE)
+    uneventful = s.event == Event.NONE
     steady = change < Share.STIFF_CHANGE * e[0] and uneventful
     s.x = s.x + step
     square = e[0] + increment(e, top, step)
@@ -220,7 +219,7 @@ def turn_on(s: Lanes, here: M) -> None:
     unsure = here and not (before + after < INFINITY)
     while any_lane(unsure) and count < MOST_HALVINGS:
         s.step = where(unsure, 0.5 * s.step, s.step)
-        s.event = where(unsure, number(Event.NONE), s.event)
+        s.event = where(unsure, Event.NONE, s.event)
         peak = greatest_speed(s, here, top)
         before, after = times_of_step(s, here, top, peak)
         unsure = here and not (before + after < INFINITY)

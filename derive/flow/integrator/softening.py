@@ -48,7 +48,7 @@ PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
 CLOSER_TO_POLE = 3.0  # of nodes in the logarithm of the distance from the pole
 LEAST_EXPONENT = -0.5  # p of hyperbolic friction
-WIDEST = 2.0  # distance of the end of a phase from this pole for which the power series is complete
+WIDEST = 6.0  # square of the distance of the end from this pole, times 1 + q^2, for which the power series is complete
 # Places of the factors of the terms from the first on, beside those for hyperbolic friction: `SHIFT` has brake/slope,
 # `FIRST` W at the beginning.
 CONSTANT = 8
@@ -67,7 +67,8 @@ def factors_of_terms(e: S, q: V, rate: V) -> None:
         drive = weight * e[NET] + before * e[LOAD]
         sine = weight * e[NET + 1] + before * e[LOAD + 1]
         vers = weight * e[NET + 2] + before * e[LOAD + 2]
-        factors(part, drive, sine, vers, q + number(j) * rate)
+        faster = q + number(j) * rate
+        factors(part, drive, sine, vers, faster)
         e[CONSTANT + j] = (part[0] + part[3]) / part[4]
         e[SINE + j] = part[3]
         e[VERS + j] = part[2]
@@ -114,7 +115,9 @@ def series_suffices(s: Lanes, e: S) -> M:
     driven = abs(s.net_loss) <= DRIVEN * s.drive
     if s.has.per_pole:
         return driven and e[SHIFT] > LEAST_EXPONENT
-    return driven and abs(e[SHIFT]) <= GREATEST and 2.0 * e[4] + s.loss_rate < 0.0
+    converges = abs(e[SHIFT]) <= GREATEST
+    resonates = 2.0 * e[4] + s.loss_rate >= 0.0
+    return driven and converges and not resonates
 
 
 def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
@@ -146,14 +149,17 @@ def softening_energy(e: S, f: S) -> V:
         constant = constant * left + above
         of_sine = (of_sine + e[SINE + j]) * left
         of_vers = (of_vers + e[VERS + j]) * left
-    terms = f[4] * constant + (of_vers * f[2] - of_sine * (f[0] - f[3]))
+    sine = f[0] - f[3]
+    turned_part = of_vers * f[2] - of_sine * sine
+    terms = f[4] * constant + turned_part
     shift = e[SHIFT] * left
     grown: V = 0.0
     for k in down(LAST, 0):
         grown = FADING[k] - grown * shift
     square = shift * shift
     grown = 1.0 + (shift + square * grown)
-    faded_part = e[4] * (above * first) * (f[0] - e[4] * f[1])
+    lost = f[0] - e[4] * f[1]
+    faded_part = e[4] * (above * first) * lost
     return grown * (energy(e, f) + (terms + faded_part))
 
 
@@ -188,7 +194,9 @@ def soften(s: Lanes, e: S, f: S, x: V) -> None:
 
 
 def energy_past(s: Lanes, e: S, f: S, past: V, end: V, part: N) -> V:
-    """Return E at a distance from rest, and compute the functions of which it consists."""
+    """Return E at a distance from rest in the variable of the rules, and compute the functions of which it consists."""
+    if s.has.per_pole:
+        return hyperbolic_energy(e, f, -past if part else past)
     softening_functions(s, e, f, past)
     if part:
         count_from_end(s, e, f, end - past)
@@ -215,8 +223,7 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        passed: V = -past if part else past
-        at = hyperbolic_energy(e, f, passed) if s.has.per_pole else energy_past(s, e, f, past, end, part)
+        at = energy_past(s, e, f, past, end, part)
         slowness = share * share * (other * NODES[k]) / sqrt(at)
         if s.has.per_pole:
             slowness = slowness * abs(e[POLE] + f[0])
@@ -225,8 +232,10 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     most: V = CLOSER if fine else ALIKE
-    accurate = abs(last) + abs(last_but_one) <= most * total
-    return where(accurate, end * unit * (1.0 + bend) * total, INFINITY)
+    uneven = abs(last) + abs(last_but_one)
+    accurate = uneven <= most * total
+    time = end * unit * (1.0 + bend) * total
+    return where(accurate, time, INFINITY)
 
 
 def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
@@ -243,7 +252,8 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
     bend = change * BENT * sqrt(softened)
     if s.has.per_pole:
         bend = change * CLOSER_TO_POLE
-        complete = end + e[POLE] < WIDEST
+        reach = end + e[POLE]
+        complete = (1.0 + e[4] * e[4]) * (reach * reach) < WIDEST
         to_end = where(complete, to_end, INFINITY)
     before = time_of_part(s, e, to_end, unit, bend, 0)
     f = new_series()

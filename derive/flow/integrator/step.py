@@ -47,43 +47,44 @@ FAR = 1e300  # unreachable bound
 # --- consequences of events ----------------------------------------------------------------------------------------
 
 
-def enter_phase(lane: Lane, rate: float) -> None:
-    """Begin another phase in motion: the lane enters another piece of a table, is lifted or lands."""
-    lane.rate_before = rate
-    lane.drive_before = lane.drive
-    lane.scale_before = lane.drive_scale
-    advance_origin(lane)
-    lane.pending = Pending.ENTER_PHASE
+def enter_phase(s: Lanes, here: M, rate: V) -> None:
+    """Begin another phase in motion: lanes enter another piece of a table, are lifted or land."""
+    s.rate_before = rate
+    s.drive_before = s.drive
+    s.scale_before = s.drive_scale
+    advance_origin(s, here)
+    s.pending = Pending.ENTER_PHASE
 
 
-def on_standstill(lane: Lane) -> None:
-    """Bring the lane to its standstill, reversed unless it is one-way, so that rounding cannot continue its motion."""
-    advance_origin(lane)
-    update_reach(lane)
-    lane.rest_since = lane.time
-    note(lane, Note.STANDS)
-    lane.faced = 1.0
-    one_way = lane.one_way > 0.0
-    face(lane, where(one_way, lane.direction, -lane.direction))
-    lane.pending = where(one_way, Pending.REST, Pending.RESOLVE)
+def on_standstill(s: Lanes, here: M) -> None:
+    """Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion."""
+    advance_origin(s, here)
+    update_reach(s, here)
+    s.rest_since = s.time
+    if s.logged and here:
+        note(s, Note.STANDS)
+    s.faced = 1.0
+    one_way = s.one_way > 0.0
+    face(s, here, where(one_way, s.direction, -s.direction))
+    s.pending = where(one_way, Pending.REST, Pending.RESOLVE)
 
 
-def on_contact_change(lane: Lane, rate: float) -> None:
+def on_contact_change(s: Lanes, here: M, rate: V) -> None:
     """Change contact with the slip surface."""
-    lane.lifted = 1.0 - lane.lifted
-    if lane.lifted > 0.0:
-        note_lift_off(lane)
-    if lane.lifted == 0.0:
-        note(lane, Note.LANDS)
-    enter_phase(lane, rate)
-    lane.passed = Passed.LIFT
+    s.lifted = 1.0 - s.lifted
+    note_lift_off(s, here and s.lifted > 0.0)
+    lands = here and s.lifted == 0.0
+    if s.logged and lands:
+        note(s, Note.LANDS)
+    enter_phase(s, here, rate)
+    s.passed = Passed.LIFT
 
 
-def on_breakpoint(lane: Lane, t: T, rate: float, upwards: bool) -> None:
-    """Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece."""
-    enter_phase(lane, rate)
+def on_breakpoint(lane: Lane, t: T, upwards: bool) -> None:
+    """Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece."""
     if t.kind == Kind.ROTATION:
-        lane.rotation = break_of(lane, t, integer(t.piece) + where(lane.direction > 0.0, 1, 0))
+        ahead = where(lane.direction > 0.0, 1, 0)
+        lane.rotation = break_of(lane, t, integer(t.piece) + ahead)
         return
     if t.kind == Kind.SPEED:
         lane.omega = where(upwards, t.upper, t.lower)
@@ -96,44 +97,53 @@ def on_breakpoint(lane: Lane, t: T, rate: float, upwards: bool) -> None:
         lane.pending = Pending.READY
 
 
-def end_motion(lane: Lane, rate: float, status: float) -> None:
-    """End a moving lane at its end time or with an upright chord."""
-    lane.status = status
-    lane.end_rotation = lane.rotation + lane.direction * lane.x
-    lane.end_omega = lane.direction * lane.omega
-    lane.end_rate = lane.direction * rate
-    update_reach(lane)
+def on_breakpoints(s: Lanes, here: M, rate: V) -> None:
+    """Pass edges of tables of slip, speed or rotation."""
+    enter_phase(s, here, rate)
+    for t in s.tables:
+        upper: N = Event.BREAKPOINT + 2 * t.number
+        lower: N = upper + 1
+        passes = here and (s.event == number(upper) or s.event == number(lower))
+        if passes:
+            on_breakpoint(s, t, s.event == upper)
 
 
-def on_limit(lane: Lane, rate: float) -> None:
-    """End the lane at its end time, or pass breaks of functions of time."""
-    if lane.time >= lane.end_time:
-        end_motion(lane, rate, Status.ENDED)
-        return
-    pass_breaks(lane)
+def end_motion(s: Lanes, here: M, rate: V, status: V) -> None:
+    """End moving lanes at their end time or with an upright chord."""
+    s.status = status
+    s.end_rotation = s.rotation + s.direction * s.x
+    s.end_omega = s.direction * s.omega
+    s.end_rate = s.direction * rate
+    update_reach(s, here)
 
 
-def settle(lane: Lane, rate: float, at_limit: bool, endless: bool) -> None:
+def on_limit(s: Lanes, here: M, rate: V) -> None:
+    """End lanes at their end time, or pass breaks of functions of time."""
+    ends = here and s.time >= s.end_time
+    end_motion(s, ends, rate, Status.ENDED)
+    passes = here and not ends
+    if passes:
+        pass_breaks(s)
+
+
+def settle(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
     """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
-    if endless:
-        lane.status = Status.TOO_LONG
-    if at_limit:
-        on_limit(lane, rate)
-    if lane.event == Event.NONE:
-        return
-    if lane.event == Event.STANDSTILL:
-        on_standstill(lane)
-        return
-    if lane.event == Event.LIFT_OFF:
-        on_contact_change(lane, rate)
-        return
-    if lane.event == Event.CHORD_UPRIGHT:
-        end_motion(lane, rate, Status.UPRIGHT)
-        return
-    for t in lane.tables:
-        edge: N = Event.BREAKPOINT + 2 * t.number
-        if lane.event == edge or lane.event == edge + 1:
-            on_breakpoint(lane, t, rate, lane.event == edge)
+    s.status = where(endless, Status.TOO_LONG, s.status)
+    limits = here and at_limit
+    if any_lane(limits):
+        on_limit(s, limits, rate)
+    stands = here and s.event == Event.STANDSTILL
+    if any_lane(stands):
+        on_standstill(s, stands)
+    lifts = here and s.event == Event.LIFT_OFF
+    if any_lane(lifts):
+        on_contact_change(s, lifts, rate)
+    upright = here and s.event == Event.CHORD_UPRIGHT
+    if any_lane(upright):
+        end_motion(s, upright, rate, Status.UPRIGHT)
+    passes = here and s.event >= Event.BREAKPOINT
+    if any_lane(passes):
+        on_breakpoints(s, passes, rate)
 
 
 # --- one step ---------------------------------------------------------------------------------------------------------
@@ -168,7 +178,8 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest and (decelerates or (net[0] == 0.0 and net[1] <= 0.0))
-    asked = here and (last <= 0.0 or (decelerates and slope > 0.0) or falls_from_rest)
+    dips = decelerates and slope > 0.0
+    asked = here and (last <= 0.0 or dips or falls_from_rest)
     if any_lane(asked):
         e = new_series()
         margin_of(e, omega, top, 1.0, 0.0, from_rest)  # remove the root at a start from rest
@@ -176,7 +187,8 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
         margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
         at = first_root(e, top, s.step, asked)
         vanishes = from_rest and e[0] == 0.0 and last == 0.0  # the drive is zero to rounding
-        consider(s, here, where(asked and (e[0] < 0.0 or vanishes), 0.0, at), Event.STANDSTILL)
+        at_once = asked and (e[0] < 0.0 or vanishes)
+        consider(s, here, where(at_once, 0.0, at), Event.STANDSTILL)
 
 
 def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M, event: N) -> None:
@@ -195,9 +207,11 @@ def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
     event: N = Event.BREAKPOINT + 2 * t.number
     if t.kind == Kind.SPEED:
         omega = s.series.omega
-        find_crossing(s, ends, omega, top, -1.0, upper, s.passed == Passed.SLOWER, event)
+        slower = s.passed == Passed.SLOWER
+        find_crossing(s, ends, omega, top, -1.0, upper, slower, event)
         varies = here and t.lower > 0.0
-        find_crossing(s, varies, omega, top, 1.0, -t.lower, s.passed == Passed.FASTER, event + 1)
+        faster = s.passed == Passed.FASTER
+        find_crossing(s, varies, omega, top, 1.0, -t.lower, faster, event + 1)
         return
     find_crossing(s, ends, s.series.x, top, -1.0, upper, none_of(s), event)
 
@@ -208,20 +222,22 @@ def find_events(s: Lanes, here: M, top: N) -> None:
     Water over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
     only until the first other event, beyond which it may pass zero twice.
     """
-    s.event = number(Event.NONE)
+    s.event = Event.NONE
     find_standstill(s, here, top)
     if s.has.upright:
         find_crossing(s, here, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
     for t in s.tables:
         if t.kind != Kind.TIME:
-            known: N = t.number > 0 and t.kind == Kind.ROTATION and t.before.kind == Kind.ROTATION
+            follows: N = t.number > 0 and t.kind == Kind.ROTATION
+            known: N = follows and t.before.kind == Kind.ROTATION
             if known:  # its pieces end where the pieces of the preceding table end
                 known = not any_lane(here and minimum(t.upper, FAR) != t.before.upper)
             if not known:
                 find_edges(s, here, t, top)
     if s.has.normal:
         sign = where(s.lifted > 0.0, -1.0, 1.0)
-        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, s.passed == Passed.LIFT, Event.LIFT_OFF)
+        passed = s.passed == Passed.LIFT
+        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, passed, Event.LIFT_OFF)
 
 
 def choose_step(s: Lanes, here: M, top: N) -> None:
@@ -254,8 +270,9 @@ def is_endless(s: Lanes, here: M, room: V) -> M:
     """
     endless = none_of(s)
     if s.autonomous:
-        settled = s.series.net[0] * s.step >= -Share.SETTLED * s.series.omega[0]
-        uneventful = s.event == number(Event.NONE)
+        change = s.series.net[0] * s.step
+        settled = change >= -Share.SETTLED * s.series.omega[0]
+        uneventful = s.event == Event.NONE
         endless = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
     return endless
 
@@ -266,28 +283,32 @@ def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
     at = falling_root(net, top - 1, s.step, rate, slope, here)
     peaks = at < INFINITY
     if any_lane(peaks):
-        time = s.time + elapsed(s, top, at)
+        since = elapsed(s, top, at)
+        time = s.time + since
         speed = value(s.series.omega, top, at)
         x = value(s.series.x, top, at)
-        keep_faster(s, peaks, speed, time, x, value(net, top - 1, at))
+        rate_there = value(net, top - 1, at)
+        keep_faster(s, peaks, speed, time, x, rate_there)
 
 
 def conclude(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
     """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
     before_end = s.time < s.end_time
-    others = enter_lines(s, at_limit and before_end)
-    simple = s.event == number(Event.NONE) and not endless and not others
+    breaks = at_limit and before_end
+    others = enter_lines(s, breaks)
+    simple = s.event == Event.NONE and not endless and not others
     settled = simple and (before_end or not at_limit)
-    if here and not settled:
-        settle(s, rate, at_limit, endless)
+    acts = here and not settled
+    if any_lane(acts):
+        settle(s, acts, rate, at_limit, endless)
 
 
 def arrive(s: Lanes, here: M, until: V, rate: V, steady: M, at_limit: M, endless: M) -> None:
     """Let a step end at the time ``until``, count it, and apply its consequences."""
     keep_faster(s, here, s.omega, until, s.x, rate)
     s.time = until
-    s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
-    s.passed = number(Passed.NOTHING)
+    s.steps = where(at_limit, 0.0, s.steps + where(steady, Limit.STIFF_STEP, 1.0))
+    s.passed = Passed.NOTHING
     conclude(s, here, rate, at_limit, endless)
 
 
@@ -299,7 +320,7 @@ def make_step(s: Lanes, here: M) -> None:
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top)
-    uneventful = s.event == number(Event.NONE)
+    uneventful = s.event == Event.NONE
     endless = is_endless(s, here, room)
     s.step = where(endless, 0.0, s.step)
     step = s.step
@@ -311,7 +332,8 @@ def make_step(s: Lanes, here: M) -> None:
     until = where(at_limit, limit, time)
     if s.samples and here:
         read_samples(s, s.time, until, 1, top)
-    steady = abs(net[0]) * step < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
+    change = abs(net[0]) * step
+    steady = change < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
     advance_states(s, here, top)
     rate = per_time(s, rate, s.omega)
     arrive(s, here, until, rate, steady, at_limit, endless)

@@ -10,10 +10,12 @@ half a turn, and before its end time. All other phases are integrated in time.
 
 from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of
 from derive.flow.integrator.one_lane import (
+    ARCSINE,
+    COSINES,
+    EPS,
     INFINITY,
-    PLACES,
+    LAST_OF_ARCSINE,
     SINES,
-    WEIGHTS,
     Lanes,
     M,
     N,
@@ -21,6 +23,7 @@ from derive.flow.integrator.one_lane import (
     S,
     V,
     any_lane,
+    down,
     minimum,
     new_series,
     number,
@@ -28,8 +31,9 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
-from derive.flow.integrator.phases import keep_faster
-from derive.flow.integrator.roots import LAST_STEP, inside_or_middle
+from derive.flow.integrator.phases import keep_faster, stick
+from derive.flow.integrator.roots import inside_or_middle
+from derive.flow.integrator.rotation import FINEST
 from derive.flow.integrator.softening import duration_of_softening, series_suffices, soften, softening_factors
 from derive.flow.integrator.step import on_standstill
 
@@ -37,8 +41,14 @@ PI = 3.141592653589793
 FARTHEST = 3.14  # greatest rotation of a phase: net moment and normal force have two zeros in a turn
 FADED = 2.0  # greatest q x, for which the series of E are complete
 LAST_OF_HALLEY = 2.0**-18  # relative step of Halley's method after which the next one would be below rounding
+CLEAR = 0.01  # excess of resistance over the driving moment, relative to their terms, that is no matter of rounding
 MOST_CORRECTIONS = 12  # of a root by Newton's method
-CONVERGED = 2.0**-22  # change of the duration by the last halving, whose square is the error
+LAST_OF_NEWTON = 2.0**-26  # the same for Newton's method
+PAIRS = 8  # of nodes at most
+QUARTER = PI / 4.0
+# Greatest last coefficient of the series of cosines over the first one, for all orders and for those above `FINEST`.
+LAST_OF_COARSE = 2.0**-32
+LAST_OF_FINE = 2.0**-42
 
 
 def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
@@ -73,9 +83,15 @@ def end_of_swing(s: Lanes, e: S, sine: V, which: M) -> V:
     return where(which, 2.0 * FARTHEST, x)
 
 
-def peak_of_swing(s: Lanes, e: S, end: V, which: M) -> V:
-    """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
-    x = 0.5 * end
+def peak_of_cubic(rise: V, fall: V, end: V) -> V:
+    """Return the rotation of the greatest speed if E is a cubic with these slopes at both of its zeros."""
+    square = rise * rise + fall * (fall - rise)
+    falls_by = 2.0 * rise - fall + sqrt(square)
+    return end * rise / falls_by
+
+
+def peak_of_swing(s: Lanes, e: S, x: V, end: V, which: M) -> V:
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on."""
     f = new_series()
     low: V = 0.0
     high = end
@@ -89,9 +105,15 @@ def peak_of_swing(s: Lanes, e: S, end: V, which: M) -> V:
         following = inside_or_middle(following, low, high)
         change = abs(following - x)
         x = where(which, following, x)
-        which = which and change > LAST_STEP * x
+        which = which and change > LAST_OF_NEWTON * x
         count = count + 1
     return x
+
+
+def force_at(start: V, sine: V, vers: V, f: S) -> V:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
 
 
 def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
@@ -99,82 +121,165 @@ def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
 
     A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
     """
-    sine_end = sine * (f[0] - f[3])
-    at_end = start + (sine_end + vers * f[2])
+    at_end = force_at(start, sine, vers, f)
     cosine = 1.0 - f[2]
-    concave = vers <= 0.0 and vers * cosine <= sine_end
+    change = sine * (f[0] - f[3])
+    concave = vers <= 0.0 and vers * cosine <= change
     return start > 0.0 and at_end > 0.0 and concave
 
 
-def slowness(e: S, back: S, end: V, k: N) -> V:
-    """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
+def has_closed_form(s: Lanes, f: S, q: V) -> M:
+    """Return whether phases up to a rotation have the closed form, from the functions of E there."""
+    end = f[0]
+    near = end < FARTHEST and q >= 0.0 and q * end < FADED
+    upright = stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
+    pressed = stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
+    return near and s.normal_square >= 0.0 and upright and pressed
+
+
+def add_node(e: S, back: S, end: V, both: S, odd: S, k: N) -> None:
+    """Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end."""
     x = end * SINES[k]
     f = new_series()
     functions(f, x, e[4])
-    room = x * (end - x)
-    here = sqrt(room / energy(e, f))
+    left = end - x
+    room = x * left
+    near = sqrt(room / energy(e, f))
     reverse(f, e[4])
-    there = sqrt(room / energy(back, f))
-    return here + there
+    far = sqrt(room / energy(back, f))
+    both[k] = near + far
+    odd[k] = near - far
 
 
-def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
-    """Return the duration of a phase, and the relative change by the last halving of intervals."""
-    ends = sqrt(end / e[0])
-    ends = ends + sqrt(end / back[0])
-    total = 0.125 * (ends + slowness(e, back, end, 0))
-    total = total + 0.25 * slowness(e, back, end, 1)
-    change: V = 1.0
-    changes = which
-    first: N = 2
-    while first < 16 and any_lane(changes):
-        added: V = 0.0
-        for k in up(first, 2 * first - 1):
-            added = added + slowness(e, back, end, k)
-        added = added / number(2 * first)
-        relative = abs(added - total) / total
-        change = where(changes, relative, change)
-        total = where(changes, 0.5 * (total + added), total)
-        changes = which and change > CONVERGED
-        first = 2 * first
-    return PI * total, change
+def mean_of(both: S, pairs: N, by: N) -> V:
+    """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
+    ends = both[0] + both[PAIRS]
+    total = 0.5 * ends
+    for k in up(1, pairs - 1):
+        total = total + both[k * by]
+    return total / number(2 * pairs)
 
 
-def time_of_peak(e: S, peak: V) -> V:
-    """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
+def angle_of(place: V, sine: V) -> V:
+    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine."""
+    z = place / sqrt(2.0 + 2.0 * sine)
+    square = z * z
     total: V = 0.0
-    f = new_series()
-    for k in up(0, 11):
-        functions(f, peak * PLACES[k], e[4])
-        total = total + WEIGHTS[k] * sqrt(f[0] / energy(e, f))
-    return 2.0 * sqrt(peak) * total
+    for k in down(LAST_OF_ARCSINE, 0):
+        total = total * square + ARCSINE[k]
+    return QUARTER + z * total
+
+
+def time_to(x: V, end: V, both: S, odd: S, pairs: N, by: N) -> V:
+    """Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes.
+
+    Its even coefficients are sums of ``both``, and its odd coefficients sums of ``odd``.
+    """
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * sqrt(x * left) / end
+    angle = angle_of(place, sine)
+    total = 2.0 * mean_of(both, pairs, by) * angle
+    twice = -2.0 * place
+    previous: V = 0.0
+    waves: V = 0.0
+    for j in up(1, pairs):
+        of_odd: V = 0.0
+        of_even: V = 0.0
+        even_row: N = 2 * j * (PAIRS + 1)
+        odd_row: N = even_row - (PAIRS + 1)
+        for k in up(0, pairs):
+            node: N = k * by
+            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
+            of_even = of_even + COSINES[even_row + node] * both[node]
+        last: V = 0.5 if j == pairs else 1.0
+        following = twice * sine - previous
+        odd_wave = sine * of_odd
+        even_wave = following * (last * of_even)
+        waves = waves + (odd_wave + even_wave)
+        sine = twice * following - sine
+        previous = following
+    return total + waves / number(pairs)
+
+
+def durations_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tuple[V, V]:
+    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain.
+
+    Halving the intervals shows the last coefficient of the series of cosines, which is larger than the relative error
+    of the first time and the root of that of the second.
+    """
+    both = new_series()
+    odd = new_series()
+    near = sqrt(end / e[0])
+    far = sqrt(end / back[0])
+    both[0] = near + far
+    odd[0] = near - far
+    for k in up(1, 4):
+        add_node(e, back, end, both, odd, 2 * k)
+    coarse = mean_of(both, 2, 4)
+    mean = mean_of(both, 4, 2)
+    before = time_to(peak, end, both, odd, 4, 2)
+    most: V = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
+    last = abs(mean - coarse) / mean
+    unsure = which and last > most
+    if any_lane(unsure):
+        for k in up(1, 4):
+            add_node(e, back, end, both, odd, 2 * k - 1)
+        finer = mean_of(both, 8, 1)
+        change = abs(finer - mean) / finer
+        last = where(unsure, change, last)
+        mean = where(unsure, finer, mean)
+        later = time_to(peak, end, both, odd, 8, 1)
+        before = where(unsure, later, before)
+    whole = PI * mean
+    return before, where(last <= most, whole, INFINITY)
 
 
 def times_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tuple[V, V]:
-    """Return the times from rest to the greatest speed and to the end, infinite if it is uncertain."""
+    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     if s.has.loss_rate:
         return duration_of_softening(s, e, end, peak)
-    duration, change = duration_of_swing(e, back, end, which)
-    return time_of_peak(e, peak), where(change <= CONVERGED, duration, INFINITY)
+    return durations_of_swing(s, e, back, end, peak, which)
+
+
+def rest(s: Lanes, here: M, back: S, f: S) -> None:
+    """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
+
+    ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there.
+    """
+    force = force_at(s.normal0, s.normal_sine, s.normal_vers, f)
+    resistance = s.resisting + s.mu * force
+    rate = -0.5 * back[0]  # net moment in the direction in which they arrived
+    driving = rate + resistance
+    terms = abs(driving) + resistance
+    excess = driving + resistance
+    free = s.one_way == 0.0 and s.first_only == 0.0
+    clear = excess > CLEAR * terms
+    here = here and free and clear
+    margin = excess / (EPS * terms)
+    s.close = minimum(s.close, margin)
+    stick(s, here)
 
 
 def finish(s: Lanes, here: M, e: S, end: V, duration: V, peak: V, before: V) -> None:
     """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
     f = new_series()
     evaluate_at(s, e, f, peak)
-    keep_faster(s, here, sqrt(f[5]), s.time + before, peak, 0.5 * f[6])
+    speed = sqrt(f[5])
+    then = s.time + before
+    keep_faster(s, here, speed, then, peak, 0.5 * f[6])
     s.x = end
     s.omega = 0.0
     s.time = s.time + duration
     s.steps = s.steps + 1.0
-    s.passed = number(Passed.NOTHING)
-    if here:
-        on_standstill(s)
+    s.passed = Passed.NOTHING
+    on_standstill(s, here)
 
 
 def swing(s: Lanes, which: M) -> M:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
-    fits = which and s.x == 0.0 and s.omega == 0.0 and s.drive > 0.0 and s.lifted == 0.0
+    rests = s.x == 0.0 and s.omega == 0.0
+    fits = which and rests and s.drive > 0.0 and s.lifted == 0.0
     if not any_lane(fits):
         return fits
     softens: N = s.has.loss_rate
@@ -191,22 +296,17 @@ def swing(s: Lanes, which: M) -> M:
     q = e[4]
     end = end_of_swing(s, e, sine, fits)
     functions(f, minimum(end, FARTHEST), q)
+    peak = 0.5 * end
     if not softens:
         mirror(back, s.drive, sine, s.net_vers, q, f)
+        peak = peak_of_cubic(e[0], back[0], end)
         fits = fits and back[0] > 0.0
-    fits = (
-        fits
-        and end < FARTHEST
-        and q >= 0.0
-        and q * end < FADED
-        and s.normal_square >= 0.0
-        and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
-        and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
-    )
+    fits = fits and has_closed_form(s, f, q)
     if any_lane(fits):
-        peak = peak_of_swing(s, e, end, fits)
+        peak = peak_of_swing(s, e, peak, end, fits)
         before, duration = times_of_swing(s, e, back, end, peak, fits)
         fits = fits and s.time + duration < s.end_time
-        if any_lane(fits):
-            finish(s, fits, e, end, duration, peak, before)
+        finish(s, fits, e, end, duration, peak, before)
+        if not softens:
+            rest(s, fits, back, f)
     return fits

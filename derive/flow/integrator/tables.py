@@ -53,13 +53,21 @@ def value_within(lane: Lane, t: T, piece: int, local: float) -> float:
     terms = numbers()
     coefficients_of(lane, t, piece, terms)
     change = terms[1] * local
-    return t.scaled_by * (terms[0] * sin(change + terms[2]) if t.sine else terms[0] + change)
+    line = terms[0] + change
+    value = terms[0] * sin(change + terms[2]) if t.sine else line
+    return t.scaled_by * value
+
+
+def since_break(lane: Lane, t: T, piece: int) -> float:
+    """Return the distance of the current time from the left end of a piece, in the table's argument."""
+    return lane.time * t.scale - break_of(lane, t, piece)
 
 
 def value_now(lane: Lane, t: T) -> float:
     """Return a function of time at the current time."""
     piece = integer(t.piece)
-    return value_within(lane, t, piece, lane.time * t.scale - break_of(lane, t, piece))
+    local = since_break(lane, t, piece)
+    return value_within(lane, t, piece, local)
 
 
 def expand_sine(lane: Lane, t: T, top: N) -> None:
@@ -68,7 +76,7 @@ def expand_sine(lane: Lane, t: T, top: N) -> None:
     terms = numbers()
     coefficients_of(lane, t, piece, terms)
     rate = terms[1]
-    angle = rate * (lane.time * t.scale - break_of(lane, t, piece)) + terms[2]
+    angle = rate * since_break(lane, t, piece) + terms[2]
     size = terms[0] * t.scaled_by
     now = sin(angle)
     slope = cos(angle)
@@ -89,21 +97,24 @@ def rise_to(lane: Lane, t: T, past: float) -> float:
     t.rise = slope * t.scale
     if t.sine:  # A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2)
         half = 0.5 * terms[1] * past
-        angle = terms[1] * (lane.time * t.scale - break_of(lane, t, piece)) + terms[2]
-        return 2.0 * t.scaled_by * terms[0] * sin(half) * cos(angle + half)
+        angle = terms[1] * since_break(lane, t, piece) + terms[2]
+        change = 2.0 * sin(half) * cos(angle + half)
+        return t.scaled_by * terms[0] * change
     return slope * past
 
 
 def end_of_piece(lane: Lane, t: T, piece: int) -> float:
     """Return the end of a piece in the table's argument, infinity for the last piece."""
     last: N = t.pieces - 1
-    return where(piece < last, break_of(lane, t, minimum(piece + 1, last)), INFINITY)
+    following = minimum(piece + 1, last)
+    return where(piece < last, break_of(lane, t, following), INFINITY)
 
 
 def ends_by(lane: Lane, t: T, piece: int, argument: float, included: bool) -> bool:
     """Return whether a piece ends below an argument, or at it if a break belongs to the piece above."""
     end = end_of_piece(lane, t, piece)
-    return end < argument or (included and end == argument and end < INFINITY)
+    ends_there = end == argument and end < INFINITY
+    return end < argument or (included and ends_there)
 
 
 def piece_at(lane: Lane, t: T, first: int, argument: float, included: bool) -> int:
@@ -136,8 +147,9 @@ def begin_in_time(lane: Lane, t: T) -> None:
     t.way = abs(t.lower)
     if t.upper <= lane.time:
         now = lane.time * t.scale
-        piece = piece_at(lane, t, integer(t.piece), now * (1.0 + 2.0 * EPS), True)
-        if piece > integer(t.piece):
+        before = integer(t.piece)
+        piece = piece_at(lane, t, before, now * (1.0 + 2.0 * EPS), True)
+        if piece > before:
             lane.scale_before = INFINITY
         t.piece = number(piece)
         t.way = 0.0
@@ -175,7 +187,8 @@ def begin_in_slip(lane: Lane, t: T) -> None:
     piece = integer(t.piece)
     edge = break_of(lane, t, piece)
     local = maximum(lane.slip * t.scale - edge, 0.0)
-    t.upper = maximum((end_of_piece(lane, t, piece) - edge - local) / t.scale, EPS * lane.slip)
+    ahead = end_of_piece(lane, t, piece) - edge - local
+    t.upper = maximum(ahead / t.scale, EPS * lane.slip)
     develop(lane, t, local, t.scale)
 
 
@@ -283,10 +296,10 @@ def enter_lines(s: Lanes, here: M) -> M:
     return others
 
 
-def still_changes(lane: Lane) -> bool:
-    """Return whether a force will still change while the lane rests."""
-    changes: bool = False
-    for t in lane.tables:
+def still_changes(s: Lanes) -> M:
+    """Return whether a force will still change while lanes rest."""
+    changes = none_of(s)
+    for t in s.tables:
         if t.kind == Kind.TIME:
             changes = changes or t.upper < INFINITY
     return changes

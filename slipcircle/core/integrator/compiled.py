@@ -19,7 +19,7 @@ from slipcircle.core.scene.piecewise import Data
 ROUNDS = 50_000  # steps per call, at most a tenth of a second, so that Ctrl-C is handled
 NOTES = 256  # greatest number of events logged per call
 Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
-_NOTHING = np.empty(0)
+NOTHING = np.empty(0)
 
 
 class OutputSamples(NamedTuple):
@@ -86,13 +86,14 @@ def integrate(
     cells: Floats,
     samples: OutputSamples | None = None,
     log: Log | None = None,
+    shared: Floats = NOTHING,
     level: str | None = None,
 ) -> None:
     """Integrate every lane until it rests, ends or fails, as `generated.integrator.integrate` does, without the GIL.
 
     Parameters
     ----------
-    program, tables, cells, samples, log
+    program, tables, cells, samples, log, shared
         Arguments of `generated.integrator.integrate`. ``cells`` and the arrays of samples must be C-contiguous.
     level : str, optional
         Vector level, one of the ``LEVELS`` of the binary, by default the widest.
@@ -103,12 +104,12 @@ def integrate(
         return
     number = binary.LEVELS[level] if level else widest()
     pieces = _pieces(tables, count)
-    times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
-    notes = _NOTHING if log is None else np.empty((NOTES, 4))
+    times, states = (NOTHING, NOTHING) if samples is None else (samples.times, samples.states)
+    notes = NOTHING if log is None else np.empty((NOTES, 4))
     code = encoded(program)
     left = 1
     while left:
-        left, noted = binary.integrate(code, pieces, cells, 0, count, ROUNDS, times, states, notes, number)
+        left, noted = binary.integrate(code, pieces, cells, 0, count, ROUNDS, times, states, notes, number, shared)
         if log is not None:
             log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]
 
@@ -145,7 +146,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
     if count:
         code = encoded(program)
         pieces = _pieces(tables, count)
-        binary.integrate(code, pieces, cells, 0, count, begins, _NOTHING, values, _NOTHING, widest())
+        binary.integrate(code, pieces, cells, 0, count, begins, NOTHING, values, NOTHING, widest(), NOTHING)
     return values
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
-from slipcircle.core.integrator.compiled import Log, OutputSamples, engine
+from slipcircle.core.integrator.compiled import NOTHING, Log, OutputSamples, engine
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import NEAR, Problem
 
@@ -40,8 +40,11 @@ def _integrate(problem: Problem, begin: Floats | None, samples: OutputSamples | 
     while True:
         if log is not None:
             log.clear()
-        cells = problem.cells() if begin is None else begin.copy()
-        engine().integrate(problem.program, problem.tables(), cells, samples, log)
+        if begin is None and problem.lanes > 1 and "STATUS" not in problem.start:
+            cells, shared = problem.sparse_cells()
+        else:
+            cells, shared = problem.cells() if begin is None else begin.copy(), NOTHING
+        engine().integrate(problem.program, problem.tables(), cells, samples, log, shared)
         if problem.reach_farther(cells[ix.REACH_ROTATION]):
             continue
         if begin is None and samples is None and log is None:

@@ -70,28 +70,50 @@ class Problem:
         """Effects, laws and parameters from which the program is linked."""
         return self.plan.recipe
 
+    def _columns(self) -> tuple[Floats, list[tuple[int, Floats]]]:
+        """Return the initial cells that all lanes share, (cells,), and the others by their places."""
+        shared: Values = self.start
+        own: list[tuple[int, Floats]] = []
+        places = self.program.places
+        if self.lanes != 1:
+            shared = {name: value for name, value in shared.items() if not isinstance(value, np.ndarray)}
+            names = (name for name in self.start if name not in shared and name in places)
+            own = [(places[name], self.start[name]) for name in names]
+        column = np.zeros(len(self.program.cells) + 1)
+        column[_places(self.program, tuple(shared))] = [*shared.values()]
+        return column[:-1], own
+
     def cells(self, which: Any = EVERY) -> Floats:
         """Return the initial cells of all or some lanes, (cells, lanes).
 
         Cells are the numbers by which the integrator describes a lane; ``which`` is a NumPy index of lanes.
         """
-        program = self.program
-        shared = self.start
-        if self.lanes != 1:
-            shared = {name: value for name, value in shared.items() if not isinstance(value, np.ndarray)}
-        column = np.zeros(len(program.cells) + 1)
-        column[_places(program, tuple(shared))] = [*shared.values()]
-        column = column[:-1, None]
+        column, own = self._columns()
         if self.lanes == 1 and which is EVERY:
-            return column
+            return column[:, None]
+        program = self.program
         count = np.arange(self.lanes)[which].size
         cells = np.empty((len(program.cells), count))  # others are computed where phases begin
         for rows in (slice(program.given), slice(-len(program.constants), None)):
-            cells[rows] = column[rows]
-        for name, value in self.start.items():
-            if name not in shared and name in program.places:
-                cells[program.places[name]] = value[which]
+            cells[rows] = column[rows, None]
+        for place, value in own:
+            cells[place] = value[which]
         return cells
+
+    def sparse_cells(self) -> tuple[Floats, Floats]:
+        """Return the initial cells of all lanes, (cells, lanes), and the cells that all lanes share, (cells,).
+
+        The latter are not a number where lanes have their own. Only these and the status are filled in the former.
+        """
+        column, own = self._columns()
+        cells = np.empty((column.size, self.lanes))
+        column[ix.STATUS] = np.nan
+        cells[ix.STATUS] = ix.START
+        cells[ix.LIFT_TIME] = np.nan
+        for place, value in own:
+            cells[place] = value
+            column[place] = np.nan
+        return cells, column
 
     def begin_with(self, **cells: Any) -> "Problem":
         """Replace initial cells by name, each a number or an array over lanes; return the problem itself."""
