@@ -7,7 +7,9 @@ from slipcircle.ground.ground import continued, points_errors, present, slope_er
 
 if TYPE_CHECKING:
     from slipcircle.ground.construction import circle_through, circle_touching, outside_between, simple_slope
-    from slipcircle.ground.ponds import Ponds, ends_above, free_water, water_fault
+    from slipcircle.ground.heights import edge_below
+    from slipcircle.ground.plane import sine_and_cosine
+    from slipcircle.ground.ponds import Ponds, ends_above, free_water, water_faults
     from slipcircle.ground.section import Section
 
 __all__ = [
@@ -16,18 +18,22 @@ __all__ = [
     "circle_through",
     "circle_touching",
     "continued",
+    "edge_below",
     "ends_above",
     "free_water",
     "outside_between",
     "points_errors",
     "present",
     "simple_slope",
+    "sine_and_cosine",
     "slope_errors",
-    "water_fault",
+    "water_faults",
 ]
 _MODULES = {
     **dict.fromkeys(("circle_through", "circle_touching", "outside_between", "simple_slope"), "construction"),
     "Section": "section",
+    "edge_below": "heights",
+    "sine_and_cosine": "plane",
 }
 
 

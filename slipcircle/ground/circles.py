@@ -228,7 +228,8 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
     leaves = parts.leaves & mine
     first = lane, enters.argmax(axis=1)
     last = lane, leaves.argmax(axis=1)
-    return parts.start[first], (parts.start + parts.part)[last]
+    end = parts.start + parts.part
+    return parts.start[first], end[last]
 
 
 def moments(parts: Cut, mine: Flags) -> ArrayDict:
@@ -242,7 +243,8 @@ def moments(parts: Cut, mine: Flags) -> ArrayDict:
     rows = max(1, _BLOCK // max(count, 1))
     for k in range(0, n, rows):
         some = slice(k, k + rows)
-        out[:, some] = _moments(parts.only(some), mine[some])
+        of_some = parts.only(some)
+        out[:, some] = _moments(of_some, mine[some])
     return dict(zip(MEASURES, out, strict=True))
 
 
@@ -260,7 +262,8 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
     at = np.nonzero(is_long)
     lane, _ = at
     if lane.size:
-        total += _sector_moments(start[at], edge[at], lane, len(mine))
+        circles = len(mine)
+        total += _sector_moments(start[at], edge[at], lane, circles)
     return total
 
 
@@ -269,7 +272,8 @@ def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Flo
 
     ``start`` and ``edge`` are over R, ``lane`` is the circle of each edge, and ``count`` is the number of circles.
     """
-    angle = np.arctan2(start.cross(edge), start.dot(start + edge))
+    end = start + edge
+    angle = np.arctan2(start.cross(edge), start.dot(end))
     by_edge = slopes.closed(start.x, start.y, edge.x, edge.y, angle)
     by_circle = [np.bincount(lane, values, count) for values in by_edge]
     return np.array(by_circle)

@@ -21,7 +21,7 @@ def geometry_errors(section: Any) -> Iterator[Fault]:
     An error is a mask of lanes and a function from the index of a lane to its message.
     """
     if section.has_water:
-        yield lazy_import("ponds").water_fault(*section.water)
+        yield from lazy_import("ponds").water_faults(*section.water)
     yield _not_one_stretch(section)
     first, last = section._angles
     is_below = circles.below_ground(section._cut, section._mine)  # the ground may pass over it outside the circle
@@ -49,7 +49,8 @@ def x_of_ends(section: Any) -> Any:
     """Return x of the left and of the right end of arcs in m, (2, lanes)."""
     _, centre, radius = section._circle
     left, right = section._ends
-    return centre[:, 0] + radius * [left.x, right.x]
+    from_centre = radius * [left.x, right.x]
+    return centre[:, 0] + from_centre
 
 
 def _one_point(section: Any) -> Fault:

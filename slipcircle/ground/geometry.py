@@ -279,7 +279,9 @@ class SectionGeometry:
         if not self.has_water:
             return np.full_like(radius, -np.inf)
         x, y = self.exit.reshape(-1, 2).T
-        return (self.free_water.covering(x, y) - centre[:, 1]) / radius
+        level = self.free_water.covering(x, y)
+        above_centre = level - centre[:, 1]
+        return above_centre / radius
 
     @cached_property
     def in_standing_water(self) -> bool:
@@ -308,7 +310,9 @@ class SectionGeometry:
         Where the arc overhangs, the ground above it lies outside the mass.
         """
         first, last = self._angles
-        integral = np.where(self._mine, integral_inside(self._cut), 0.0).sum(axis=1)
+        every_edge = integral_inside(self._cut)
+        of_mass = np.where(self._mine, every_edge, 0.0)
+        integral = of_mass.sum(axis=1)
         overhangs = np.maximum(-first, last) > np.pi / 2
         if overhangs.any():
             above = lazy_import("heights").height_integrals(*self._circle)

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.ground.circles import Cut, cut_by_circles
 from slipcircle.ground.ground import continued
 from slipcircle.ground.pieces import GroundPieces, edge_slopes, pieces_inside, span_of
@@ -87,6 +87,24 @@ def _over_parts(pieces: GroundPieces, slope: Floats, first: Floats, last: Floats
     start_sine = sine + more_sine
     start_cosine = cosine + more_cosine
     return slopes.head(angle, start_sine, start_cosine, start_height, slope)
+
+
+def edge_below(line: Floats, x: Floats, middle: Floats) -> ArrayPair:
+    """Return y of lines (n or 1, V, 2) at x (n, M), and their slopes, for the edges at the points `middle`.
+
+    `middle` are x of points, (n, M), each of which selects one of the V - 1 edges.
+    """
+    vertices = Vectors.of(line)
+    inner = vertices.x.T[1:-1, :, None]
+    edge = (inner <= middle).sum(axis=0)
+    start = vertices.starts
+    slopes_of_edges = edge_slopes(vertices.edges)
+    by_edge = np.stack([start.x, start.y, slopes_of_edges])
+    circle = np.arange(len(line))[:, None]
+    start_x, start_y, slope = by_edge[:, circle, edge]
+    along = x - start_x
+    rise = slope * along
+    return start_y + rise, slope
 
 
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:

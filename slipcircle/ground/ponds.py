@@ -1,24 +1,24 @@
 """Free water: water levels above the ground, and ponds with a separate pore pressure."""
 
-from collections.abc import Callable, Iterator, Sequence
-from itertools import pairwise, repeat
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from slipcircle.base.errors import Fault
-from slipcircle.base.kinds import Floats
-from slipcircle.ground.ground import AS_PRINTED
+from slipcircle.base.kinds import ArrayPair, Flags, Floats
+from slipcircle.base.sections import distinct
+from slipcircle.ground.ground import AS_PRINTED, FAR, continued
+from slipcircle.ground.heights import edge_below
 from slipcircle.ground.plane import each_lane
 
 _LEVEL = 0.01  # allowed deviation of free water from a horizontal level, over the height of the ground
 _ROUNDING = 1e-9  # tolerance over the size of the ground
-Bodies = list[list[float]]  # shores, mean level and fall of each
 Given = Sequence[tuple[float, float, float]]  # ponds: x of both shores, and the level
 
 
 class Ponds(NamedTuple):
-    """Free water in m, arrays of shape (ponds, lanes). The width is 0 where a lane has fewer ponds.
+    """Free water in m, arrays of shape (ponds, lanes). The width is 0 where a lane lacks a pond.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class Ponds(NamedTuple):
     fall: Floats
 
     @property
-    def of_one(self) -> Bodies:
+    def of_one(self) -> list[list[float]]:
         """Both shores (x) and the level of each pond on the ground of a single lane, from left to right, m."""
         of_lane = np.stack(self[:3])[..., 0]
         rows = of_lane.T.tolist()
@@ -62,165 +62,186 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
     Levels that are ``confined`` have no free water. ``ponds`` contains x of both shores and the level of each pond, in
     m.
     """
-    pairs = _pairs(grounds, levels)
-    bodies = [_bodies(ground, level, confined, ponds) for ground, level in pairs]
-    lanes = len(bodies)
-    count = max(map(len, bodies), default=0)
-    first_points = grounds[:, 0]
-    x, y = first_points.min(axis=0, initial=np.inf)
-    outside = x - 1.0
-    nothing = [outside, outside, y, 0.0]  # where a lane has less water
-    padded = []
-    for of_lane in bodies:
-        missing = count - len(of_lane)
-        padded.append(of_lane + missing * [nothing])
-    table: Floats = np.reshape(padded, (lanes, count, 4))
-    return Ponds(*table.T)
+    lanes = len(grounds)
+    if levels is not None:
+        lanes = max(lanes, len(levels))
+    every_ground = each_lane(grounds, lanes)
+    bodies = list[Floats]()
+    if levels is not None and not confined:
+        bodies += _below(every_ground, levels)
+    for first, last, level in ponds:
+        shores = [first, level], [last, level]
+        line = np.array([shores], float)
+        bodies += _below(every_ground, line, first, last)
+    count = len(bodies)
+    by_body = np.reshape(bodies, (count, 4, lanes))
+    columns = by_body.swapaxes(0, 1)
+    return Ponds(*columns)
 
 
-def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any]]:
-    """Return each ground (V, 2) with its level (W, 2), or None without a level, for each lane."""
-    if levels is None:
-        return zip(grounds, repeat(None), strict=False)
-    if len(grounds) == 1:
-        lanes = len(levels)
-    else:
-        lanes = len(grounds)
-    of_grounds = each_lane(grounds, lanes)
-    of_levels = each_lane(levels, lanes)
-    return zip(of_grounds, of_levels, strict=True)
+def _below(grounds: Floats, levels: Floats, first: float = -np.inf, last: float = np.inf) -> Iterator[Floats]:
+    """Yield the fields of `Ponds`, (4, lanes), of water between grounds (lanes, V, 2) and levels (lanes or 1, W, 2), m.
 
-
-def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> Bodies:
-    """Return x of both shores, mean level and fall of each body of free water over one ground, (V, 2), in m.
-
-    ``level`` has points (W, 2) or is None.
+    Water that does not reach between `first` and `last` is left out.
     """
-    bodies = []
-    if level is not None and not confined:
-        bodies += _below(ground, level)
-    for pond in ponds:
-        bodies += _pond(ground, pond)
-    return bodies
-
-
-def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
-    """Return the bodies of water of one pond, x of its shores and its level, over a ground (V, 2), in m.
-
-    Each body is x of both shores, mean level and fall.
-    """
-    first, last, level = pond
-    line = np.array([[first, level], [last, level]])
-    bodies = []
-    for body in _below(ground, line):
-        left, right, *_ = body
-        if left < last and right > first:
-            bodies.append(body)
-    return bodies
-
-
-def _below(ground: Floats, level: Floats) -> Bodies:
-    """Return the bodies of water between a ground (V, 2) and a level (W, 2) above it, in m.
-
-    Each is x of both shores, mean level and fall (highest minus lowest point of the level).
-    """
-
-    def depth(x: Floats) -> Floats:
-        height = np.interp(x, *level.T)
-        return height - np.interp(x, *ground.T)
-
-    left, right = ground[[0, -1], 0]
-    vertices = np.concatenate([ground[:, 0], level[:, 0]])
-    inside = np.clip(vertices, left, right)
-    x = np.unique(inside)
-    x = np.union1d(x, _roots(depth, x))
-    middle = (x[:-1] + x[1:]) / 2
-    is_wet = depth(middle) > _ROUNDING * (right - left)
-    changes = np.diff(is_wet, prepend=False, append=False)
-    shores = np.flatnonzero(changes)
-    bodies = []
-    for first, last in shores.reshape(-1, 2).tolist():
-        wet = x[first : last + 1]
-        heights = np.interp(wet, *level.T)
-        low = heights.min()
-        high = heights.max()
+    levels = continued(levels, -2 * FAR, 2 * FAR)
+    x, is_wet = _wet_sections(grounds, levels)
+    by_lane = x.T
+    heights, _ = edge_below(levels, by_lane, by_lane)
+    at_start = heights[:, :-1].T
+    at_end = heights[:, 1:].T
+    lower = np.minimum(at_start, at_end)
+    higher = np.maximum(at_start, at_end)
+    changes = np.diff(is_wet, axis=0, prepend=False)
+    number = np.cumsum(changes & is_wet, axis=0)
+    outside = grounds[..., 0].min(initial=0.0) - 1.0  # where a lane has less water
+    bottom = grounds[..., 1].min(initial=0.0)
+    start = x[:-1]
+    end = x[1:]
+    count = number.max(initial=0)
+    for k in range(1, count + 1):
+        is_same_body = number == k
+        inside = is_wet & is_same_body
+        left, right = _range(start, end, inside, outside)
+        begins_before = left < last
+        ends_after = right > first
+        reaches = begins_before & ends_after
+        low, high = _range(lower, higher, inside, bottom)
+        left = np.where(reaches, left, outside)
+        right = np.where(reaches, right, outside)
         middle_height = (low + high) / 2
-        most_depth = high - low
-        bodies.append([x[first], x[last], middle_height, most_depth])
-    return bodies
+        fall = high - low
+        yield np.stack([left, right, middle_height, fall])
 
 
-def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
-    """Return a root of a piecewise linear function in each interval, or an end of intervals without a root.
+def _range(low: Floats, high: Floats, inside: Flags, nothing: float) -> ArrayPair:
+    """Return the least low and the greatest high value in marked sections, (lanes,), `nothing` in lanes without one.
 
-    Intervals lie between neighbouring elements of ``x``, which increases.
+    `nothing` is below all values. The arguments are (sections, lanes).
     """
-    step = np.diff(x)
-    quarter = step / 4
-    early = linear(x[:-1] + quarter)  # inside intervals, away from vertical scarps
-    late = linear(x[1:] - quarter)
-    fall = early - late
-    divisor = np.where(fall == 0.0, np.inf, 2 * fall)
-    place = 0.25 + early / divisor
-    share = np.clip(place, 0.0, 1.0)
-    roots = x[:-1] + share * step
-    return roots
+    greatest = high.max(axis=0, where=inside, initial=nothing)
+    least = low.min(axis=0, where=inside, initial=np.inf)
+    return np.minimum(least, greatest), greatest
+
+
+def _wet_sections(grounds: Floats, levels: Floats) -> tuple[Floats, Flags]:
+    """Return x of the edges of sections, (edges, lanes), in m, and whether a level is above the ground in each.
+
+    Grounds are (lanes, V, 2), and levels (lanes or 1, W, 2) extend beyond them.
+    """
+
+    def depth(x: Floats, inside: Floats) -> Floats:
+        height, _ = edge_below(levels, x.T, inside.T)
+        ground, _ = edge_below(grounds, x.T, inside.T)
+        below_level = height - ground
+        return below_level.T
+
+    left, right = grounds[:, [0, -1], 0].T
+    of_lanes = each_lane(levels, len(grounds))
+    points = np.concatenate([grounds, of_lanes], axis=1)
+    vertices = points[..., 0].T
+    within_ground = np.clip(vertices, left, right)
+    x = _sections(within_ground)
+    start = x[:-1]
+    width = np.diff(x, axis=0)
+    inside = start + width / 2
+    at_start = depth(start, inside)
+    at_end = depth(start + width, inside)
+    fall = at_start - at_end
+    divisor = np.where(fall == 0.0, np.inf, fall)
+    share = np.clip(at_start / divisor, 0.0, 1.0)  # of the section, where the depth is 0
+    shores = start + share * width
+    every_edge = np.concatenate([x, shores])
+    x = _sections(every_edge)
+    width = np.diff(x, axis=0)
+    start = x[:-1]
+    inside = start + width / 2
+    least = _ROUNDING * (right - left)
+    in_middle = depth(inside, inside)
+    is_deep = in_middle > least
+    has_width = width > 0.0
+    return x, is_deep & has_width
+
+
+def _sections(x: Floats) -> Floats:
+    """Return the edges of sections between places x, sorted in each lane, (edges, lanes)."""
+    in_order = np.sort(x, axis=0)
+    return distinct(in_order, 0.0)
 
 
 # --- mistakes --------------------------------------------------------------------------------------------------------
 
 
-def water_fault(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Fault:
-    """Return the error of levels beside the ground, sloping free water, and ponds that are dry or too short.
+def water_faults(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Iterator[Fault]:
+    """Yield the errors of levels beside the ground, sloping free water, and ponds that are dry or too short.
 
-    The error is a mask of lanes and a function from the index of a lane to its message; arguments are as for
+    An error is a mask of lanes and a function from the index of a lane to its message; arguments are as for
     `free_water`.
     """
-    pairs = _pairs(grounds, levels)
-    words = [_mistake(ground, level, confined, ponds) for ground, level in pairs]
-    return np.array(words) != "", lambda k: words[k]
-
-
-def _mistake(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> str:
-    """Return the message about the water of one ground (V, 2), empty if it is valid.
-
-    Arguments are as for `free_water`, with a single level.
-    """
-    left, right = ground[[0, -1], 0]
-    if level is not None:
-        first, last = level[[0, -1], 0]
-        if last < left or first > right:
-            return "{level}: lies beside the ground; it must extend over it"
-    width, height = np.ptp(ground, axis=0)
-    tolerance = max(_LEVEL * height, _ROUNDING * width)
-    for first, last, _, fall in _bodies(ground, level, confined, ()):
-        if fall > tolerance:
-            where = f"from x = {first:.10g} to {last:.10g}, where it is above the ground"
-            remedy = "give a horizontal level there, or {confined} = true for an artesian level without free water"
-            return f"{{level}}: varies by {fall:.4g} m {where}; free water is horizontal: {remedy}"
+    if levels is not None:
+        left, right = grounds[:, [0, -1], 0].T
+        first, last = levels[:, [0, -1], 0].T
+        ends_before = last < left
+        begins_after = first > right
+        beside = "{level}: lies beside the ground; it must extend over it"
+        yield ends_before | begins_after, lambda k: beside
+        water = free_water(grounds, levels, confined, ())
+        yield _sloping_water(grounds, water)
     for number, pond in enumerate(ponds, 1):
-        if mistake := _pond_mistake(ground, pond):
-            return f"{{pond.{number}.level}}: {mistake}"
-    bodies = sorted(_bodies(ground, level, confined, ponds))
-    if any(one[1] > other[0] for one, other in pairwise(bodies)):
-        return "{ponds}: lies in other free water; remove one of them"
-    return ""
+        name = f"{{pond.{number}.level}}"
+        water = free_water(grounds, None, confined, [pond])
+        yield from _pond_faults(name, pond, water)
+    water = free_water(grounds, levels, confined, ponds)
+    in_order = np.argsort(water.first, axis=0)
+    first = np.take_along_axis(water.first, in_order, axis=0)
+    last = np.take_along_axis(water.last, in_order, axis=0)
+    overlaps = last[:-1] > first[1:]
+    in_other = "{ponds}: lies in other free water; remove one of them"
+    yield overlaps.any(axis=0), lambda k: in_other
 
 
-def _pond_mistake(ground: Floats, pond: Sequence[float]) -> str:
-    """Return the message about one pond, x of its shores and its level, over a ground (V, 2); empty if it is valid."""
+def _sloping_water(grounds: Floats, water: Ponds) -> Fault:
+    """Return the error of free water that is not horizontal.
+
+    It is a mask of lanes and a function from the index of a lane to its message. The grounds are (lanes or 1, V, 2).
+    """
+    width, height = np.ptp(grounds, axis=1).T
+    rounding = _ROUNDING * width
+    tolerance = np.maximum(_LEVEL * height, rounding)
+    slopes = water.fall > tolerance
+
+    def sentence(k: int) -> str:
+        body = np.argmax(slopes[:, k])
+        of_bodies = np.stack(water)
+        first, last, _, fall = of_bodies[:, body, k]
+        where = f"from x = {first:.10g} to {last:.10g}, where it is above the ground"
+        remedy = "give a horizontal level there, or {confined} = true for an artesian level without free water"
+        return f"{{level}}: varies by {fall:.4g} m {where}; free water is horizontal: {remedy}"
+
+    return slopes.any(axis=0), sentence
+
+
+def _pond_faults(name: str, pond: Sequence[float], water: Ponds) -> Iterator[Fault]:
+    """Yield the errors of a pond, x of its shores and its level: lanes where it is dry, or reaches farther.
+
+    An error is a mask of lanes and a function from the index of a lane to its message, which begins with the name.
+    """
     first, last, _ = pond
-    bodies = _pond(ground, pond)
-    if not bodies:
-        return f"the ground from x = {first:.10g} to {last:.10g} lies above it"
-    left, *_ = bodies[0]
-    _, right, *_ = bodies[-1]
+    is_water = water.last > water.first
+    dry = f"{name}: the ground from x = {first:.10g} to {last:.10g} lies above it"
+    has_water = is_water.any(axis=0)
+    yield ~has_water, lambda k: dry
+    left = water.first.min(axis=0, where=is_water, initial=np.inf)
+    right = water.last.max(axis=0, where=is_water, initial=-np.inf)
     rounding = AS_PRINTED * (right - left)
     starts_inside = first > left + rounding
     ends_inside = last < right - rounding
-    if starts_inside or ends_inside:
-        return f"water at this level reaches from x = {left:.8g} to {right:.8g}; extend the pond to both shores"
-    return ""
+
+    def sentence(k: int) -> str:
+        reach = f"from x = {left[k]:.8g} to {right[k]:.8g}"
+        return f"{name}: water at this level reaches {reach}; extend the pond to both shores"
+
+    yield starts_inside | ends_inside, sentence
 
 
 def ends_above(levels: Floats, left: Floats, right: Floats) -> Fault:

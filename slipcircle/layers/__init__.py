@@ -7,7 +7,7 @@ from slipcircle.layers.layered_numbers import PRESSURE
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import STRESS, TOP, Soil, layer_mistakes
 from slipcircle.layers.soils_along import mean_normal_stress, soils_under, stretches
-from slipcircle.layers.strips import edge_below, meets_circle
+from slipcircle.layers.strips import meets_circle
 
 __all__ = [
     "PRESSURE",
@@ -19,7 +19,6 @@ __all__ = [
     "cohesion_at_rest",
     "crack_place",
     "depends_on",
-    "edge_below",
     "friction_at_rest",
     "growth_at_rest",
     "is_law",

@@ -13,9 +13,10 @@ import numpy as np
 from slipcircle.base.errors import Fault, complaint, raise_all
 from slipcircle.base.kinds import ArrayTriple, Floats
 from slipcircle.ground.errors import geometry_errors
+from slipcircle.ground.heights import edge_below
 from slipcircle.ground.plane import each_lane
 from slipcircle.ground.section import Section
-from slipcircle.layers.strips import arc_crossings, edge_below
+from slipcircle.layers.strips import arc_crossings
 from slipcircle.tree import replace_unchecked
 
 

@@ -10,11 +10,10 @@ import numpy as np
 
 from slipcircle.base.kinds import ArrayPair, Effects, Floats
 from slipcircle.ground.ground import continued
-from slipcircle.ground.heights import HeightIntegrals, height_integrals
+from slipcircle.ground.heights import HeightIntegrals, edge_below, height_integrals
 from slipcircle.ground.water import turned_by
 from slipcircle.layers.at_rest import cohesion_at_rest
 from slipcircle.layers.standing import relieved
-from slipcircle.layers.strips import edge_below
 
 _INWARD = 1e-9  # of an end of the arc, over R: at a scarp the ground of the mass counts
 

@@ -9,6 +9,7 @@ import numpy as np
 from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data, Tables
 from slipcircle.ground.water import first_rotation, for_lanes, upright
+from slipcircle.layers.profile import ROUGH
 from slipcircle.layers.strength import OfRotation
 from slipcircle.tables.interpolation import between_kinks, continuous
 
@@ -155,7 +156,8 @@ class RotationTables(NamedTuple):
     def _terms_of_sample(self, rotation: Floats, step: int) -> ArrayDict:
         """Return the terms of every ``step``-th lane at rotations, (M, lanes) or (lanes,)."""
         strength = self.section.arc_strength
-        every_part = strength.parts(np.broadcast_to(rotation, (len(rotation), self.circles)), self.names)
+        of_circles = np.broadcast_to(rotation, (len(rotation), self.circles))
+        every_part = strength.parts(of_circles, self.names, ROUGH)
         parts = {name: part[..., ::step] for name, part in every_part.items()}
         terms = {}
         for name, term in self.terms.items():

@@ -231,7 +231,8 @@ class LayeredSection(LayeredNumbers):
     @cached_property
     def profile(self) -> Profile:
         """Integrals along the arc of unit weights below the surfaces, by columns."""
-        return profile_of(self._strips, *self._columns)
+        weights, _ = self._columns
+        return profile_of(self._strips, weights)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
         """Return integrals of the head of the water level over arcs in space, (..., circles).
@@ -268,12 +269,14 @@ class LayeredSection(LayeredNumbers):
     def _moments_of_weight(self) -> Floats:
         """Integrals of `circles.MEASURES` times the unit weight over the mass, N/m^3, (7, lanes).
 
-        The first surface uses the integrals of a homogeneous mass, so that one soil in many layers equals a single
+        The ground alone uses the integrals of a homogeneous mass, so that one soil in many layers equals a single
         layer.
         """
         whole = self.profile.whole[MEASURED]
-        whole[:, 0] = list(self._moments.values())
-        _, by_lane = self._columns
+        weights, by_lane = self._columns
+        ground, *others = weights[0]
+        if not np.any(others):
+            whole[:, 0] = ground * list(self._moments.values())
         return over_circles(whole.transpose(1, 0, 2), by_lane)
 
     @cached_property
@@ -372,8 +375,8 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
     same_tops = all(map(operator.is_, one.tops, other.tops))
-    if np.prod(one.shape) > 1 and not np.array_equal(one.weight_steps, other.weight_steps):
-        return False  # profiles of many circles depend on them
+    if not np.array_equal(one._columns[0], other._columns[0]):
+        return False  # profiles depend on the weights of surfaces
     return same_tops and _growing_below(one) == _growing_below(other)
 
 

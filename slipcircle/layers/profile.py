@@ -11,248 +11,270 @@ In terms of h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. The in
 strips, where they are integrated as Chebyshev series, in pieces that are halved until the series have converged.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from functools import partial
-from itertools import compress
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import chebyshev
+from numpy.polynomial import chebyshev, legendre
 
 from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Integers
+from slipcircle.ground.plane import sine_and_cosine
 from slipcircle.layers.strips import Strips
-from slipcircle.tables.interpolation import converged_pieces
+from slipcircle.tables.interpolation import NODES, TERMS, TO_CHEBYSHEV, converged_pieces
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
 _INTEGRALS = len(MEASURED) + 1
 PRESSING = 4  # number of the first integrals, which strength uses
-_COUNT = 14  # coefficients of a piece
-_MIDDLES = np.arange(_COUNT) + 0.5
-_NODES = np.cos(np.pi * _MIDDLES / _COUNT)
-_FROM_FIRST = 1.0 + _NODES[:, None, None]  # distance from the left end over half the width of a piece
-_ACCURACY = 1e-15
+_COUNT = 10  # nodes of Gauss' rule on a piece
+_ACCURACY = 1e-8  # of the last coefficients in Legendre polynomials; the error of Gauss' rule is about its square
 _SHORTEST = 1e-4  # width of a piece, rad
-_CIRCLES = 200  # circles of a part
-_AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
-_TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
-_INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end of a piece
-_WHOLE = _INTEGRAL.sum(axis=0, keepdims=True)  # up to the right end, where every Chebyshev polynomial is 1
-# From values at the nodes to the coefficients of the integral and the whole integral, followed by their own first two
-# and last two coefficients.
-_DEVELOPING = np.concatenate([_INTEGRAL, _WHOLE, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
+_TOGETHER = 1 << 14  # nodes of a block, whose arrays fit into the cache
 
 
-class ProfilePart(NamedTuple):
-    """Integrals along the arcs of some circles from their left ends, in pieces.
+class Rule(NamedTuple):
+    """Weights of the values at nodes in integrals over pieces, (integrals, nodes), for a half width of 1.
+
+    Nodes are distances from the start over half the width of a piece, (nodes, 1, 1).
+    """
+
+    nodes: Floats
+    weights: Floats
+
+
+def _gauss(count: int) -> Rule:
+    nodes, weights = legendre.leggauss(count)
+    return Rule(1.0 + nodes[:, None, None], weights[None])
+
+
+GAUSS = _gauss(_COUNT)
+ROUGH = _gauss(2)  # for estimates
+_DEGREES = np.array([0, 1, _COUNT - 2, _COUNT - 1])  # of the Legendre polynomials whose coefficients are needed
+_POLYNOMIALS = legendre.legvander(GAUSS.nodes.ravel() - 1.0, _COUNT)[:, _DEGREES] * (_DEGREES + 0.5)
+_DEVELOPING = _POLYNOMIALS.T * GAUSS.weights
+_INTEGRATED = chebyshev.chebint(np.eye(TERMS)) @ TO_CHEBYSHEV
+_AT_NODES = chebyshev.chebvander(NODES, TERMS) @ _INTEGRATED
+_UP_TO_NODES = np.hstack([GAUSS.weights.repeat(TERMS, 0), _AT_NODES - _AT_NODES[0]])  # up to the first one by Gauss
+
+
+class _Surfaces(NamedTuple):
+    """Surfaces with a weight above arcs, straight in each strip, (surfaces, strips, circles).
 
     Attributes
     ----------
+    x : ndarray
+        Left edges of the strips, (strips, circles).
+    y, slope : ndarray
+        Height at the left edge, and slope to the right; the first surface is the ground.
+    weight : ndarray
+        Weight of each surface in the columns, 0 where it is below the arc, (columns, surfaces, strips, circles). Two
+        rows follow for each surcharge.
+    loads : ndarray
+        Both ends x1 and x2 of each surcharge, (loads, 2, circles).
+    """
+
+    x: Floats
+    y: Floats
+    slope: Floats
+    weight: Floats
+    loads: Floats
+
+
+class Profile(NamedTuple):
+    """Integrals along arcs from their left ends, in pieces.
+
+    Attributes
+    ----------
+    surfaces : _Surfaces
+        Surfaces above the arcs.
+    strip : ndarray
+        Index of the strip of each piece, (pieces,).
     edges : ndarray
         Directions of the left ends of pieces, and of the right end, (pieces + 1, circles).
     before : ndarray
         Integrals up to the edges, (integrals, columns, pieces + 1, circles).
-    series : ndarray
-        Chebyshev coefficients of the integral within each piece, (integrals, columns, terms, pieces, circles).
     """
 
+    surfaces: _Surfaces
+    strip: Integers
     edges: Floats
     before: Floats
-    series: Floats
 
-    def up_to(self, beta: Floats, count: int) -> Floats:
+    @property
+    def whole(self) -> Floats:
+        """Integrals from end to end, (integrals, columns, circles)."""
+        return self.before[:, :, -1]
+
+    def _piece(self, beta: Floats) -> Integers:
+        """Return the index of the piece of each direction, (M, circles), or (M, 1) if all circles share them."""
+        inner = self.edges[1:-1, None]
+        piece = (inner <= beta).sum(axis=0)
+        of_first_circle = piece[:, :1]
+        return of_first_circle if (piece == of_first_circle).all() else piece
+
+    def up_to(self, beta: Floats, count: int, rule: Rule = GAUSS) -> Floats:
         """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
 
         Directions are in rad from straight below the centre, positive to the right.
         """
-        edges = self.edges
-        inside = np.clip(beta, edges[0], edges[-1])
-        piece = np.zeros(beta.shape, np.intp)
-        for edge in edges[1:-1]:
-            piece += inside >= edge
-        of_first_circle = piece[:, :1]
-        if np.all(piece == of_first_circle):
-            piece = of_first_circle
-        first = _of_piece(edges, piece)
-        width = _of_piece(edges[1:], piece) - first
-        place = 2.0 * ((inside - first) / np.where(width != 0.0, width, 1.0)) - 1.0
-        polynomials = np.moveaxis(chebyshev.chebvander(place, _COUNT), -1, 0)
-        up_to = np.einsum("sctmn,tmn->scmn", _of_piece(self.series[:count], piece), polynomials)
-        up_to += _of_piece(self.before[:count], piece)
-        return up_to
+        inside = beta.clip(self.edges[0], self.edges[-1])
+        piece = self._piece(inside)
+        first = _of_piece(self.edges, piece)
+        half = (inside - first) / 2
+        nodes = first + half * rule.nodes
+        within = _integrals(self.surfaces, self.strip[piece], nodes, half[None], rule.weights, count)
+        return within[0] + _of_piece(self.before[:count], piece)
 
-    def combined(self, weights: Floats) -> "ProfilePart":
-        """Return the load in a single column, the sum of all columns with weights, (columns, circles).
+    def up_to_nodes(self, beta: Floats, count: int) -> Floats:
+        """Return the first integrals up to Chebyshev nodes, (count, columns, M, nodes, circles).
 
-        Only the first `PRESSING` integrals are retained.
+        The nodes, (M, nodes, circles), are those of pieces on which the integrands are interpolated, each within one
+        strip.
         """
-        before = np.einsum("scpn,cn->spn", self.before[:PRESSING], weights)
-        series = np.einsum("sctpn,cn->stpn", self.series[:PRESSING], weights)
-        return ProfilePart(self.edges, before[:, None], series[:, None])
+        place = beta[:, 0]
+        piece = self._piece(place)
+        first = _of_piece(self.edges, piece)
+        halves = np.stack([(place - first) / 2, (beta[:, -1] - place) / (NODES[-1] - NODES[0])])
+        nodes = np.concatenate([first + halves[0] * GAUSS.nodes, beta.swapaxes(0, 1)])
+        half = halves.repeat([_COUNT, TERMS], 0)
+        within = _integrals(self.surfaces, self.strip[piece], nodes, half, _UP_TO_NODES, count)
+        within += _of_piece(self.before[:count], piece)
+        return within.transpose(1, 2, 3, 0, 4)
 
 
-def _of_piece(values: Floats, piece: Integers) -> Floats:
-    """Return the values (..., pieces, circles) of one piece for each of M directions, (..., M, circles).
+def _of_piece(values: Floats, piece: Integers, some: slice = slice(None)) -> Floats:
+    """Return the values (..., pieces, circles) of one piece for each of M directions and some circles.
 
     `piece` are indices of pieces, (M, circles), or (M, 1) if all circles share them, as similar masses often do.
     """
+    values = values[..., some]
     if piece.shape[1] == 1:
         return values.take(piece[:, 0], axis=-2)
     *axes, pieces, circles = values.shape
-    number = piece * circles + np.arange(circles)
+    number = piece[:, some] * circles + np.arange(circles)
     return values.reshape(*axes, pieces * circles).take(number, axis=-1)
-
-
-class Profile(NamedTuple):
-    """Integrals along arcs.
-
-    Attributes
-    ----------
-    whole : ndarray
-        Integrals from end to end, (integrals, columns, circles).
-    parts : sequence
-        Integrals from the left end to any direction, each for as many circles as fit into the cache.
-    """
-
-    whole: Floats
-    parts: Sequence[ProfilePart]
-
-    def up_to(self, beta: Floats, count: int) -> Floats:
-        """Return the first integrals up to directions (M, circles) within the arcs, (count, columns, M, circles).
-
-        Directions are in rad from straight below the centre, positive to the right.
-        """
-        _, columns, *_ = self.parts[0].series.shape
-        every = np.empty((count, columns, *beta.shape))
-        first = 0
-        for part in self.parts:
-            last = first + part.edges.shape[1]
-            every[..., first:last] = part.up_to(beta[:, first:last], count)
-            first = last
-        return every
-
-    @property
-    def to_ends(self) -> Floats:
-        """Integrals of the parts over whole arcs, (integrals, columns, circles)."""
-        return np.concatenate([part.before[:, :, -1] for part in self.parts], axis=-1)
 
 
 def columns_of(steps: Floats, circles: int) -> ArrayPair:
     """Return the surfaces summed in each column, (columns, surfaces, circles), and its weights, (columns, lanes).
 
-    ``steps`` are the steps of the unit weight below surfaces, (surfaces, lanes). For one circle each column is a
-    surface. For many circles the first column is the ground, and the second all other surfaces, if they have any
-    weight.
+    ``steps`` are the steps of the unit weight below surfaces, (surfaces, lanes). If lanes of one circle differ in them,
+    each column is a surface; otherwise the only column contains all surfaces.
     """
-    alone = np.eye(len(steps))[..., None]
-    if circles == 1:
-        return alone, steps
-    ground, *_ = alone
-    others = steps / steps[0] - ground
-    count = 2 if np.any(others) else 1
-    return np.stack(np.broadcast_arrays(ground, others)[:count]), np.tile(steps[0], (count, 1))
+    of_circles = steps[:, :circles]
+    if np.any(steps != of_circles):
+        return np.eye(len(steps))[..., None], steps
+    return of_circles[None], np.ones((1, steps.shape[1]))
 
 
-def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
+def profile_of(strips: Strips, weights: Floats) -> Profile:
     """Return the integrals along the arcs of masses in strips.
 
     The weights below surfaces have the shape (columns, surfaces, circles).
 
     Each surcharge adds two surfaces: a pressure that falls from 1 to 0, and a pressure that rises from 0 to 1, over R.
-    For many circles the columns are combined with the steps of the unit weight.
     """
     edges = strips.beta.T
-    circles = np.arange(edges.shape[1])
-    has_many = circles.size > 1
-    retained = PRESSING if has_many else _INTEGRALS
-    parts = []
-    whole = []
-    for first in range(0, max(1, circles.size), _CIRCLES):
-        some = slice(first, first + _CIRCLES)
-        # The integrals of all columns along the arcs of some circles with the given edges of strips.
-        develop = partial(_developed, strips, weights, circles[some])
-        rounds = converged_pieces(edges[:-1, some], edges[1:, some], develop, _ACCURACY, _SHORTEST)
-        pieces = [piece for *arrays, smooth in rounds for piece in compress(zip(*arrays, strict=True), smooth)]
-        pieces.sort(key=lambda piece: float((piece[0] + piece[1]).sum()))  # from left to right
-        firsts, lasts, by_piece = zip(*pieces, strict=True)
-        each = np.stack([of_piece[:, :, -1] for of_piece in by_piece], axis=2)
-        series = np.stack([of_piece[:retained, :, :-1] for of_piece in by_piece], axis=3)
-        before = np.cumsum(np.insert(each, 0, 0.0, axis=2), axis=2)
-        part = ProfilePart(np.stack([*firsts, lasts[-1]]), before, series)
-        whole.append(before[:, :, -1])
-        if has_many:
-            part = part.combined(steps[:, some])
-        parts.append(part)
-    return Profile(np.concatenate(whole, axis=-1), parts)
+    count = len(strips.y)
+    has_weight = weights[:, :count].any(axis=(0, 2))
+    used = np.flatnonzero(has_weight)
+    rows = np.concatenate([used, np.arange(count, len(strips.above))])
+    weight = weights[:, rows, None] * strips.above[rows].swapaxes(1, 2)
+    loads = np.reshape(strips.loads, (len(strips.loads), 2, len(strips.x)))
+    x, y, slope = (values.swapaxes(-2, -1) for values in (strips.x[:, :-1], strips.y[used], strips.slope[used]))
+    surfaces = _Surfaces(x, y, slope, weight, loads)
+    develop = partial(_developed, surfaces)
+    rounds = [*converged_pieces(edges[:-1], edges[1:], develop, _ACCURACY, _SHORTEST)]
+    number, first, last, each = (np.concatenate(column) for column in zip(*rounds, strict=True))
+    in_order = np.argsort((first + last).sum(axis=1), kind="stable")  # from left to right
+    by_piece = each[in_order].transpose(1, 2, 0, 3)
+    before = np.cumsum(np.insert(by_piece, 0, 0.0, axis=2), axis=2)
+    return Profile(surfaces, number[in_order], np.concatenate([first[in_order], edges[-1:]]), before)
 
 
-def _developed(
-    strips: Strips, weights: Floats, circle: Integers, strip: Integers, first: Floats, last: Floats
-) -> ArrayTriple:
-    """Return series of pieces, (pieces, integrals, columns, terms + 1, circles), and sizes of their coefficients.
+def _developed(surfaces: _Surfaces, strip: Integers, first: Floats, last: Floats) -> ArrayTriple:
+    """Return integrals over pieces, (pieces, integrals, columns, circles), and sizes of their coefficients.
 
-    The last term is the integral over the piece. The head is the greater of the first two coefficients, the tail the
-    greater of the last two, each (pieces, circles). The arguments are those of `_integrands`.
-    """
-    values = _integrands(strips, weights, strip[:, None], circle, first, last)
-    *axes, pieces, circles = values.shape
-    developed = _DEVELOPING @ values.reshape(*axes, pieces * circles)
-    by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
-    series, sizes = np.split(by_piece, [_COUNT + 2], axis=2)
-    of_terms = np.abs(sizes).max(axis=(0, 1))
-    return np.moveaxis(series, 3, 0), of_terms[:2].max(axis=0), of_terms[2:].max(axis=0)
-
-
-def _integrands(
-    strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
-) -> Floats:
-    """Return the integrands at nodes times half the widths of pieces, (integrals, columns, nodes, pieces, circles).
-
-    The pieces extend from `first` to `last` in rad, (pieces, circles), and lie in the strips with the indices `strip`.
-    The weights below surfaces are (columns, surfaces, circles).
+    The sizes are the greater one of the first two coefficients, and the greater one of the last two, each (pieces,
+    circles). The pieces extend from `first` to `last` in rad, (pieces, circles), and lie in the strips with the indices
+    `strip`.
     """
     half = (last - first) / 2
-    beta = first + half * _FROM_FIRST
-    x = np.sin(beta)
-    c = np.cos(beta)
+    nodes = first + half * GAUSS.nodes
+    coefficients = _integrals(surfaces, strip[:, None], nodes, half[None], _DEVELOPING, _INTEGRALS)
+    sizes = np.abs(coefficients).max(axis=(1, 2))
+    whole = 2.0 * coefficients[0]
+    return whole.transpose(2, 0, 1, 3), sizes[:2].max(axis=0), sizes[2:].max(axis=0)
+
+
+def _integrals(surfaces: _Surfaces, strip: Integers, nodes: Floats, half: Floats, rule: Floats, count: int) -> Floats:
+    """Return the first integrals by a rule on pieces, (integrals of the rule, count, columns, pieces, circles).
+
+    The rule contains weights of the values at nodes, (integrals, nodes), in pieces with the half widths `half`. The
+    nodes are directions in rad, (nodes, pieces, circles), `half` is (nodes or 1, pieces, circles). Pieces lie in the
+    strips with the indices `strip`, (pieces, circles or 1).
+    """
+    _, pieces, circles = nodes.shape
+    columns = len(surfaces.weight)
+    integrals = np.empty((len(rule), count, columns, pieces, circles))
+    together = max(1, _TOGETHER * circles // max(1, nodes.size))
+    for start in range(0, circles, together):
+        some = slice(start, start + together)
+        x, y, slope, weight = (_of_piece(values, strip, some) for values in surfaces[:-1])
+        above = _Surfaces(x, y, slope, weight, surfaces.loads[..., some])
+        beta = nodes[..., some]
+        values = _integrands(above, beta, half[..., some], count)
+        by_rule = rule @ values.reshape(count, columns, len(nodes), beta[0].size)
+        by_piece = by_rule.reshape(count, columns, len(rule), *beta[0].shape)
+        integrals[..., some] = by_piece.transpose(2, 0, 1, 3, 4)
+    return integrals
+
+
+def _integrands(surfaces: _Surfaces, beta: Floats, half: Floats, count: int) -> Floats:
+    """Return the first integrands at directions in rad, times `half`, (count, columns, nodes, pieces, circles).
+
+    The directions are (nodes, pieces, circles), and the `surfaces` those above the strip of each piece.
+    """
+    x, c = sine_and_cosine(beta)
     per_node = half * c
-    beyond = x - strips.x[circle, strip]
-    at_left = strips.y[:, circle, strip]
-    slope = strips.slope[:, circle, strip]
-    weight = weights[:, :, None, circle] * strips.above[:, circle, strip]
-    columns = np.moveaxis(weight, 1, 0)[:, :, None]  # weights of each surface
-    total = np.zeros((_INTEGRALS, len(weight), *beta.shape))
-    counts = weight[:, : len(slope)].any(axis=(0, 2, 3))
-    for k in np.flatnonzero(counts).tolist():
-        height = np.maximum(at_left[k] + slope[k] * beyond + c, 0.0)
-        _add(total, over_height(c, height), columns[k] * per_node)
+    beyond = x - surfaces.x
+    weights = surfaces.weight.swapaxes(0, 1)[:, :, None]  # of each surface
+    total = np.zeros((count, weights.shape[1], *beta.shape))
+    for weight, y, slope in zip(weights, surfaces.y, surfaces.slope, strict=False):
+        used = np.flatnonzero(weight.any(axis=(0, 1, 3)))
+        if used.size:
+            some = slice(used[0], used[-1] + 1)  # pieces
+            cosine = c[:, some]
+            height = np.maximum(y[some] + slope[some] * beyond[:, some] + cosine, 0.0)
+            _add(total[..., some, :], over_height(cosine, height), weight[..., some, :] * per_node[:, some])
     _complete(total, x, c)
-    ground = at_left[0] + slope[0] * beyond
-    _add_loads(total, strips.loads, circle, x, ground, columns[len(slope) :] * per_node)
+    if len(surfaces.loads):
+        ground = surfaces.y[0] + surfaces.slope[0] * beyond
+        _add_loads(total, surfaces.loads, x, ground, weights[len(surfaces.y) :] * per_node)
     return total
 
 
 def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> None:
-    """Add weighted integrals to `total`.
+    """Add weighted integrals to `total`, which has the first ones.
 
-    `rows` are pairs of the index of an integral and its values, all with the same weight.
+    `rows` are pairs of the index of an integral and its values, in increasing order, all with the same weight.
     """
     for integral, row in rows:
+        if integral >= len(total):
+            break
         weighted = row * weight
         total[integral] += weighted
 
 
-def _add_loads(
-    total: Floats, loads: Sequence[Sequence[Floats]], circle: Integers, x: Floats, y: Floats, weights: Floats
-) -> None:
+def _add_loads(total: Floats, loads: Floats, x: Floats, y: Floats, weights: Floats) -> None:
     """Add the weights of surcharges on the ground at (x, y), each with its left and its right end.
 
-    `total` has the integrals as first axis and is changed. `circle` are the indices of the circles, and lengths are
-    over R.
+    `total` has the integrals as first axis and is changed. The `loads` are x of these ends, (loads, 2, circles), and
+    lengths are over R.
     """
     remaining = iter(weights)
-    for ends in loads:
-        first, last = (end[circle, 0] for end in ends)
+    for first, last in loads:
         share = (x - first) / (last - first)
         for pressure in (1.0 - share, share):
             weight = next(remaining) * pressure
@@ -270,28 +292,28 @@ def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
     ratio = (inward + h) / (rho + c - h)
-    centre = h / 3 - c
     yield RADIAL_Y, -inward
     yield RADIAL_X, np.log1p(ratio)
     yield POLAR, h * rho
+    yield HEAD, h / c
     yield AREA, h
-    yield INERTIA, h * h * centre
+    yield INERTIA, h * h * (h / 3 - c) + h
+    yield MOMENT_X, h
     yield MOMENT_Y, gap / -2
 
 
 def _complete(total: Floats, x: Floats, c: Floats) -> None:
     """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once.
 
-    `total` has the integrals as first axis and is changed. `x` and `c` are sine and cosine of the directions.
+    `total` has the first integrals, three at least, as first axis and is changed. `x` and `c` are sine and cosine of
+    the directions.
     """
-    radial_y, radial_x, polar, head, area, inertia, moment_x, _ = total
+    radial_y, radial_x, polar, *_ = total
     radial_x *= x
     polar += x * radial_x
     polar -= c * radial_y
     polar /= 2
-    inertia += area
-    np.divide(area, c, out=head)
-    np.multiply(area, x, out=moment_x)
+    total[MOMENT_X:MOMENT_Y] *= x
 
 
 def _of_pressure(x: Floats, y: Floats) -> Iterator[tuple[int, Floats]]:

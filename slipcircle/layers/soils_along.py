@@ -140,10 +140,11 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
     """
     (facing,) = section._facing
     profile = section.profile
-    *_, up_to = profile.up_to(facing * directions[:, None], integral + 1)[..., 0]
+    up_to = profile.up_to(facing * directions[:, None], AREA + 1)[integral, ..., 0]
     if facing < 0.0:
         up_to = profile.whole[integral] - up_to
-    return (up_to * section.weight_steps).sum(axis=0)
+    _, weights = section._columns
+    return (up_to * weights).sum(axis=0)
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:

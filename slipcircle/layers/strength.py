@@ -73,11 +73,16 @@ class ArcStrength(StretchIntegrals):
 
     _terms: dict[Needs, ValueDict] = field(default_factory=dict)
 
+    @property
+    def _unit_weights(self) -> Floats:
+        """Unit weight of each column of the profile over the mean, (columns, lanes)."""
+        _, steps = self.section._columns
+        return steps / self.section._weights_per_area
+
     def _by_surface(self, quantity: Floats) -> Floats:
         """Return coefficients of integrals up to J joints of a quantity (soils, lanes), ((J + 1) surfaces, lanes)."""
-        _, weights = self._surfaces
         differences = self._by_direction(quantity)[:-1]
-        product = differences[:, None] * weights
+        product = differences[:, None] * self._unit_weights
         joints, surfaces, lanes = product.shape
         return product.reshape(joints * surfaces, lanes)
 
@@ -103,7 +108,7 @@ class ArcStrength(StretchIntegrals):
     @cached_property
     def _by_soil(self) -> ArrayDict:
         """Load on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
-        _, weights = self._surfaces
+        weights = self._unit_weights
         at_joints = self.incidence[:-1]
         joints, _, circles = at_joints.shape
         by_soil = {}

@@ -16,7 +16,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Integers
-from slipcircle.layers.profile import PRESSING, RADIAL_X, Profile
+from slipcircle.ground.plane import sine_and_cosine
+from slipcircle.layers.profile import GAUSS, PRESSING, RADIAL_X, Rule
 from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 
 # Properties shared by sections that differ in numbers of soils alone.
@@ -108,59 +109,47 @@ class StretchIntegrals:
         in_mass = self._joints[:, None] - moved
         return np.clip(in_mass, first, last)
 
-    @cached_property
-    def _surfaces(self) -> tuple[Profile, Floats]:
-        """Profile of the load, and the unit weight below each of its surfaces over the mean, (surfaces, lanes).
-
-        A single surface combines all surfaces, unless lanes of one geometry differ in their weights.
-        """
-        profile = self.section.profile
-        _, steps = self.section._columns
-        of_first_lane = steps[:, :1]
-        if len(self.section._facing) > 1:
-            steps = np.ones((1, 1))
-        elif of_first_lane.size and np.all(steps == of_first_lane):
-            (part,) = profile.parts
-            combined = part.combined(of_first_lane)
-            profile = profile._replace(parts=[combined])
-            steps = np.ones((1, 1))
-        return profile, steps / self.section._weights_per_area
-
-    def _pressing(self, rotation: Floats, count: int) -> Floats:
+    def _pressing(self, rotation: Floats, count: int, rule: Rule) -> Floats:
         """Return integrals of unit weights below surfaces up to the joints met, (count, J + 1, surfaces, M, circles).
 
-        The integrals are the first ones of a `Profile`. They begin at the entry, with x down-slope.
+        The integrals are the first ones of a `Profile`. They begin at the entry, with x down-slope. Rotations (pieces,
+        nodes, circles) are the Chebyshev nodes of pieces; for others the `rule` is used.
         """
-        profile, _ = self._surfaces
+        profile = self.section.profile
         facing = self.section._facing
-        met = self._joints_met(rotation)
-        joints, moments, circles = met.shape
-        directions = met.reshape(joints * moments, circles)
-        whole = profile.to_ends[:count, :, None]
-        to_the_right = facing * directions
-        from_entry = profile.up_to(to_the_right, count)
-        np.subtract(whole, from_entry, out=from_entry, where=facing < 0.0)
-        surfaces = from_entry.shape[1]
-        every = np.empty((count, joints + 1, surfaces, *rotation.shape))
-        every[:, :-1] = from_entry.reshape(count, surfaces, *met.shape).swapaxes(1, 2)
-        every[:, -1] = whole
-        every[RADIAL_X] *= facing
+        *pieces, circles = rotation.shape
+        met = self._joints_met(rotation.reshape(-1, circles))
+        to_the_right = (facing * met).reshape(-1, *pieces[1:], circles)
+        at_nodes = len(pieces) > 1
+        up_to = profile.up_to_nodes(to_the_right, count) if at_nodes else profile.up_to(to_the_right, count, rule)
+        joints, moments, _ = met.shape
+        surfaces = up_to.shape[1]
+        every = np.empty((count, joints + 1, surfaces, moments, circles))
+        to_joints = every[:, :-1]
+        to_joints[...] = up_to.reshape(count, surfaces, *met.shape).swapaxes(1, 2)
+        whole = profile.whole[:count]
+        every[:, -1] = whole[:, :, None]
+        if np.any(facing < 0.0):
+            np.subtract(whole[:, None, :, None], to_joints, out=to_joints, where=facing < 0.0)
+            every[RADIAL_X] *= facing
         return every
 
-    def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
+    def parts(self, rotation: Floats, names: Collection[str], rule: Rule = GAUSS) -> ArrayDict:
         """Return parts by name, each (parts, M, circles), after rotations (M, circles) in rad.
 
-        All weights are computed together.
+        All weights are computed together, by a `rule`. Rotations (pieces, nodes, circles) are the Chebyshev nodes of
+        pieces, one piece after the other in the results.
         """
+        by_piece = rotation
+        rotation = by_piece.reshape(-1, by_piece.shape[-1])
         every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
             # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
             count = PRESSING if "overburden" in names else PRESSING - 1
-            pressing = self._pressing(rotation, count)
+            pressing = self._pressing(by_piece, count, rule)
             by_joint = pressing.reshape(count, math.prod(pressing.shape[1:3]), *rotation.shape)
             radial_y, radial_x, polar, *cover = by_joint
-            cosine = np.cos(rotation)
-            sine = np.sin(rotation)
+            sine, cosine = sine_and_cosine(rotation)
             slope = radial_x * sine
             normal = -radial_y * cosine - slope
             tilt = radial_x * cosine - radial_y * sine

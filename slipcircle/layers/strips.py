@@ -17,10 +17,11 @@ from itertools import combinations
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
+from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.base.sections import distinct
 from slipcircle.ground.ground import continued
-from slipcircle.ground.plane import Vectors, each_lane
+from slipcircle.ground.heights import edge_below
+from slipcircle.ground.plane import Vectors
 
 _THIN = 1e-14  # width below which strips are rounding
 _ON_ARC = 1e-9
@@ -266,27 +267,3 @@ def _within_edge(share: Floats) -> Flags:
     after_start = share > 0.0
     before_end = share < 1.0
     return after_start & before_end
-
-
-def edge_below(line: Floats, x: Floats, middle: Floats) -> ArrayPair:
-    """Return y of lines (n or 1, V, 2) at x (n, M), and their slopes, for the edges at the points `middle`.
-
-    `middle` are x of points, (n, M), each of which selects one of the V - 1 edges.
-    """
-    of_points = each_lane(line, len(x))
-    vertices = Vectors.of(of_points)
-    place = middle[..., None]
-    behind = vertices.x[:, None] <= place
-    passed = np.count_nonzero(behind, axis=-1)
-    last_edge = line.shape[1] - 2
-    first = np.clip(passed - 1, 0, last_edge)
-    circle = np.arange(len(x))[:, None]
-    start = vertices[circle, first]
-    end = vertices[circle, first + 1]
-    edge = end - start
-    upright = edge.x <= 0.0
-    divisor = np.where(upright, 1.0, edge.x)
-    steepness = edge.y / divisor
-    slope = np.where(upright, 0.0, steepness)
-    along = x - start.x
-    return start.y + slope * along, slope

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.polynomial import Chebyshev, Polynomial
 
-from slipcircle.base.kinds import ArrayPair, ArrayTriple, Flags, Floats, Function, Integers
+from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Function, Integers
 from slipcircle.base.sections import distinct
 from slipcircle.core.scene.piecewise import Data
 
@@ -45,8 +45,8 @@ def converged_pieces(
     develop: Callable[[Integers, Floats, Floats], ArrayTriple],
     accuracy: float,
     shortest: float,
-) -> Iterator[tuple[Floats, Floats, Floats, Flags]]:
-    """Halve pieces until their series have converged; yield their ends and series, with a mask of converged pieces.
+) -> Iterator[tuple[Integers, Floats, Floats, Floats]]:
+    """Halve pieces until their series have converged; yield the converged pieces: numbers, ends and series.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def converged_pieces(
         is_wide = last - first > shortest
         is_rough = is_wide & (tails > accuracy * scale)
         rough = np.logical_or.reduce(is_rough, axis=1)
-        yield first, last, series, ~rough
+        yield number[~rough], first[~rough], last[~rough], series[~rough]
         left = first[rough]
         right = last[rough]
         middle = (left + right) / 2
@@ -86,7 +86,8 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
     Parameters
     ----------
     function : callable
-        Takes rotations (M, n), rad, and returns values (functions, M, n).
+        Takes rotations (M, n), rad, and returns values (functions, M, n). It also takes the Chebyshev nodes of pieces,
+        (pieces, nodes, n).
     kinks : ndarray
         Rotations at which a function may not be smooth, (kinks, n), increasing.
     least, most : ndarray
@@ -115,10 +116,9 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
         sizes = np.abs(chebyshev)
         return chebyshev, sizes, _next_coefficients(sizes)
 
-    for start, stop, chebyshev, smooth in converged_pieces(first, last, develop, tolerance, _SHORTEST):
-        starts.append(start[smooth])
-        width = stop - start
-        coefficients.append(_in_powers(chebyshev[smooth], width[smooth]))
+    for _, start, stop, chebyshev in converged_pieces(first, last, develop, tolerance, _SHORTEST):
+        starts.append(start)
+        coefficients.append(_in_powers(chebyshev, stop - start))
     start = np.concatenate(starts)
     order = np.argsort(start.sum(axis=1), kind="stable")
     powers = np.concatenate(coefficients)
@@ -165,11 +165,9 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
     from_first = 1.0 + NODES[:, None]
     distance = half[:, None] * from_first  # pieces, nodes, n
     rotation = first[:, None] + distance
-    lanes = rotation.shape[-1]
-    every_rotation = rotation.reshape(-1, lanes)
-    values = function(every_rotation)
+    values = function(rotation)
     by_piece = values.reshape(-1, *rotation.shape)
-    return np.einsum("kj,fpjn->pkfn", TO_CHEBYSHEV, by_piece)
+    return (TO_CHEBYSHEV @ by_piece).transpose(1, 2, 0, 3)
 
 
 def _next_coefficients(size: Floats) -> Floats:

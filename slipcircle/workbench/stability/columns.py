@@ -15,8 +15,8 @@ import numpy as np
 from slipcircle.base.errors import one_number
 from slipcircle.base.kinds import Floats
 from slipcircle.core import declared
-from slipcircle.ground import Ponds, Section, continued
-from slipcircle.layers import STRESS, Soil, edge_below
+from slipcircle.ground import Ponds, Section, continued, edge_below
+from slipcircle.layers import STRESS, Soil
 
 SLOPE_NUMBERS = {  # declarations of the fields of a `Slope`
     **{name: replace(p, kind="fixed") for name, p in (declared(Section) | declared(Soil)).items()},

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.base.kinds import ArrayPair, Flags, Floats
+from slipcircle.ground import sine_and_cosine
 from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.bases import Arcs, Bases, BaseStresses
 from slipcircle.workbench.stability.columns import SlopeArrays
@@ -131,7 +132,8 @@ class Slices(NamedTuple):
 
     def distance(self, k: Any) -> Floats:
         """Return the distance of the surface with index ``k`` from the centre, over R, at the points."""
-        return np.hypot(self.sine, self.surface(k))
+        square = self.sine**2 + self.surface(k) ** 2
+        return np.sqrt(square)
 
     def uplift(self) -> Floats:
         """Return the pore pressure in excess of water at rest with the level at the exit, over gamma R, at the points.
@@ -230,13 +232,14 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, rule: Rule = EXACT, every_surfa
         weight = weight[:, None]
     changes = np.flatnonzero(np.any(slope.steps, axis=1)) if every_surface else _GROUND
     steps, constant, gradient = base.loads(changes)
+    sine, cosine = sine_and_cosine(angle)
     return Slices(
         arcs=arcs,
         arc=arc,
         ends=ends,
         weight=weight,
-        sine=np.sin(angle),
-        cosine=np.cos(angle),
+        sine=sine,
+        cosine=cosine,
         way=1.0,
         stresses=base.stresses(),
         friction=base.soil.friction,

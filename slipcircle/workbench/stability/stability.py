@@ -16,7 +16,7 @@ from slipcircle.base.errors import complaint, raise_all
 from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
-from slipcircle.ground import Ponds, Section, free_water, present, slope_errors, water_fault
+from slipcircle.ground import Ponds, Section, free_water, present, slope_errors, water_faults
 from slipcircle.layers import (
     LayeredSection,
     Soil,
@@ -173,7 +173,7 @@ class Slope:
 
     def _joint_mistakes(self) -> Texts:
         """Return a message for each mistake of fields that are individually valid."""
-        mistakes = complaint([water_fault(*self._water)], ())
+        mistakes = complaint(water_faults(*self._water), ())
         if not self.layers and not any((*self._strength.values(), self.cohesion_gradient)):
             mistakes.append("cohesion and friction are both 0: the slope has no strength")
         if self.crack_water > self.crack:
