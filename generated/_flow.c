@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "0ac29a729f631ee559a5ee21f2cf81bc608426bfcef12614e1bebc503a93f60b"
+#define DIGEST "307da6f582d65d95b7fba183877123c969ce02b50a3c90a46de85aa752d9705e"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1485,7 +1485,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define BENT 0x1.4cccccccccccdp-2
 #define CLOSER_TO_POLE 0x1.8000000000000p+1
 #define LEAST_EXPONENT -0x1.0000000000000p-1
-#define WIDEST 0x1.8000000000000p+2
+#define COMPLETE 0x1.8000000000000p+2
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
@@ -4012,7 +4012,7 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     if (job->role->per_pole >= 0) {
         bend = change * CLOSER_TO_POLE;
         V reach = end + e[POLE];
-        M complete = ((1.0 + (e[4] * e[4])) * (reach * reach)) < WIDEST;
+        M complete = ((1.0 + (e[4] * e[4])) * (reach * reach)) < COMPLETE;
         to_end = pick(complete, to_end, broadcast(INFINITY));
     }
     V before = time_of_part(b, e, to_end, unit, bend, 0);

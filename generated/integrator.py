@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4670e1a1728378a72a808db558fe2296666469d5552dd224a1e7d8fa246a05a9
+# sha256 of the text below: 239786f6e319646525cbba08f3f392f87b54b0ca4f8f47285863a67c06e77655
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -412,7 +412,7 @@ PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325
 CLOSER_TO_POLE = 3.0
 LEAST_EXPONENT = -0.5
-WIDEST = 6.0
+COMPLETE = 6.0
 CONSTANT = 8
 SINE = 16
 VERS = 24
@@ -2539,7 +2539,7 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
     if s.roles.per_pole >= 0:
         bend = change * CLOSER_TO_POLE
         reach = end + e[POLE]
-        complete = (1.0 + e[4] * e[4]) * (reach * reach) < WIDEST
+        complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
         to_end = np.where(complete, to_end, INFINITY)
     before = time_of_part(s, e, to_end, unit, bend, 0)
     f = np.zeros((ix.STRIDE, e.shape[1]))

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0c721610bf573f0ef6719914a899e728bea1f1b8065de8c1508275240a1e2bfd
+# sha256 of the text below: 34301768de55d9b578bd23c9faf3192c4b0d584b1b5d9853ad901aa5f515a6a6
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "0ac29a729f631ee559a5ee21f2cf81bc608426bfcef12614e1bebc503a93f60b"  # of the compiled integrator's source
+DIGEST = "307da6f582d65d95b7fba183877123c969ce02b50a3c90a46de85aa752d9705e"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

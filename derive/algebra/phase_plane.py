@@ -96,8 +96,8 @@ def softening() -> Iterator[Problem]:
 def hyperbolic() -> Expr:
     """Return the left-hand side minus the right-hand side of the equation of E under hyperbolically softening friction.
 
-    With H = 1/(1 + slope x) the equation is E' + (q + brake H) E = 2 (NET + H LOAD). For Y = exp(q x) E it has an entire
-    function on its right-hand side. The solution from rest for 1 in place of this function is singular at the pole.
+    With H = 1/(1 + slope x) the equation is E' + (q + brake H) E = 2 (NET + H LOAD). For Y = exp(q x) E it has an
+    entire function on its right-hand side. The solution from rest for 1 in its place is singular at the pole.
     """
     energy = Function("E")(x)
     quotient = 1 / (1 + slope * x)

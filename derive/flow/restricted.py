@@ -64,7 +64,9 @@ ENTRIES |= {
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
-    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt", "number"), ""),
+    **dict.fromkeys(
+        ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt", "number"), ""
+    ),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at"), "V"),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
@@ -139,7 +141,7 @@ class Text:
                 case ast.Expr(value=ast.Constant()) | ast.ImportFrom():
                     pass
                 case _:
-                    refuse_node(path, node, "a module has imports, functions, and constants with one value in all modules")
+                    refuse_node(path, node, "a module has imports, functions, and constants with one value each")
 
     def names_of(self, function: RestrictedFunction) -> set[str]:
         """Return the names of the functions of the text that a function calls."""

@@ -38,4 +38,5 @@ to cells apply to these lanes.
 """
 
 # Modules, each uses only earlier modules.
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "rotation", "energy", "hyperbolic", "softening", "swing", "rest")
+FROM_REST = ("energy", "hyperbolic", "softening", "swing")
+TEXT = ("roots", "tables", "series", "phases", "records", "step", "rotation", *FROM_REST, "rest")

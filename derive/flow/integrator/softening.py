@@ -1,9 +1,10 @@
 """E = omega^2 of a phase from rest under softening friction in closed form, and the duration of the phase.
 
-`derive.flow.integrator.hyperbolic` has E under hyperbolic friction. Under exponential friction, with W = exp(-slope x), E' + (q + brake W) E = 2 (net moment + W load) without the parts that E causes. E is
-exp(brake W/slope) times the sum over j of W^j E_j, where E_j is E under constant friction with q - j slope for q, and
-t_j times the net moment plus t_(j-1) times the load, t_j = (-brake/slope)^j/j!. `derive.algebra.phase_plane` derives
-this series. The parts of the terms j > 0 that decay like exp(-(q - j slope) x) make one multiple of exp(-q x):
+`derive.flow.integrator.hyperbolic` has E under hyperbolic friction. Under exponential friction, with W = exp(-slope x),
+E' + (q + brake W) E = 2 (net moment + W load) without the parts that E causes. E is exp(brake W/slope) times
+the sum over j of W^j E_j, where E_j is E under constant friction with q - j slope for q, and t_j times the net moment
+plus t_(j-1) times the load, t_j = (-brake/slope)^j/j!. `derive.algebra.phase_plane` derives this series. The parts of
+the terms j > 0 that decay like exp(-(q - j slope) x) make one multiple of exp(-q x):
 
     W^j E_j = constant_j (W^j - exp(-q x)) + W^j (vers_j (1 - cos(x)) - sine_j sin(x))
 
@@ -48,7 +49,7 @@ PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
 CLOSER_TO_POLE = 3.0  # of nodes in the logarithm of the distance from the pole
 LEAST_EXPONENT = -0.5  # p of hyperbolic friction
-WIDEST = 6.0  # square of the distance of the end from this pole, times 1 + q^2, for which the power series is complete
+COMPLETE = 6.0  # square of the distance of the end from this pole, times 1 + q^2, up to which the series suffices
 # Places of the factors of the terms from the first on, beside those for hyperbolic friction: `SHIFT` has brake/slope,
 # `FIRST` W at the beginning.
 CONSTANT = 8
@@ -253,7 +254,7 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
     if s.has.per_pole:
         bend = change * CLOSER_TO_POLE
         reach = end + e[POLE]
-        complete = (1.0 + e[4] * e[4]) * (reach * reach) < WIDEST
+        complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
         to_end = where(complete, to_end, INFINITY)
     before = time_of_part(s, e, to_end, unit, bend, 0)
     f = new_series()
