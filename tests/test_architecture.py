@@ -12,7 +12,6 @@ import zipfile
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
-from functools import cache
 from graphlib import TopologicalSorter
 from importlib import import_module
 from pathlib import Path
@@ -26,6 +25,7 @@ from slipcircle import Motion, Section, load, solve
 from slipcircle.core import lazy
 from slipcircle.core.problem.plan import build_program
 from tests.support.layered import of_each_soil
+from tests.support.sources import parsed
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("derive", "generated", "slipcircle")
@@ -43,13 +43,6 @@ def succeed(*command: str | Path, cwd: Path = ROOT) -> str:
 def python(code: str, *argv: str | Path, cwd: Path = ROOT) -> str:
     """Run code in a fresh interpreter that sees what is installed, and no more (-I: not even where it starts)."""
     return succeed(sys.executable, "-I", "-c", code, *argv, cwd=cwd)
-
-
-@cache
-def parsed(path: Path) -> tuple[str, list[ast.AST]]:
-    """Return the text of a module, and all its syntax nodes."""
-    text = path.read_text("utf-8")
-    return text, [*ast.walk(ast.parse(text))]
 
 
 def sources(package: str) -> list[Path]:

@@ -50,7 +50,6 @@ def test_what_moved_the_mass_is_found_again(name: str, output: str, field: str, 
     ("scene", "number", "observed", "how"),
     [("layered-slope", "soils.clay.cohesion", "run_out", "found"),
      ("layered-slope", "layers.2.top", "duration", "found"),
-     ("weak-toe", "layers.4.top", "run_out", "without effect"),
      ("layered-slope", "ground.3.x", "run_out", "without effect"), ("vaiont", "gravity", "run_out", "without effect"),
      ("vaiont", "radius", "peak_velocity", "found")],
 )  # fmt: skip

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.sources import parsed
+
 ROOT = Path(__file__).parents[1]
 FRAGMENT = re.compile(
     "(Of|As|At|From|By|In|On|Over|With|Without|For|To|Until|Beyond|Before|After|Above|Below|Between|Beside|Also|And|Where|"
@@ -30,19 +32,10 @@ def sources(suffix: str) -> list[Path]:
     return sorted(path for folder in folders for path in folder.rglob(f"*{suffix}"))
 
 
-@cache
-def tree(path: Path) -> ast.Module:
-    return ast.parse(path.read_text("utf-8"))
-
-
 def docstrings(path: Path) -> Iterator[str]:
-    statements: list[ast.AST] = [tree(path)]
-    for node in statements:  # which grow: only statements contain documented ones
+    for node in parsed(path)[1]:
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and (text := ast.get_docstring(node)):
             yield text
-        for part in ("body", "handlers", "orelse", "finalbody", "cases"):
-            inner = getattr(node, part, [])
-            statements += inner if isinstance(inner, list) else []  # the body of a lambda is an expression
 
 
 @cache
@@ -51,7 +44,7 @@ def prose(path: Path) -> tuple[str, ...]:
     text = path.read_text("utf-8")
     if path.suffix == ".md":
         return tuple(re.sub(r"```.*?```", "", text, flags=re.DOTALL).splitlines())
-    strings = [node.value for node in ast.walk(tree(path)) if isinstance(node, ast.Constant)]
+    strings = [node.value for node in parsed(path)[1] if isinstance(node, ast.Constant)]
     tokens = tokenize.generate_tokens(io.StringIO(text).readline)
     comments = [token.string for token in tokens if token.type == tokenize.COMMENT]
     return tuple(line for line in (*strings, *comments) if isinstance(line, str) and line.count(" ") >= 3)

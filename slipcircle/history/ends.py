@@ -53,7 +53,8 @@ def peak_state(motion: Motion) -> State:
 
 def _state_of_cells(motion: Motion, time: Any, *cells: Any) -> State:
     """Return the state at ``time`` in s from rotation, omega and its rate in the final cells."""
-    rotation, omega, rate = map(motion._known, cells)
+    unsolved = motion._unsolved
+    rotation, omega, rate = (cell + unsolved for cell in cells)
 
     def stress() -> Any:
         return motion._history.final_stress(time, rotation, omega)

@@ -183,7 +183,7 @@ class Forces:
         # The same lanes with a constant horizontal coefficient, initially 0, instead of their shaking.
         effects, laws, moving, absent = self.problem.recipe
         shaking = symbols_of("shaking").values()
-        effects = in_order((*effects, "shaking"))
+        effects, _ = in_order((*effects, "shaking"))
         moving = tuple(symbol for symbol in moving if symbol not in shaking)
         others = [symbol for symbol in absent if symbol not in shaking]
         problem = _with_program(self.problem, build_program(Recipe(effects, laws, moving, (*others, "k_v"))))

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from generated.effects import LAWS, Law
 from generated.flow import PIECES
 from slipcircle.base.arrays import quiet
-from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
+from slipcircle.base.kinds import Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import continuous
 from slipcircle.tables.series import LaneSeries, Pulse, Series
@@ -62,9 +62,10 @@ def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> 
     `name` is the name of the law, and `shape` the shape of the lanes.
     """
     _, breaks, polynomials = PIECES[name]
-    arrays = ArrayDict()
-    for key, value in parameters.items():
-        arrays[key] = np.add(value, 0.0)
+    arrays = {}
+    for p in LAWS[name].parameters:
+        value = parameters[p.name]
+        arrays[p.name] = np.add(value, 0.0)
     pieces = polynomials(**arrays)
     every = chain.from_iterable(pieces)
     values = [*np.broadcast_arrays(*every)]

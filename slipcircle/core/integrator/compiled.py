@@ -116,7 +116,7 @@ def integrate(
 
 def integrate_runs(program: Program, tables: Sequence[Data], start: Mapping[str, float], moves: Floats) -> Any:
     """Integrate runs of one motion, as `generated.integrator.integrate_runs` does."""
-    pieces = _pieces(tables, moves.shape[-1])
+    pieces = _pieces(tables, moves.shape[-1]) if tables else ()
     return module().integrate_runs(encoded(program), pieces, start, program.places, moves, ROUNDS, widest())
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose, float_or_array, may_overflow
+from slipcircle.base.arrays import choose, float_or_array
 from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.neighbours import integrate_single
@@ -133,27 +133,36 @@ class Motion(Conversions, Generic[Numbers]):
         """Mask of lanes (cases of an ensemble) with a result, or a bool for a single motion."""
         return self.status <= CREEPS
 
-    def _known(self, values: Any) -> Any:
-        """Return values of lanes with a result and NaN of other lanes, without negative zeros."""
-        return choose(self._solved, values, np.nan) + 0.0
+    @property
+    def _unsolved(self) -> Any:
+        """Summand of results: NaN for lanes without a result, otherwise 0, which also removes negative zeros."""
+        return choose(self._solved, 0.0, np.nan)
 
     # --- results -----------------------------------------------------------------------------------------------------
 
     @cached_property
     def outcomes(self) -> Mapping[str, Numbers]:
         """Run-out, peak velocity and duration by name (`run_out`, `peak_velocity`, `duration`), in SI units."""
-        final = self._final
-        with may_overflow(self.shape):
-            run_out = self._known(self._radius * final[ix.REACH_ROTATION])
-            peak_velocity = self._known(self._radius * (final[ix.PEAK_OMEGA] / self._time_scale))
-        return {"run_out": run_out, "peak_velocity": peak_velocity, "duration": self.duration}
+        if self.shape:
+            with np.errstate(over="ignore"):  # reported when a result is read
+                return self._outcomes()
+        return self._outcomes()
 
-    @cached_property
+    def _outcomes(self) -> Mapping[str, Numbers]:
+        final = self._final
+        unsolved = self._unsolved
+        rest = final[ix.REST_SINCE] * self._time_scale
+        ended = final[ix.STATUS] == ix.ENDED
+        return {
+            "run_out": self._radius * final[ix.REACH_ROTATION] + unsolved,
+            "peak_velocity": self._radius * (final[ix.PEAK_OMEGA] / self._time_scale) + unsolved,
+            "duration": choose(ended, self.plan.scene.until, rest) + unsolved,
+        }
+
+    @property
     def duration(self) -> Numbers:
         """Time from the start to the end, s; infinite if the mass creeps to its equilibrium."""
-        rest = self._final[ix.REST_SINCE] * self._time_scale
-        ended = self._final[ix.STATUS] == ix.ENDED
-        return self._known(choose(ended, self.plan.scene.until, rest))
+        return self.outcomes["duration"]
 
     @cached_property
     def settling_time(self) -> Numbers:
@@ -173,7 +182,7 @@ class Motion(Conversions, Generic[Numbers]):
         free mass passes it with speed and rests about twice as far from the start. The initial velocity is ignored.
         """
         rotation = self._shaped(lazy_import("creep").slow_rotation(self.problem))
-        return self._known(self._radius * rotation)
+        return self._radius * rotation + self._unsolved
 
     @property
     def no_slow_run_out(self) -> str:

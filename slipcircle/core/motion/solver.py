@@ -57,16 +57,12 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     """
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)
-    if not (scene.shape or _is_finite(motion)):
-        raise lazy_import("refusal").refusal(motion)
+    if not scene.shape:
+        outcomes: Any = motion.outcomes
+        speed = float_or_array(scene.initial_velocity)
+        if not math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed):  # initial energy
+            raise lazy_import("refusal").refusal(motion)
     return motion
-
-
-def _is_finite(motion: Motion) -> bool:
-    """Return whether a single motion has a result, and neither the result nor its initial energy overflows."""
-    outcomes = motion.outcomes
-    speed = float_or_array(motion.plan.scene.initial_velocity)
-    return math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed)
 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:

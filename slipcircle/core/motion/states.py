@@ -98,4 +98,4 @@ def statuses(final: Any, invalid: Any, scene: Any) -> Any:
         status = choose(answered & drowned, _DROWNED, status)
     strength_factor = scene.strength_factor
     status = choose(strength_factor != strength_factor, _UNSTARTED, status)
-    return choose(invalid, _INVALID, status)
+    return status if invalid is False else choose(invalid, _INVALID, status)

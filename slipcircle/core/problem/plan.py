@@ -10,7 +10,7 @@ from generated.program import Program, Recipe, build, fragments_of
 from slipcircle.base.errors import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.scene.effects import in_order, symbols_of
+from slipcircle.core.scene.effects import in_order
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked_scene
 
 DEFAULT_ACCURACY = 1e-9
@@ -119,17 +119,15 @@ def recipe_of(scene: Scene) -> Recipe:
     The program of a scene is linked from them.
     """
     called = scene.called
-    effects = in_order(tuple(called))
+    effects, parameters = in_order(tuple(called))
     moving: list[str] = []
     absent: list[str] = []
-    for effect in effects:
-        parameters = called[effect]
-        for name, symbol in symbols_of(effect).items():
-            value = parameters.get(name)
-            if value is None:
-                absent.append(symbol)
-            elif callable(value):
-                moving.append(symbol)
+    for effect, name, symbol in parameters:
+        value = called[effect].get(name)
+        if value is None:
+            absent.append(symbol)
+        elif callable(value):
+            moving.append(symbol)
     if "layered_strength" in effects and "shaking" not in effects:
         absent += ["k_h", "k_v"]  # which its terms contain, too
     laws = tuple([name for name, _ in scene.laws])

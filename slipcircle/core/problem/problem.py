@@ -5,7 +5,6 @@ independent of individual laws and effects.
 """
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -17,11 +16,11 @@ from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS
 from generated.program import OF_COHESION, OF_SOIL, Program, Recipe
 from slipcircle.base.arrays import INFINITY, choose, float_or_array, may_overflow
-from slipcircle.base.kinds import Floats, Function, Names, Parameters, Shape, ValueDict, Values
+from slipcircle.base.kinds import Floats, Function, Names, Parameters, Shape, ValueDict
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import rotates, symbols_of, without_soil
-from slipcircle.core.scene.mass import Farther, Mass
+from slipcircle.core.scene.mass import Farther
 from slipcircle.core.scene.piecewise import Data
 
 FINEST = 1e-14  # accuracy of single scenes, since lower orders save little time
@@ -59,10 +58,10 @@ class Problem:
 
     plan: Plan
     program: Program
-    start: Values
+    start: ValueDict
     data: dict[str, Data]
     lanes: int
-    functions: Mapping[str, Function] = field(default_factory=dict)
+    functions: dict[str, Function] = field(default_factory=dict)
     farther: Farther | None = None
 
     @property
@@ -72,7 +71,7 @@ class Problem:
 
     def _columns(self) -> tuple[Floats, list[tuple[int, Floats]]]:
         """Return the initial cells that all lanes share, (cells,), and the others by their places."""
-        shared: Values = self.start
+        shared: ValueDict = self.start
         own: list[tuple[int, Floats]] = []
         places = self.program.places
         if self.lanes != 1:
@@ -127,6 +126,8 @@ class Problem:
 
         ``which`` is a NumPy index of lanes.
         """
+        if not self.data:
+            return []
         tables = [self.data[table.name] for table in self.program.tables]
         return tables if which is None else [table.lanes(which) for table in tables]
 
@@ -136,6 +137,80 @@ class Problem:
         ``rotation`` is in rad, and ``lane`` is the index of the lane of each rotation, by default all lanes in order.
         """
         return self.farther is not None and self.farther(self.data, rotation, lane)
+
+    def _add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
+        """Add a piecewise function by its name in the program.
+
+        ``scale`` is its argument over the dimensionless argument in the program, and ``factor`` multiplies its values.
+        """
+        self.data[name] = table
+        self.start |= {f"{name}.PIECE": table.first, f"{name}.SCALE": scale, f"{name}.SCALED_BY": factor}
+
+    def _add_effect(self, effect: str, parameters: Parameters) -> None:
+        """Add the parameters of an effect in dimensionless form: numbers by symbol, functions of time as tables.
+
+        ``effect`` is its name, with the number of the soil if it belongs to one, and ``parameters`` are in SI units by
+        name.
+        """
+        symbols = symbols_of(effect)
+        mass = self.plan.scene.arc
+        scales = {**mass.scales, "strength_factor": self.start["strength_factor"]}
+        declared = ALL_EFFECTS[without_soil(effect)].parameters
+        present = [p for p in declared if p.name in parameters]
+        for p in present:
+            if p.kind == "number":  # a symbol may depend on several
+                scales[p.name] = float_or_array(parameters[p.name])
+        for p in present:
+            if not p.symbol:
+                continue
+            value = parameters[p.name]
+            symbol = symbols[p.name]
+            if not callable(value):
+                self.start[symbol] = p.dimensionless(float_or_array(value), scales)
+            elif p.kind != "series":  # a function of the rotation, tabulated by the mass
+                self.start[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
+            else:
+                factor = lazy_import("forcing").shaking_factor(effect, parameters, p.name)
+                scaled = p.dimensionless(factor, scales)
+                self._add_table(symbol, lazy_import("tables").of_time(value), mass.time_scale, scaled)
+
+    def _add_rotations(self) -> None:
+        """Add the mass's functions of the rotation, and the function that extends them, if one is needed."""
+        scene = self.plan.scene
+        velocity = float_or_array(scene.initial_velocity)
+        pushed = velocity != 0.0
+        upslope = bool(pushed if type(velocity) is float else pushed.any()) or "shaking" in self.recipe.effects
+        tolerance = max(self.plan.accuracy / 100, FINEST) if self.lanes > 1 else FINEST
+        tables, self.farther = scene.arc.tables(scene.called, scene.law, upslope, tolerance, scene.shape)
+        for name, table in tables.items():
+            self._add_table(name, table, factor=self.start[f"{name}.SCALED_BY"])
+
+    def _add_law(self, name: str, parameters: Parameters, strength: Any) -> None:
+        """Add a friction or cohesion law times a factor ``strength``, as a table or as dimensionless numbers.
+
+        ``name`` may contain the number of a soil, and ``parameters`` are in SI units by name.
+        """
+        scene = self.plan.scene
+        units = {**scene.arc.units, "": 1.0 / strength}
+        law = without_soil(name)
+        if law == "callable":
+            radius = units["m"]
+            self.functions[name] = parameters["function"]
+            table = lazy_import("functions").first_table(parameters["function"], radius)
+            self._add_table(name, table, radius, strength)
+        elif FRAGMENTS[law].tables:
+            table, scale, unit = lazy_import("tables").of_law(law, parameters, scene.shape)
+            self._add_table(name, table, units[unit] / scale, strength)
+        else:
+            for cell, parameter, unit in _numbers_of_law(name):
+                self.start[cell] = float_or_array(parameters[parameter]) / units[unit]
+
+
+@lru_cache(maxsize=256)
+def _numbers_of_law(name: str) -> tuple[Names, ...]:
+    """Return the cell, the name and the unit of each parameter of a law that is not a table."""
+    parameters = LAWS[without_soil(name)].parameters
+    return tuple((f"{name}.{p.name}", p.name, p.unit) for p in parameters)
 
 
 @lru_cache(maxsize=256)
@@ -150,32 +225,38 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     Lanes marked in ``invalid``, a mask in the scene's shape, are not solved.
     """
     scene = plan.scene
+    mass = scene.arc
     lanes = math.prod(scene.shape)
-    numbers = Numbers(scene.arc, scene.shape, float_or_array(scene.strength_factor))
+    strength = float_or_array(scene.strength_factor)
+    start = {**mass.initial_cells, "strength_factor": strength}
+    problem = Problem(plan, plan.program, start, {}, lanes)
     called = scene.called
     for effect in plan.recipe.effects:
         if parameters := called[effect]:
-            numbers.add_effect(effect, parameters)
-    farther = numbers.add_rotations(plan, lanes)
-    strength = numbers.start["strength_factor"]
-    functions = {}
+            problem._add_effect(effect, parameters)
+    if plan.recipe.moving:
+        problem._add_rotations()
     for k, (name, parameters) in enumerate(scene.laws):
         is_rate = k > 0 and OF_SOIL not in name  # which multiplies the law before it
-        numbers.add_law(name, parameters, 1.0 if is_rate or OF_COHESION in name else strength)
-        if "function" in parameters:
-            functions[name] = parameters["function"]
-    numbers.add_start(scene.initial_velocity, scene.until)
+        problem._add_law(name, parameters, 1.0 if is_rate or OF_COHESION in name else strength)
+    with may_overflow(scene.shape):
+        start["omega"] = float_or_array(scene.initial_velocity) / mass.units["m"] * mass.time_scale
+        start["END_TIME"] = scene.until / mass.time_scale
     is_unknown = strength != strength
     if invalid is not False or is_unknown is not False:
-        failed = np.logical_or(invalid, is_unknown)
-        numbers.start["STATUS"] = float_or_array(np.where(failed, float(ix.FAILED), 0.0))
-    start = _flat(numbers.start, scene.shape)
-    start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes, "shaking" in scene.effects)
+        start["STATUS"] = _first_status(np.logical_or(invalid, is_unknown))
+    if scene.shape:
+        problem.start = start = _flat(start, scene.shape)
+    start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes, "shaking" in called)
     start["ONE_WAY"] = _one_way(called["shaking"]) if "shaking" in called else 0.0
     start["FIRST_ONLY"] = choose(start["END_TIME"] == INFINITY, _first_only(plan.recipe, start), 0.0)
-    program = plan.program
-    start |= program.constants
-    return Problem(plan, program, start, numbers.tables, lanes, functions, farther)
+    start |= problem.program.constants
+    return problem
+
+
+def _first_status(failed: Any) -> Any:
+    """Return the initial status of lanes, of which some ``failed`` before they start."""
+    return float_or_array(np.where(failed, float(ix.FAILED), float(ix.START)))
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
@@ -183,8 +264,6 @@ def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
 
     ``shape`` is the scene's shape, with which arrays broadcast. Numbers that all lanes share remain numbers.
     """
-    if not shape:
-        return numbers
     flat = {}
     for name, value in numbers.items():
         is_shared = type(value) is float or np.ndim(value) == 0
@@ -206,102 +285,6 @@ def order_and_step(accuracy: float, lanes: int, shaken: bool = False) -> tuple[i
     margin = 4.0 if shaken and attainable > FINEST else 3.0  # displacements of shaken masses are small sums of steps
     terms = math.ceil(margin + math.log(attainable) / math.log(step))
     return max(terms, LOWEST), step
-
-
-class Numbers:
-    """Dimensionless numbers and tables of a scene, by their names in its program.
-
-    Attributes
-    ----------
-    start : dict
-        Numbers, or arrays that broadcast to the scene's shape.
-    tables : dict of Data
-    """
-
-    def __init__(self, mass: Mass, shape: Shape, strength_factor: Any) -> None:
-        self.mass = mass
-        self.shape = shape
-        self.start: ValueDict = {**mass.initial_cells, "strength_factor": strength_factor}
-        self.tables: dict[str, Data] = {}
-
-    def add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
-        """Add a piecewise function by its name in the program.
-
-        ``scale`` is its argument over the dimensionless argument in the program, and ``factor`` multiplies its values.
-        """
-        self.tables[name] = table
-        self.start[f"{name}.PIECE"] = table.first
-        self.start[f"{name}.SCALE"] = scale
-        self.start[f"{name}.SCALED_BY"] = factor
-
-    def add_effect(self, effect: str, parameters: Parameters) -> None:
-        """Add the parameters of an effect in dimensionless form: numbers by symbol, functions of time as tables.
-
-        ``effect`` is its name, with the number of the soil if it belongs to one, and ``parameters`` are in SI units by
-        name.
-        """
-        symbols = symbols_of(effect)
-        scales = {**self.mass.scales, "strength_factor": self.start["strength_factor"]}
-        declared = ALL_EFFECTS[without_soil(effect)].parameters
-        present = [p for p in declared if p.name in parameters]
-        for p in present:
-            if p.kind == "number":  # a symbol may depend on several
-                scales[p.name] = float_or_array(parameters[p.name])
-        for p in present:
-            if not p.symbol:
-                continue
-            value = parameters[p.name]
-            symbol = symbols[p.name]
-            if not callable(value):
-                self.start[symbol] = p.dimensionless(float_or_array(value), scales)
-            elif p.kind != "series":  # a function of the rotation, tabulated by the mass
-                self.start[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
-            else:
-                factor = lazy_import("forcing").shaking_factor(effect, parameters, p.name)
-                scaled = p.dimensionless(factor, scales)
-                self.add_table(symbol, lazy_import("tables").of_time(value), self.mass.time_scale, scaled)
-
-    def add_rotations(self, plan: Plan, lanes: int) -> Farther | None:
-        """Add the mass's functions of the rotation, and return the function that extends them, if one is needed.
-
-        ``lanes`` is the number of scenes.
-        """
-        if not plan.recipe.moving:
-            return None
-        scene = plan.scene
-        velocity = float_or_array(scene.initial_velocity)
-        pushed = velocity != 0.0
-        upslope = bool(pushed if type(velocity) is float else pushed.any()) or "shaking" in plan.recipe.effects
-        tolerance = max(plan.accuracy / 100, FINEST) if lanes > 1 else FINEST
-        tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance, self.shape)
-        for name, table in tables.items():
-            self.add_table(name, table, factor=self.start[f"{name}.SCALED_BY"])
-        return farther
-
-    def add_law(self, name: str, parameters: Parameters, strength: Any) -> None:
-        """Add a friction or cohesion law times a factor ``strength``, as a table or as dimensionless numbers.
-
-        ``name`` may contain the number of a soil, and ``parameters`` are in SI units by name.
-        """
-        law = without_soil(name)
-        units = {**self.mass.units, "": 1.0 / strength}
-        if law == "callable":
-            radius = units["m"]
-            table = lazy_import("functions").first_table(parameters["function"], radius)
-            self.add_table(name, table, radius, strength)
-        elif FRAGMENTS[law].tables:
-            table, scale, unit = lazy_import("tables").of_law(law, parameters, self.shape)
-            self.add_table(name, table, units[unit] / scale, strength)
-        else:
-            for p in LAWS[law].parameters:
-                self.start[f"{name}.{p.name}"] = float_or_array(parameters[p.name]) / units[p.unit]
-
-    def add_start(self, velocity: Any, end_time: Any) -> None:
-        """Add the initial velocity in m/s and the end time in s."""
-        units = self.mass.units
-        with may_overflow(self.shape):
-            self.start["omega"] = float_or_array(velocity) / units["m"] * units["s"]
-            self.start["END_TIME"] = end_time / units["s"]
 
 
 def _one_way(shaking: Parameters) -> float:

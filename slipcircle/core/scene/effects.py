@@ -42,15 +42,15 @@ def rotates(effects: Iterable[str]) -> bool:
 
 
 @lru_cache(maxsize=256)
-def in_order(effects: Names) -> Names:
-    """Return the names of effects, each once, in the order of their declarations."""
+def in_order(effects: Names) -> tuple[Names, tuple[Names, ...]]:
+    """Return the names of effects, each once, in the order of their declarations, and their parameters.
+
+    Each parameter consists of the name of its effect, its own name, and its symbol.
+    """
     declared = list(ALL_EFFECTS)
-
-    def place(effect: str) -> int:
-        return declared.index(without_soil(effect))
-
-    once = dict.fromkeys(effects)
-    return tuple(sorted(once, key=place))
+    names = tuple(sorted({*effects}, key=lambda effect: (declared.index(without_soil(effect)), effects.index(effect))))
+    parameters = [(effect, name, symbol) for effect in names for name, symbol in symbols_of(effect).items()]
+    return names, tuple(parameters)
 
 
 # --- effects of a scene ---------------------------------------------------------------------------------------------

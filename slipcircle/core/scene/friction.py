@@ -12,16 +12,13 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
 
     The friction of several soils is a sum over their laws, whose names contain the number of the soil, ``linear#0``.
     """
-    if callable(friction):
-        return (("callable", {"function": friction}),)
     if type(friction) is float or not isinstance(friction, MAPPING):
-        return (("constant", {"coefficient": friction}),)
+        return (
+            ("callable", {"function": friction}) if callable(friction) else ("constant", {"coefficient": friction}),
+        )
     rate = law_parts(friction["rate"]) if "rate" in friction else ()
     if "soils" in friction:
         laws = [law_parts(law)[0] for law in friction["soils"].values()]
         of_soils = [(f"{name}{OF_SOIL}{k}", parameters) for k, (name, parameters) in enumerate(laws)]
         return (*of_soils, *rate)
-    parameters = dict(friction)
-    name = parameters.pop("law")
-    parameters.pop("rate", None)
-    return ((name, parameters), *rate)
+    return ((friction["law"], friction), *rate)
