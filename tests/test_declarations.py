@@ -51,189 +51,220 @@ WITH_SECOND = '(*_SOFTENING, Parameter("second", "m", "a second slip", "second_m
 DROP = 'Parameter("drop", "", "peak less residual", "drop")'
 OF_PRESSURE = '"c", "Pa", "help", "c_kPa"'
 STATE = 'sp.Symbol("gathered", real=True)'
-WRONG = [
-    # names
-    (law(FALLS, name="exponential"), "name: found 'exponential', a name in use"),
-    (law(FALLS, name="drag"), "name: found 'drag', a name in use"),
-    (law(FALLS, name="balance"), "name: found 'balance', a name in use"),
-    (law(FALLS, name=" "), "name: found ' ', wanted a description"),
-    (law(FALLS, name="my law"), "name: found 'my law', wanted small letters"),
-    (law(FALLS, name="lambda"), "name: found 'lambda', a keyword of Python"),
-    (effect(f"pressure={C}", OF_PRESSURE, "friction"), "name: found 'friction', a name in use"),
-    (moment("r", "class"), "name: found 'class', a keyword of Python"),
-    (moment("r", "Area"), "name: found 'Area', wanted small letters"),
-    (moment("r", "sin"), "name: found 'sin', a name in use"),
-    (moment("r", "float"), "name: found 'float', a name in use"),
-    (moment("r", "tiers"), "name: found 'tiers', a name in use"),
-    (moment("r", "solve"), "name: found 'solve', a name in use"),
-    (moment("r", "polar_moment"), "name: found 'polar_moment', a name in use"),
-    (moment("r", "resistance_factor"), "name: found 'resistance_factor', a name in use"),
-    (moment("-r*sp.sin(theta)", "new", ', amplitude=("polar_moment", "K")'), "name: found 'polar_moment', a name"),
-    # moments, friction and states
-    (moment("r**2"), "weight: found r**2, as of polar_moment, wanted another weight"),
-    (moment('sp.Symbol("r")'), "new: weight: found Symbol('r'), wanted r of derive.declare.symbols"),
-    (
-        effect("friction=-" + C, '"c", "", "help", "c"'),
-        "mu: found -3.16 at c_new = 3.16, wanted finite numbers, of resis",
-    ),
-    (
-        effect(f"pressure={STATE}, states=({STATE},), growth={STATE}*{C}", '"c", "", "help", "c"'),
-        "growth: found c_new*gathered, which rises with gathered, wanted a bounded",
-    ),
-    # help and source
-    (moment("r", more=', equation="9.9"'), "equation: found '9.9', wanted an equation of the paper"),
-    (moment("r", more=', equation="2.4", source="Bell"'), "equation: found '2.4' beside source='Bell'"),
-    ('Law("new", " ", _SOFTENING, ' + FALLS + ")", "help: found ' ', wanted a description"),
-    # parameters
-    (law(FALLS, "(*_SOFTENING, _SOFTENING[0])"), "parameter 'peak': found 'peak', a name in use"),
-    (effect("pressure=" + C, '"radius", "m", "help", "radius_m"'), "parameter 'radius': found 'radius', a name"),
-    (effect("pressure=" + C, '"c", "kPa", "help", "c_kPa"'), "parameter 'c', unit: found 'kPa', wanted a unit of"),
-    (effect("pressure=" + C, '"c", "Pa", "help", "c_psi"'), "parameter 'c', key: found 'c_psi', wanted letters"),
-    (effect("pressure=" + C, OF_PRESSURE + ", lower=1.0, upper=0.0"), "parameter 'c', bounds: found 1.0 and 0.0"),
-    (effect("pressure=" + C, OF_PRESSURE + ', kind="numbers"'), "parameter 'c', kind: found 'numbers'"),
-    (law(FALLS, '(*_SOFTENING, Parameter("stiffness", "Pa", "help", "stiffness_Pa"))'), "unit: found 'Pa', wanted"),
-    (effect("pressure=" + C, '"c", "Pa", "", "c_Pa"'), "parameter 'c', help: found '', wanted a description"),
-    (effect("pressure=" + C, '"c", "", "help", ""'), "parameter 'c', key: found '', wanted a key for scene files, as"),
-    (
-        effect("pressure=" + C, '"c", "", "help", "c", kind="text"'),
-        "parameter 'c', kind: found 'text', wanted a kind with",
-    ),
-    (
-        effect("pressure=" + C, '"c", "", "help", "c", kind="|"'),
-        "parameter 'c', kind: found '|', wanted number, series",
-    ),
-    (
-        effect("pressure=" + C, '"c", "", "help", "c", kind="rotation"'),
-        "parameter 'c', key: found 'c', wanted none, as",
-    ),
-    (effect("pressure=" + C, '"c", "", "help", "c", dimensionless=sp.Integer(1)'), "found 1, wanted a formula of the"),
-    (
-        effect("pressure=" + C, '"c", "", "help", "c", dimensionless=1 / VALUE'),
-        "a pole or a complex number next to c = ",
-    ),
-    # types
-    (law(FALLS, "[*_SOFTENING]"), "parameters: found [Parameter("),
-    (law(FALLS, '("peak",)'), "parameters: found ('peak',), wanted tuple[Parameter, ...]"),
-    (law(FALLS, more=", equation=3.11"), "equation: found 3.11, wanted str"),
-    (law(FALLS, more=', source=" "'), "source: found ' ', wanted a description"),
-    (law("_P * sp.oo", "_SOFTENING[:1]"), "coefficient: found oo*peak, wanted an expression of SymPy in real numbers"),
-    (effect(f"pressure={C}", '"c", "", "help", "c"', more=", any_of='c'"), "any_of: found 'c', wanted tuple[str, ...]"),
-    (moment("r*sp.cos(theta)", more=', amplitude=("k", "K", "L")'), "amplitude: found ('k', 'K', 'L'), wanted"),
-    # symbols
-    (law('_P * sp.Symbol("strange", real=True)'), "coefficient: found the symbol strange, which is not declared"),
-    (
-        law("_P * sp.exp(-SLIP / sp.Symbol('length'))"),
-        "the symbol length, which is not declared, wanted sp.Symbol('len",
-    ),
-    (law("_P + 0 * _R"), "parameters: found residual, length in no formula, wanted a use of each"),
-    (law("_R + (_P - _R) * sp.exp(-SLIP / _L) / (1 + SPEED / _V)", "(*_SOFTENING, _WEAKENING[2])"), "slip and speed"),
-    (law("None"), "coefficient: found none, wanted a formula, or two lists"),
-    (effect("pressure=sp.Symbol('strange', real=True)"), "u: found the symbol strange"),
-    (effect("pressure=sp.Integer(1)", OF_PRESSURE + ", dimensionless=VALUE / REFERENCE"), "c in no formula"),
-    (
-        effect(f"pressure={C}", '"c", "", "help", "c", symbol=_DRAG')
-        .replace(', symbol=sp.Symbol("c_new", real=True)', "")
-        .replace(f"pressure={C}", "pressure=_DRAG"),
-        "symbols: found drag, wanted each for one quantity of one effect",
-    ),
-    (effect(f"pressure={C}", '"c", "", "help", "c"').replace("c_new", "normal"), "symbols: found normal, wanted each"),
-    (
-        effect(f"pressure={C}", '"c", "", "help", "c"').replace("c_new", "J_r"),
-        "symbols: found J_r, wanted each for one",
-    ),
-    (
-        effect("pressure=" + C, '"c", "", "help", "c"').replace(", real=True", ""),
-        "symbols: found Symbol('c_new'), wanted",
-    ),
-    (effect(f"growth={C}", '"c", "", "help", "c"'), "states: found (), wanted symbols that its terms contain"),
-    (effect(f"pressure={C}", more=f", states=({C},)"), "states: found (c_new,), wanted symbols that its terms contain"),
-    (effect("pressure=SLIP_MU"), "u: found the symbol slip_mu, which is not declared"),
-    # functions
-    (law("_P * (1 + sp.atan(SLIP / _L)) + _R"), "coefficient: found atan(slip/length), wanted sums, products"),
-    (
-        law("_P + (_R - _P) * sp.Min(SLIP / _L, 2)"),
-        "a branch that changes at a slip of 2*length, wanted at a parameter",
-    ),
-    (
-        law("_R + (_P - _R) * sp.Min(SLIP / _L, 1, _R)"),
-        "found Min(1, residual, slip/length), wanted min and max of two",
-    ),
-    (
-        law(f"_P + _R * (sp.Min(SLIP / _L, 1) + sp.Min(SLIP / {SECOND}, 1))", WITH_SECOND),
-        "found branches that change at length and second, wanted one slip",
-    ),
-    (law("sp.Piecewise((_P, SLIP < _L), (_R, True))"), "Piecewise((peak, length > slip), (residual, True)), wanted su"),
-    (effect("resistance=LAMBDA * sp.Piecewise((1, SLIP < 1), (2, True))"), "found Piecewise((1, slip < 1), (2, True))"),
-    (law("_P + (_P - _R) * SLIP / (SLIP + _L)"), "residual = 6.58, length = 1, wanted numbers that are not negative"),
-    (law("_P + _R * sp.Max(sp.Min(SLIP / _L, 1), 0)"), "found Max(0, Min(1, slip/length)), wanted min and max of two"),
-    (law("sp.I * _P + _R * SLIP / _L"), "coefficient: found I*peak + residual*slip/length, wanted an expression"),
-    (law("_R + _P * sp.exp(-sp.Min(SLIP / _L, 1))"), "piece between branches: found"),
-    (law("_R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 8"), "degree of a piece: found 8, wanted at most 7"),
-    (law(FALLS, more=", degree=3"), "degree: found 3, wanted none, as it follows from the formula"),
-    (law("None", f"({SLIPS}, {COEFFICIENTS})", more=", degree=8"), "degree: found 8, wanted 0 to 7"),
-    (law("None", f"({SLIPS},)"), "coefficient: found none, wanted a formula, or two lists"),
-    (law("None", f"({SLIPS.replace('m', 's')}, {COEFFICIENTS})"), "coefficient: found none, wanted a formula, or two"),
-    # dimensions
-    (
-        law("_P * sp.exp(-SLIP)", "_SOFTENING[:1]"),
-        "found exp(-slip), where -slip is in m, wanted -slip over a parameter",
-    ),
-    (
-        law("_R + (_P - _R) / (1 + SLIP)", "_SOFTENING[:2]"),
-        "found slip + 1, of terms in numbers and m, wanted terms of",
-    ),
-    (law("_P * SLIP", "_SOFTENING[:1]"), "found peak*slip, in m, wanted a number without a dimension"),
-    (law("_R + _P * sp.exp(-SLIP / _L) ** SLIP"), "is in m, wanted"),
-    (
-        effect(f"pressure={C}", OF_PRESSURE),
-        "parameter 'c', dimensionless: found value, in kg/(m s^2)".replace(" s", "*s"),
-    ),
-    (
-        effect(
-            f"resistance=LAMBDA * sp.exp(-SLIP / {C})", '"c", "m", "help", "c_m", dimensionless=VALUE / (2 * RADIUS)'
-        ),
-        "found exp(-slip/c_new), where -slip/c_new is in m",
-    ),
-    # domains
-    (
-        law("_P - _R * SLIP / _L"),
-        "coefficient: found -3.16e+03 at slip = 1e+03, peak = 3.16, residual = 3.16, length = 1",
-    ),
-    (law("_P / (1 - SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "coefficient: found -"),
-    (law("_P / (1 - SLIP / _L) ** 2", "(_SOFTENING[0], _SOFTENING[2])"), "a pole or a complex number next to slip = "),
-    (
-        law("_P * sp.sqrt(1 - SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"),
-        "a pole or a complex number next to slip = ",
-    ),
-    (law("_P * sp.log(SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "coefficient: found -"),
-    (law("_P * sp.sqrt(SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "a pole or a complex number next to slip = "),
-    (law("_P * sp.cos(SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "coefficient: found -"),
-    (law("_P * _V / SPEED", "(_SOFTENING[0], _WEAKENING[2])"), "a pole or a complex number next to speed = "),
-    (effect(f"resistance=-LAMBDA * {C}", '"c", "", "help", "c"'), "resistance: found -"),
-    (
-        effect(f"resistance=LAMBDA / {C}", '"c", "", "help", "c"'),
-        "resistance: found a pole or a complex number next to",
-    ),
-    # moments
-    (moment("r", "np"), "name: found 'np', a name in use"),
-    (moment("r", "lost"), "name: found 'lost', a name in use"),
-    (moment("sp.sqrt(r)"), "weight that can be certified: found sqrt(r), wanted r**n, +-r**n*sin(theta)"),
-    (moment("r**6"), "weight that can be certified: found r**6, wanted r**n"),
-    (moment("2 * r"), "weight that can be certified: found 2*r, wanted"),
-    (moment("r * sp.cos(2 * theta)", more=', amplitude=("k", "K")'), "found r*cos(2*theta), wanted"),
-    (moment("r * sp.sin(theta)"), "amplitude of the weight r*sin(theta): found None, wanted a name and a symbol"),
-    (moment("r**2", more=', amplitude=("k", "K")'), "amplitude of the weight r**2: found ('k', 'K'), wanted none"),
-    # effects
-    (effect("equation=''"), "terms: found none, wanted a term of the balance"),
-    (
-        effect(f"pressure={C}", OF_PRESSURE + ", dimensionless=VALUE / REFERENCE", more=", any_of=('d',)"),
-        "any_of: found {'d'}",
-    ),
-    (
-        effect(f"driving_moment=J_R * {C}, normal_load=J_R * {C}", '"c", "", "help", "c"'),
-        "signs of its parameters: found",
-    ),
-]
+# Declarations as expressions, and below each what is said of it.
+WRONG = """
+# names
+law(FALLS, name='exponential')
+    name: found 'exponential', a name in use
+law(FALLS, name='drag')
+    name: found 'drag', a name in use
+law(FALLS, name='balance')
+    name: found 'balance', a name in use
+law(FALLS, name=' ')
+    name: found ' ', wanted a description
+law(FALLS, name='my law')
+    name: found 'my law', wanted small letters
+law(FALLS, name='lambda')
+    name: found 'lambda', a keyword of Python
+effect(f'pressure={C}', OF_PRESSURE, 'friction')
+    name: found 'friction', a name in use
+moment('r', 'class')
+    name: found 'class', a keyword of Python
+moment('r', 'Area')
+    name: found 'Area', wanted small letters
+moment('r', 'sin')
+    name: found 'sin', a name in use
+moment('r', 'float')
+    name: found 'float', a name in use
+moment('r', 'tiers')
+    name: found 'tiers', a name in use
+moment('r', 'solve')
+    name: found 'solve', a name in use
+moment('r', 'polar_moment')
+    name: found 'polar_moment', a name in use
+moment('r', 'resistance_factor')
+    name: found 'resistance_factor', a name in use
+moment('-r*sp.sin(theta)', 'new', ', amplitude=("polar_moment", "K")')
+    name: found 'polar_moment', a name
+# moments, friction and states
+moment('r**2')
+    weight: found r**2, as of polar_moment, wanted another weight
+moment('sp.Symbol("r")')
+    new: weight: found Symbol('r'), wanted r of derive.declare.symbols
+effect('friction=-' + C, '"c", "", "help", "c"')
+    mu: found -3.16 at c_new = 3.16, wanted finite numbers, of resis
+effect(f'pressure={STATE}, states=({STATE},), growth={STATE}*{C}', '"c", "", "help", "c"')
+    growth: found c_new*gathered, which rises with gathered, wanted a bounded
+# help and source
+moment('r', more=', equation="9.9"')
+    equation: found '9.9', wanted an equation of the paper
+moment('r', more=', equation="2.4", source="Bell"')
+    equation: found '2.4' beside source='Bell'
+'Law("new", " ", _SOFTENING, ' + FALLS + ')'
+    help: found ' ', wanted a description
+# parameters
+law(FALLS, '(*_SOFTENING, _SOFTENING[0])')
+    parameter 'peak': found 'peak', a name in use
+effect('pressure=' + C, '"radius", "m", "help", "radius_m"')
+    parameter 'radius': found 'radius', a name
+effect('pressure=' + C, '"c", "kPa", "help", "c_kPa"')
+    parameter 'c', unit: found 'kPa', wanted a unit of
+effect('pressure=' + C, '"c", "Pa", "help", "c_psi"')
+    parameter 'c', key: found 'c_psi', wanted letters
+effect('pressure=' + C, OF_PRESSURE + ', lower=1.0, upper=0.0')
+    parameter 'c', bounds: found 1.0 and 0.0
+effect('pressure=' + C, OF_PRESSURE + ', kind="numbers"')
+    parameter 'c', kind: found 'numbers'
+law(FALLS, '(*_SOFTENING, Parameter("stiffness", "Pa", "help", "stiffness_Pa"))')
+    unit: found 'Pa', wanted
+effect('pressure=' + C, '"c", "Pa", "", "c_Pa"')
+    parameter 'c', help: found '', wanted a description
+effect('pressure=' + C, '"c", "", "help", ""')
+    parameter 'c', key: found '', wanted a key for scene files, as
+effect('pressure=' + C, '"c", "", "help", "c", kind="text"')
+    parameter 'c', kind: found 'text', wanted a kind with
+effect('pressure=' + C, '"c", "", "help", "c", kind="|"')
+    parameter 'c', kind: found '|', wanted number, series
+effect('pressure=' + C, '"c", "", "help", "c", kind="rotation"')
+    parameter 'c', key: found 'c', wanted none, as
+effect('pressure=' + C, '"c", "", "help", "c", dimensionless=sp.Integer(1)')
+    found 1, wanted a formula of the
+effect('pressure=' + C, '"c", "", "help", "c", dimensionless=1 / VALUE')
+    a pole or a complex number next to c =
+# types
+law(FALLS, '[*_SOFTENING]')
+    parameters: found [Parameter(
+law(FALLS, '("peak",)')
+    parameters: found ('peak',), wanted tuple[Parameter, ...]
+law(FALLS, more=', equation=3.11')
+    equation: found 3.11, wanted str
+law(FALLS, more=', source=" "')
+    source: found ' ', wanted a description
+law('_P * sp.oo', '_SOFTENING[:1]')
+    coefficient: found oo*peak, wanted an expression of SymPy in real numbers
+effect(f'pressure={C}', '"c", "", "help", "c"', more=", any_of='c'")
+    any_of: found 'c', wanted tuple[str, ...]
+moment('r*sp.cos(theta)', more=', amplitude=("k", "K", "L")')
+    amplitude: found ('k', 'K', 'L'), wanted
+# symbols
+law('_P * sp.Symbol("strange", real=True)')
+    coefficient: found the symbol strange, which is not declared
+law("_P * sp.exp(-SLIP / sp.Symbol('length'))")
+    the symbol length, which is not declared, wanted sp.Symbol('len
+law('_P + 0 * _R')
+    parameters: found residual, length in no formula, wanted a use of each
+law('_R + (_P - _R) * sp.exp(-SLIP / _L) / (1 + SPEED / _V)', '(*_SOFTENING, _WEAKENING[2])')
+    slip and speed
+law('None')
+    coefficient: found none, wanted a formula, or two lists
+effect("pressure=sp.Symbol('strange', real=True)")
+    u: found the symbol strange
+effect('pressure=sp.Integer(1)', OF_PRESSURE + ', dimensionless=VALUE / REFERENCE')
+    c in no formula
+effect('pressure=_DRAG', '"c", "", "help", "c", symbol=_DRAG').replace(', symbol=sp.Symbol("c_new", real=True)', '')
+    symbols: found drag, wanted each for one quantity of one effect
+effect(f'pressure={C}', '"c", "", "help", "c"').replace('c_new', 'normal')
+    symbols: found normal, wanted each
+effect(f'pressure={C}', '"c", "", "help", "c"').replace('c_new', 'J_r')
+    symbols: found J_r, wanted each for one
+effect('pressure=' + C, '"c", "", "help", "c"').replace(', real=True', '')
+    symbols: found Symbol('c_new'), wanted
+effect(f'growth={C}', '"c", "", "help", "c"')
+    states: found (), wanted symbols that its terms contain
+effect(f'pressure={C}', more=f', states=({C},)')
+    states: found (c_new,), wanted symbols that its terms contain
+effect('pressure=SLIP_MU')
+    u: found the symbol slip_mu, which is not declared
+# functions
+law('_P * (1 + sp.atan(SLIP / _L)) + _R')
+    coefficient: found atan(slip/length), wanted sums, products
+law('_P + (_R - _P) * sp.Min(SLIP / _L, 2)')
+    a branch that changes at a slip of 2*length, wanted at a parameter
+law('_R + (_P - _R) * sp.Min(SLIP / _L, 1, _R)')
+    found Min(1, residual, slip/length), wanted min and max of two
+law(f'_P + _R * (sp.Min(SLIP / _L, 1) + sp.Min(SLIP / {SECOND}, 1))', WITH_SECOND)
+    found branches that change at length and second, wanted one slip
+law('sp.Piecewise((_P, SLIP < _L), (_R, True))')
+    Piecewise((peak, length > slip), (residual, True)), wanted su
+effect('resistance=LAMBDA * sp.Piecewise((1, SLIP < 1), (2, True))')
+    found Piecewise((1, slip < 1), (2, True))
+law('_P + (_P - _R) * SLIP / (SLIP + _L)')
+    residual = 6.58, length = 1, wanted numbers that are not negative
+law('_P + _R * sp.Max(sp.Min(SLIP / _L, 1), 0)')
+    found Max(0, Min(1, slip/length)), wanted min and max of two
+law('sp.I * _P + _R * SLIP / _L')
+    coefficient: found I*peak + residual*slip/length, wanted an expression
+law('_R + _P * sp.exp(-sp.Min(SLIP / _L, 1))')
+    piece between branches: found
+law('_R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 8')
+    degree of a piece: found 8, wanted at most 7
+law(FALLS, more=', degree=3')
+    degree: found 3, wanted none, as it follows from the formula
+law('None', f'({SLIPS}, {COEFFICIENTS})', more=', degree=8')
+    degree: found 8, wanted 0 to 7
+law('None', f'({SLIPS},)')
+    coefficient: found none, wanted a formula, or two lists
+law('None', f"({SLIPS.replace('m', 's')}, {COEFFICIENTS})")
+    coefficient: found none, wanted a formula, or two
+# dimensions
+law('_P * sp.exp(-SLIP)', '_SOFTENING[:1]')
+    found exp(-slip), where -slip is in m, wanted -slip over a parameter
+law('_R + (_P - _R) / (1 + SLIP)', '_SOFTENING[:2]')
+    found slip + 1, of terms in numbers and m, wanted terms of
+law('_P * SLIP', '_SOFTENING[:1]')
+    found peak*slip, in m, wanted a number without a dimension
+law('_R + _P * sp.exp(-SLIP / _L) ** SLIP')
+    is in m, wanted
+effect(f'pressure={C}', OF_PRESSURE)
+    parameter 'c', dimensionless: found value, in kg/(m*s^2)
+effect(f'resistance=LAMBDA * sp.exp(-SLIP / {C})', '"c", "m", "help", "c_m", dimensionless=VALUE / (2 * RADIUS)')
+    found exp(-slip/c_new), where -slip/c_new is in m
+# domains
+law('_P - _R * SLIP / _L')
+    coefficient: found -3.16e+03 at slip = 1e+03, peak = 3.16, residual = 3.16, length = 1
+law('_P / (1 - SLIP / _L)', '(_SOFTENING[0], _SOFTENING[2])')
+    coefficient: found -
+law('_P / (1 - SLIP / _L) ** 2', '(_SOFTENING[0], _SOFTENING[2])')
+    a pole or a complex number next to slip =
+law('_P * sp.sqrt(1 - SLIP / _L)', '(_SOFTENING[0], _SOFTENING[2])')
+    a pole or a complex number next to slip =
+law('_P * sp.log(SLIP / _L)', '(_SOFTENING[0], _SOFTENING[2])')
+    coefficient: found -
+law('_P * sp.sqrt(SLIP / _L)', '(_SOFTENING[0], _SOFTENING[2])')
+    a pole or a complex number next to slip =
+law('_P * sp.cos(SLIP / _L)', '(_SOFTENING[0], _SOFTENING[2])')
+    coefficient: found -
+law('_P * _V / SPEED', '(_SOFTENING[0], _WEAKENING[2])')
+    a pole or a complex number next to speed =
+effect(f'resistance=-LAMBDA * {C}', '"c", "", "help", "c"')
+    resistance: found -
+effect(f'resistance=LAMBDA / {C}', '"c", "", "help", "c"')
+    resistance: found a pole or a complex number next to
+# moments
+moment('r', 'np')
+    name: found 'np', a name in use
+moment('r', 'lost')
+    name: found 'lost', a name in use
+moment('sp.sqrt(r)')
+    weight that can be certified: found sqrt(r), wanted r**n, +-r**n*sin(theta)
+moment('r**6')
+    weight that can be certified: found r**6, wanted r**n
+moment('2 * r')
+    weight that can be certified: found 2*r, wanted
+moment('r * sp.cos(2 * theta)', more=', amplitude=("k", "K")')
+    found r*cos(2*theta), wanted
+moment('r * sp.sin(theta)')
+    amplitude of the weight r*sin(theta): found None, wanted a name and a symbol
+moment('r**2', more=', amplitude=("k", "K")')
+    amplitude of the weight r**2: found ('k', 'K'), wanted none
+# effects
+effect("equation=''")
+    terms: found none, wanted a term of the balance
+effect(f'pressure={C}', OF_PRESSURE + ', dimensionless=VALUE / REFERENCE', more=", any_of=('d',)")
+    any_of: found {'d'}
+effect(f'driving_moment=J_R * {C}, normal_load=J_R * {C}', '"c", "", "help", "c"')
+    signs of its parameters: found
+"""
 OF = {"Law": (effects, "LAWS"), "Effect": (effects, "EFFECTS"), "Moment": (quantities, "MOMENTS")}
 
 
@@ -261,7 +292,9 @@ def test_wrong_declarations_are_one_line_each(
 
     monkeypatch.setattr(command, "derive_all", no)  # which takes minutes
     answers = set[str]()
-    for text, said in WRONG:
+    lines = [line.strip() for line in WRONG.splitlines() if line and not line.startswith("#")]
+    for declaration, said in zip(lines[::2], lines[1::2], strict=True):
+        text = eval(declaration)
         with monkeypatch.context() as declared:
             declare(text, declared)
             start = time.process_time()

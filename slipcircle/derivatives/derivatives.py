@@ -1,13 +1,12 @@
 """Result of `Motion.sensitivity`: derivatives of outputs with respect to the inputs of a scene."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.conversions import Pictured
-from slipcircle.base.kinds import Floats, Names, NumberMap
+from slipcircle.base.kinds import Floats, Names, NumberMap, TextMap
 from slipcircle.core.scene.scene import Scene
 
 
@@ -43,8 +42,8 @@ class Sensitivity(Pictured):
         output is zero.
     """
 
-    outputs: Mapping[str, str]
-    parameters: Mapping[str, str]
+    outputs: TextMap
+    parameters: TextMap
     at: NumberMap
     kinds: Any
     values: Floats
@@ -71,22 +70,19 @@ class Sensitivity(Pictured):
 
     def error(self, output: str, parameter: str) -> float:
         """Return the error bound of a derivative, in SI units. The names are keys of `outputs` and `parameters`."""
-        place = self._place(output, parameter)
-        return float(self.errors[place])
+        return float(self.errors[self._place(output, parameter)])
 
     def kind(self, output: str, parameter: str) -> str:
         """Return the kind of a derivative, such as "smooth" or "kink".
 
         The names are keys of `outputs` and `parameters`.
         """
-        place = self._place(output, parameter)
-        return str(self.kinds[place])
+        return str(self.kinds[self._place(output, parameter)])
 
     def _place(self, output: str, parameter: str) -> tuple[int, int]:
         """Return the row of an output and the column of a parameter, from their names."""
         row = list(self.outputs).index(output)
-        column = list(self.parameters).index(parameter)
-        return row, column
+        return row, list(self.parameters).index(parameter)
 
     def __str__(self) -> str:
         """Return the table of `slipcircle sensitivity` as text."""

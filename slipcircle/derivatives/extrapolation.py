@@ -25,8 +25,7 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
     shape = column.shape[:-1]
     best = np.full(shape, np.nan)
     least = np.full(shape, np.inf)
-    last_power = first_power * COLUMNS
-    for power in range(first_power, last_power + 1, first_power):
+    for power in range(first_power, first_power * COLUMNS + 1, first_power):
         following = _combined(column, power, -1.0)
         noise = _combined(noise, power, 1.0)
         # The greatest difference of each entry from its neighbours in the preceding column and in its own.
@@ -69,8 +68,7 @@ def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     columns = following[..., None, :]
     differences = np.abs(rows - columns)
     of_noise = NOISY * noise
-    beyond = np.triu(differences - of_noise[..., None, :])
-    return beyond.max(axis=-1)
+    return np.triu(differences - of_noise[..., None, :]).max(axis=-1)
 
 
 def noise_of(values: Floats) -> Floats:
@@ -82,5 +80,4 @@ def noise_of(values: Floats) -> Floats:
     for power in (1, 2, 3):
         column = _combined(column, power, -1.0)
     differences = np.abs(np.diff(column))
-    finite = np.nan_to_num(differences)
-    return np.asarray(np.max(finite, axis=-1, keepdims=True))
+    return np.asarray(np.max(np.nan_to_num(differences), axis=-1, keepdims=True))

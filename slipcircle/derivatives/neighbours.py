@@ -68,8 +68,7 @@ def neighbour_derivatives(
     for ladder in range(LADDERS):
         scales = np.array([[[number.scale]] for number in remaining])
         first = RUNGS * ladder
-        rungs = np.arange(first, first + RUNGS)
-        steps = FIRST * scales * 2.0 ** (-rungs)
+        steps = FIRST * scales * 2.0 ** -np.arange(first, first + RUNGS)
         here, beside = _solved(scene, outcomes, remaining, steps)
         off = CAUTION * max(ACCURACY, error)
         every, goals = _judged(here, beside, steps, scales, off)
@@ -97,11 +96,7 @@ def _is_open(errors: Sequence[Derivatives], goal: Sequence[float]) -> bool:
 
     `errors` has the derivative of each outcome, and `goal` the error at which each needs no further ladder.
     """
-    for one, most in zip(errors, goal, strict=True):
-        is_near = one.errors <= most
-        if not is_near or one.kinds == JUMP:
-            return True
-    return False
+    return not all(one.errors <= most and one.kinds != JUMP for one, most in zip(errors, goal, strict=True))
 
 
 # --- ensembles -------------------------------------------------------------------------------------------------------
@@ -201,8 +196,7 @@ def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
     longest_of_next = longest * 2.0**-RUNGS
     from_rounding = ROUNDING * largest / longest_of_next
     goals = np.maximum(GOAL * size, from_rounding)
-    by_number = goals[..., 0].T.tolist()
-    return by_number
+    return goals[..., 0].T.tolist()
 
 
 def _largest(here: Floats, beside: Floats) -> Floats:
@@ -214,8 +208,7 @@ def _largest(here: Floats, beside: Floats) -> Floats:
     sizes_beside = np.abs(beside)
     largest = sizes.max(axis=(1, 2), keepdims=True, initial=0.0)
     largest_beside = np.nanmax(sizes_beside, axis=(1, 2, 3), initial=0.0)
-    by_outcome = largest_beside[:, None, None]
-    return np.where(largest, largest, by_outcome)
+    return np.where(largest, largest, largest_beside[:, None, None])
 
 
 def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
@@ -227,8 +220,7 @@ def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
     scale = scales[..., 0]
     changes = steepness * scale
     most_by_any = changes.max(axis=(1, 2), keepdims=True, initial=0.0)
-    most = np.maximum(largest, most_by_any)
-    return np.asarray(most / scale)
+    return np.asarray(np.maximum(largest, most_by_any) / scale)
 
 
 def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floats:
@@ -265,8 +257,7 @@ def _central(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
     below, above = np.moveaxis(beside, 2, 0)
     rise = above - below
     of_rise = noise.max(axis=2)
-    apart = 2 * step
-    return extrapolated(rise / apart, of_rise / step, 2)
+    return extrapolated(rise / (2 * step), of_rise / step, 2)
 
 
 def _of_one(

@@ -6,7 +6,7 @@ names. The file reader translates them to keys of scene files.
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from generated.effects import Parameter
 from slipcircle.base.arrays import array_of, float_or_array, real_number
-from slipcircle.base.kinds import Flags, Floats, Shape, Values
+from slipcircle.base.kinds import ArrayMap, Flags, Shape, Values
 from slipcircle.core.scene.scene import Scene, checked_scene
 from slipcircle.tree import Leaf, leaves, mapped, put, replace_unchecked
 
@@ -62,8 +62,8 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
     first = ["friction"] if "friction" in numbers else []
     chosen = []
     for name in dict.fromkeys([*first, *numbers]):
-        is_present = np.any(numbers[name]) or not _rests_at_zero(name)
-        if is_present and name not in left_out:
+        absent_at_zero = name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
+        if (np.any(numbers[name]) or not absent_at_zero) and name not in left_out:
             chosen.append(name)
     return free_parameters(scene, chosen)
 
@@ -83,11 +83,6 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
         bounds = number.lower, number.upper
         free[name] = Free(name, number.unit, *bounds, value, scale)
     return free
-
-
-def _rests_at_zero(name: str) -> bool:
-    """Return whether zero means that the feature is absent, for a number with the given path."""
-    return name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
 
 
 def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
@@ -114,8 +109,7 @@ def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
     else:
         size = abs(value) or usual.get(parameter.unit, 1.0)
     exponent = round(math.log2(size))
-    scale = 2.0**exponent
-    return float(scale)
+    return float(2.0**exponent)
 
 
 def parameter_value(scene: Scene, name: str) -> float | None:
@@ -126,8 +120,7 @@ def parameter_value(scene: Scene, name: str) -> float | None:
     leaf = possible_parameters(scene).get(name)
     if leaf is None or leaf.value is None:
         return None
-    value = np.asarray(leaf.value)
-    return float(value)
+    return float(np.asarray(leaf.value))
 
 
 def with_parameters(scene: Scene, values: Values) -> Scene:
@@ -142,8 +135,7 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     """
     numbers = {}
     for name, value in values.items():
-        is_array = array_of(value).ndim > 0
-        numbers[name] = value if is_array else real_number(value)
+        numbers[name] = value if array_of(value).ndim else real_number(value)
     values = scene.arc.together(numbers)
     changed = put(scene, values)
     arc = scene.arc if changed.arc is scene.arc else replace(changed.arc)
@@ -173,7 +165,7 @@ def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
     return lanes
 
 
-def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[Scene, Flags]:
+def with_parameter_arrays(scene: Scene, values: ArrayMap) -> tuple[Scene, Flags]:
     """Return a scene with arrays of numbers in SI units, and a mask of its invalid lanes, for `solve`.
 
     A value out of bounds or an impossible section makes its lane invalid and raises no error. In such lanes the scene

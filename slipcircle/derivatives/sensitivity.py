@@ -5,13 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Texts
+from slipcircle.base.kinds import TextMap, Texts
 from slipcircle.core import Motion
 from slipcircle.derivatives.derivatives import Sensitivity
 from slipcircle.derivatives.neighbours import JUMP, SMOOTH, UNRESOLVED, Derivatives, neighbour_derivatives
 from slipcircle.derivatives.parameters import Free, parameters
 
-OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s"}
+OUTPUTS: TextMap = {"peak_velocity": "m/s", "run_out": "m", "duration": "s"}
 SIDES = ("below", "above")
 
 
@@ -44,13 +44,11 @@ def sensitivity(motion: Motion) -> Sensitivity:
         shape = len(OUTPUTS), len(free)
         none = np.zeros(shape)
         both = np.zeros((*shape, 2))
-        kinds = np.full(shape, SMOOTH)
-        derivatives = Derivatives(kinds, none, none, both, both, both)
+        derivatives = Derivatives(np.full(shape, SMOOTH), none, none, both, both, both)
         warnings.append("does not move, so that small changes have no effect")
     units = {name: number.unit for name, number in free.items()}
     values = {name: number.value for name, number in free.items()}
-    at = outputs | values
-    return Sensitivity(OUTPUTS, units, at, *derivatives, scene=scene, warnings=tuple(warnings))
+    return Sensitivity(OUTPUTS, units, outputs | values, *derivatives, scene=scene, warnings=tuple(warnings))
 
 
 def _outcomes(motion: Any) -> list[Any]:

@@ -3,11 +3,12 @@
 import argparse
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from functools import partial
 from typing import TYPE_CHECKING
 
+from slipcircle.base.kinds import NumberDict, NumberMap, TextPair
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_context
 from slipcircle.workbench.common.quantities import json_values, time_text
@@ -56,7 +57,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     add_files(parser, "error against time")
 
 
-def _wanted(options: argparse.Namespace) -> dict[str, float]:
+def _wanted(options: argparse.Namespace) -> NumberDict:
     """Return the requested accuracy (relative error) or budget (s) by the option's name; empty if neither is given."""
     for name, read, allowed in (
         ("accuracy", accuracy, "a relative error between 0 and 1, such as 1e-6"),
@@ -103,7 +104,7 @@ def run(options: argparse.Namespace) -> Answer:
     return Answer(lambda: record, _parts(title, rows, measured_on, target), (), drawn)
 
 
-def _parts(title: str, rows: Sequence["CostRow"], machine: str, target: Mapping[str, float]) -> Iterator[ResultTable]:
+def _parts(title: str, rows: Sequence["CostRow"], machine: str, target: NumberMap) -> Iterator[ResultTable]:
     """Yield the table of measured rows, with notes below it.
 
     ``machine`` describes the computer, and ``target`` is the requested accuracy or budget by name.
@@ -126,7 +127,7 @@ def _error(error: float) -> str:
     return f"{error:.1e}" if error else "0"
 
 
-def _notes(rows: Sequence["CostRow"], machine: str, target: Mapping[str, float]) -> Iterator[str]:
+def _notes(rows: Sequence["CostRow"], machine: str, target: NumberMap) -> Iterator[str]:
     """Yield the sentences below the table of measured rows; the arguments are those of `_parts`."""
     from slipcircle.workbench.cost.rows import RECOMMENDED, price_of_a_digit
     from slipcircle.workbench.cost.scenes import ALONE
@@ -158,7 +159,7 @@ def _measured(row: "CostRow") -> str:
     return f"{row.way} ({time_text(1e9 * row.seconds)}, error {_error(row.error)}{bound})"
 
 
-def _shown(target: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+def _shown(target: NumberMap) -> Iterator[TextPair]:
     """Yield the name and the text of the requested accuracy or budget."""
     for name, value in target.items():
         yield name, time_text(1e9 * value) if name == "budget" else f"{value:g}"

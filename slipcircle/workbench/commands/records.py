@@ -65,8 +65,7 @@ def suite_of(options: argparse.Namespace, gravity: float) -> Suite:
     if bool(options.records) == bool(options.synthetic):
         raise ValueError(f"{options.command}: give either files or folders of records, or --synthetic")
     if not options.synthetic:
-        reading = {name: getattr(options, name) for name in _READING}
-        return read_suite(options.records, gravity=gravity, **reading)
+        return read_suite(options.records, gravity=gravity, **{name: getattr(options, name) for name in _READING})
     count, arias, duration = options.synthetic
     return Suite.of(synthetic_records(count, arias, duration, options.seed or 0, gravity))
 

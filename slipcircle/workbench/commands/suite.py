@@ -57,8 +57,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> Study:
     """Return the study of a scene under the records that the options select; ``sampling`` is passed to `ensemble`."""
-    gravity = float(np.ravel(scene.arc.gravity)[0])
-    suite = suite_of(options, gravity)
+    suite = suite_of(options, float(np.ravel(scene.arc.gravity)[0]))
     scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga, "thresholds": options.thresholds}
     of_records = {"records": suite, "polarities": options.polarities} | scales
     if not options.samples:
@@ -96,8 +95,7 @@ def _by_record_part(study: Study, scale: int) -> ResultTable:
     title = f"{study.scene.name}: displacement along the arc at {study.scale_text(scale)}{others}{of_samples}"
     note = "v: peak velocity; slips: how often it begins to slide; phi: rotation at the end"
     note += "; the greater of both polarities" if len(study.polarities) > 1 else ""
-    units = dict(_HEADS[name] for name in columns)
-    return unit_table(units, zip(*columns.values(), strict=True), title, note)
+    return unit_table(dict(_HEADS[name] for name in columns), zip(*columns.values(), strict=True), title, note)
 
 
 def _statistics_part(study: Study) -> ResultTable:

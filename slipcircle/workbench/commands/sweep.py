@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import ValueDict, Values
+from slipcircle.base.kinds import NumberDict, ValueDict, Values
 from slipcircle.base.text import number_text, output_unit
 from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
@@ -274,7 +274,7 @@ def _outcomes(study: Study, keys: Sequence[str], ends: Sequence[str]) -> ResultT
     return unit_table(units, zip(*columns, ends, strict=True), study.scene.name)
 
 
-def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
+def _factors_of_grid(study: Study) -> dict[str, NumberDict]:
     """Return the share of combinations with a factor of safety below 1, and quantiles of the factor, by method.
 
     Combinations without a factor of safety are left out.

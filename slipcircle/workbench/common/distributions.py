@@ -71,8 +71,7 @@ class Triangle(NamedTuple):
         share = p
         if mode is not None:
             peak = (mode - low) / (high - low)
-            rising = np.sqrt(peak * p)
-            share = np.where(p < peak, rising, 1.0 - np.sqrt((1.0 - peak) * (1.0 - p)))
+            share = np.where(p < peak, np.sqrt(peak * p), 1.0 - np.sqrt((1.0 - peak) * (1.0 - p)))
         return share * (high - low) + low
 
     def cdf(self, x: float) -> float:

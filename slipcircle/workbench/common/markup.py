@@ -5,6 +5,7 @@ import hashlib
 import html
 from collections.abc import Iterable, Sequence
 
+from slipcircle.base.kinds import TextPair
 from slipcircle.base.text import clean
 
 
@@ -32,7 +33,7 @@ def html_table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
     return Raw(f"<table>{top}{''.join(groups)}</table>")
 
 
-def html_terms(facts: Iterable[tuple[str, str]]) -> Raw:
+def html_terms(facts: Iterable[TextPair]) -> Raw:
     """Return names and values as the items of an HTML description list."""
     return Raw("".join(tag("div", Raw(tag("dt", name) + tag("dd", value))) for name, value in facts))
 

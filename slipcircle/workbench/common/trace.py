@@ -53,8 +53,7 @@ def telling_times(motion: Motion) -> Floats:
     angle = np.linspace(0.0, np.pi, max(4, SAMPLES // len(motion.phases)) + 1)
     share = (1.0 - np.cos(angle)) / 2
     for phase in motion.phases:
-        length = phase.end - phase.start
-        times.append(phase.start + length * share)
+        times.append(phase.start + (phase.end - phase.start) * share)
     for function in in_time(scene.called).values():
         # Breakpoints and crests of a function of time, and the time just before each jump, in s.
         kinks = np.asarray(function.kinks)

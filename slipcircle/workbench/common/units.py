@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, NumberMap
+from slipcircle.base.kinds import Floats, NumberMap, TextMap
 from slipcircle.tables import STRONGEST
 
 # The international foot is 0.3048 m and the pound 0.45359237 kg (yard and pound agreement of 1959), standard gravity
@@ -55,7 +55,7 @@ class RecordedQuantity(NamedTuple):
 
     name: str
     units: NumberMap
-    spellings: Mapping[str, str]
+    spellings: TextMap
     choice: str
     role: str = ""  # of a column, as the option ``columns`` names it
     kinds: str = "CSV"

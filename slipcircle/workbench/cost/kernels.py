@@ -58,8 +58,7 @@ def of_kernel(name: str) -> list[CostRow]:
     rows = []
     for way, taken in zip(every, seconds, strict=True):
         exact = exact_values(name, way.kind)
-        results = way.function(exact.points.astype(way.kind))
-        errors = exact.errors(results)
+        errors = exact.errors(way.function(exact.points.astype(way.kind)))
         rows.append(CostRow(name, way.name, SIZE, float(errors.max()), way.bound, taken / SIZE, accuracy=way.bound))
     return with_verdicts(rows)
 
@@ -87,8 +86,7 @@ def as_printed(name: str, x: Floats) -> Floats:
             above, below = (as_printed(part, x) for part in QUOTIENTS[name])
             value = above / below
         else:
-            functions = SimpleNamespace(sin=np.sin, cos=np.cos, atanh=np.arctanh)
-            value = CLOSED[name](functions, x)
+            value = CLOSED[name](SimpleNamespace(sin=np.sin, cos=np.cos, atanh=np.arctanh), x)
     return value
 
 
@@ -102,8 +100,7 @@ def kernel_inputs(kind: str = "float64") -> NDArray[Any]:
     uniform = rng.uniform(0.0, np.pi / 2, POINTS // 2)
     decades = rng.uniform(_DECADES[kind], 0.0, POINTS // 4)
     near = rng.uniform(-16.5, -0.5, POINTS // 4)
-    values = np.concatenate([uniform, 10.0**decades, np.pi / 2 - 10.0**near, _LANDMARKS])
-    return np.unique(values.astype(kind))
+    return np.unique(np.concatenate([uniform, 10.0**decades, np.pi / 2 - 10.0**near, _LANDMARKS]).astype(kind))
 
 
 @cache

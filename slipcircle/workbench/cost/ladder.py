@@ -66,8 +66,7 @@ def _solved(scene: Scene, effects: Names, full: Motion) -> Motion:
     arc = scene.arc
     if isinstance(arc, Section) and "pore_pressure" in {*full.plan.effects} - {*effects}:
         arc = replace(arc, level=None)  # the water level would add the effect
-    parameters = {e: scene.called[e] for e in effects if e in scene.effects}
-    part = replace(scene, arc=arc, effects=parameters, uncertain={})
+    part = replace(scene, arc=arc, effects={e: scene.called[e] for e in effects if e in scene.effects}, uncertain={})
     try:
         return solve(part)
     except ValueError:

@@ -105,8 +105,7 @@ def with_verdicts(rows: Iterable[CostRow]) -> list[CostRow]:
         better = [other for other in rows if _beats(other, row)]
         verdict = FRONTIER
         if better:
-            winner = min(better, key=lambda other: other.seconds)
-            verdict = BEATEN + winner.way
+            verdict = BEATEN + min(better, key=lambda other: other.seconds).way
         judged_rows.append(replace(row, verdict=verdict))
     return judged_rows
 
@@ -147,5 +146,4 @@ def price_of_a_digit(rows: Sequence[CostRow]) -> float:
     digits = math.log10(least.error / most.error)
     if digits < 1.0:
         return math.nan
-    ratio = most.seconds / least.seconds
-    return ratio ** (1.0 / digits)
+    return (most.seconds / least.seconds) ** (1.0 / digits)

@@ -72,16 +72,14 @@ def _ranges(scene: Scene, vary: Mapping[str, Pair]) -> Ranges:
         return ranges, False
     if scene.uncertain:
         for name, uncertain in uncertain_numbers(scene).items():
-            quantiles = map(uncertain.drawn, QUANTILES)
-            ranges[name] = tuple(map(uncertain.number.to_si, quantiles))
+            ranges[name] = tuple(map(uncertain.number.to_si, map(uncertain.drawn, QUANTILES)))
         return ranges, False
     strengths = {}
     for name, parameter in parameters(scene).items():
         value = parameter_value(scene, name)
         if value and name.startswith(_STRENGTH) and parameter.unit in _UNITS:
             strengths[name] = value
-    varied = strengths or {"gravity": float(np.asarray(scene.arc.gravity))}
-    for name, value in varied.items():
+    for name, value in (strengths or {"gravity": float(np.asarray(scene.arc.gravity))}).items():
         ranges[name] = ((1.0 - SPREAD) * value, (1.0 + SPREAD) * value)
     return ranges, True
 
@@ -93,8 +91,7 @@ def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
     values = {}
     for place, (name, (low, high)) in enumerate(by_name.items()):
         if place and not together:
-            irrational = np.sqrt(_PRIMES[place % len(_PRIMES)])
-            shares, _ = np.modf(irrational * np.arange(cases))
+            shares, _ = np.modf(np.sqrt(_PRIMES[place % len(_PRIMES)]) * np.arange(cases))
         values[name] = low + shares * (high - low)
     return with_parameter_arrays(scene, values)
 

@@ -12,7 +12,7 @@ from difflib import get_close_matches
 from itertools import chain
 from typing import Any
 
-from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
+from slipcircle.base.kinds import TextDict, TextMap, TextPair, Texts, ValueDict, Values
 from slipcircle.ground import points_errors
 from slipcircle.tree import path_of_part
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
@@ -108,7 +108,7 @@ class Document:
         self._check_sets(path, spelt)
         self._check_choices(path, spelt)
 
-    def _report_mixed_units(self, path: str, table: KeyTable, spelt: Mapping[str, str]) -> None:
+    def _report_mixed_units(self, path: str, table: KeyTable, spelt: TextMap) -> None:
         """Report quantities of one table that are given in different units.
 
         `spelt` maps the published spelling of each key to the key as typed.
@@ -142,8 +142,7 @@ class Document:
         `full` is the path of the key in the file, and `content` are all keys of its table.
         """
         if isinstance(value, dict) and key.kind in VARYING:
-            limits = key.low, key.high
-            odd = distribution_mistakes(value, limits)
+            odd = distribution_mistakes(value, (key.low, key.high))
             if odd:
                 self._odd_distributions[full] = [f"{full}: {mistake}" for mistake in odd]
                 self._report(full)
@@ -252,7 +251,7 @@ def _question(key: Key, entry: Any, table: KeyTable) -> str:
     return title
 
 
-def _advice(path: str, unknown: str, tables: Mapping[str, KeyTable]) -> tuple[str, str]:
+def _advice(path: str, unknown: str, tables: Mapping[str, KeyTable]) -> TextPair:
     """Return the path of the known key most similar to an unknown one ("" if none), and advice in words.
 
     In the same table, a similar key or the only key with the same unit is suggested. In other tables, only an almost

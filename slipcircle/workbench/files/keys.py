@@ -15,7 +15,7 @@ import numpy as np
 
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
-from slipcircle.base.kinds import Names, ValueDict
+from slipcircle.base.kinds import Names, NumberDict, Texts, ValueDict
 from slipcircle.core import Arc, Scene, declared
 from slipcircle.layers import RATE_LAWS, may_have_rate
 from slipcircle.tabulated import GIVEN
@@ -59,7 +59,7 @@ class Key(Parameter):
         return float(self.from_si(self.upper))
 
     @property
-    def limits(self) -> dict[str, float]:
+    def limits(self) -> NumberDict:
         """Finite bounds in the key's unit by their names in JSON Schema: gt or ge, and lt."""
         every = {"ge" if self._is_closed else "gt": self.low, "lt": self.high}
         return {name: bound for name, bound in every.items() if abs(bound) < math.inf}
@@ -182,8 +182,7 @@ class KeyTable(NamedTuple):
         names = tuple(self.laws)
         near = get_close_matches(str(law_typed), names, 1)
         if not near:
-            law = replace(self.laws[names[0]].keys["law"], kind="|".join(names))
-            return self._replace(keys={"law": law})
+            return self._replace(keys={"law": replace(self.laws[names[0]].keys["law"], kind="|".join(names))})
         chosen: KeyTable = self.laws[near[0]]
         return chosen._replace(title=self.title, required=self.required, laws=self.laws)
 
@@ -282,8 +281,8 @@ def keys_of(p: Parameter) -> dict[str, Key]:
     if not p.unit and name.endswith("_deg"):
         coefficient = replace(key, key=p.name, optional=True)
         angle = _number(replace(key, help=f"{p.help}, as an angle", optional=True), "deg", tangent=True)
-        of_coefficient = _number(coefficient)  # a value beyond the usual ones was an angle
-        return {name: angle, p.name: replace(of_coefficient, upper=USUAL_FRICTION[1])}
+        # A coefficient beyond the usual ones was an angle.
+        return {name: angle, p.name: replace(_number(coefficient), upper=USUAL_FRICTION[1])}
     _, spelt_unit, _ = published(name)
     unit = spelt_unit if p.per_unit != 1.0 else p.unit
     if not unit and p.unit:  # the key has the unit, such as MPa_K for Pa/K, without its separators
@@ -298,7 +297,7 @@ def table_of(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key
     keys = {p: keys_of(p) for p in parameters}
     by_name = dict(more)
     alternatives: list[Names] = []
-    needed: list[str] = []
+    needed: Texts = []
     for p, of_parameter in keys.items():
         by_name |= of_parameter
         if len(of_parameter) > 1 and not p.optional:

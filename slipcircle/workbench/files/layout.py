@@ -47,8 +47,7 @@ def layout_of(content: Values) -> Layout:
     if isinstance(content.get("pond"), dict):
         excluded["pond"] = _POND
     if "cohesion" in content and not layered:  # alone it means phi = 0
-        friction = whole.tables["friction"]._replace(required=False)
-        whole = whole._replace(tables={**whole.tables, "friction": friction})
+        whole = whole._replace(tables={**whole.tables, "friction": whole.tables["friction"]._replace(required=False)})
     mistakes = [f"{name}: {why}" for name, why in excluded.items() if name in content]
     content_read = {}
     for name, value in content.items():

@@ -146,8 +146,7 @@ def _sheet(text: str) -> tuple[Points, str]:
 
 def _rows(text: str) -> tuple[list[tuple[int, Texts]], str]:
     """Return the filled rows of a spreadsheet as cells, with the numbers of their lines, and the separator."""
-    filled = [line for line in text.splitlines() if line.strip()]
-    last = "".join(filled[-1:])
+    last = "".join([line for line in text.splitlines() if line.strip()][-1:])
     separator = next((mark for mark in ";\t," if mark in last), " ")
     if separator == " ":  # columns of any number of blanks
         text = "\n".join(" ".join(line.split()) for line in text.splitlines())

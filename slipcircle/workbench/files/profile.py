@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.inputerror import InputError
-from slipcircle.base.kinds import Rename, Texts, ValueDict, Values
+from slipcircle.base.kinds import Rename, TextMap, Texts, ValueDict, Values
 from slipcircle.layers import Soil, layer_mistakes
 from slipcircle.workbench.files.document import shown_value
 from slipcircle.workbench.stability.critical import Critical
@@ -109,7 +109,7 @@ def _soils(names: Texts, arguments: Arguments, keys: Rename) -> tuple[dict[str, 
     return soils, mistakes
 
 
-def _unknown_soils(places: Mapping[str, str], names: Texts) -> Iterator[str]:
+def _unknown_soils(places: TextMap, names: Texts) -> Iterator[str]:
     """Yield a message for each reference to an undefined soil and for each unused soil.
 
     `places` has the soil referred to by each key, and `names` are the defined soils.
@@ -179,8 +179,7 @@ def _cut_off(arguments: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[s
     left, right = ground[[0, -1], 0]
     lines = []
     for _, top in layers[1:]:
-        line = top if np.ndim(top) else [[left, top], [right, top]]
-        lines.append(np.asarray(line))
+        lines.append(np.asarray(top if np.ndim(top) else [[left, top], [right, top]]))
     tolerance = 1e-9 * np.ptp(ground, axis=0).max()
     for k, (upper, lower) in enumerate(pairwise(lines), 3):
         x = np.unique(np.concatenate([upper[:, 0], lower[:, 0]]))

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from generated.effects import EFFECTS
 from slipcircle.base.arrays import float_or_array
 from slipcircle.base.inputerror import InputError, Message
-from slipcircle.base.kinds import Rename, Tell, Texts, ValueDict, Values
+from slipcircle.base.kinds import Rename, Tell, TextMap, Texts, ValueDict, Values
 from slipcircle.core import Arc, Scene
 from slipcircle.ground import Section
 from slipcircle.layers import law_mistakes
@@ -142,16 +142,14 @@ def _with_tables(text: str, tables: Mapping[str, Values]) -> str:
     """
     texts = []
     for name, values in tables.items():
-        lines = [f"{key} = {json.dumps(value)}\n" for key, value in values.items()]
-        texts.append("".join([f"[{name}]\n", *lines]))
+        texts.append("".join([f"[{name}]\n", *(f"{key} = {json.dumps(value)}\n" for key, value in values.items())]))
     replaced, count = _CIRCLE.subn(lambda _: texts[0], text, 1)
     return "\n".join([replaced, *texts[count:]])
 
 
 def units_of_files(names: Iterable[str]) -> set[str]:
     """Return the systems of units of output that scene files choose, in capitals."""
-    contents = (_content(source, str(source)) for source in map(find, names))
-    tables = (content.get("output") for content in contents)
+    tables = (_content(source, str(source)).get("output") for source in map(find, names))
     return {str(table.get("units", "")).upper() for table in tables if isinstance(table, dict)} & {*SYSTEMS}
 
 
@@ -309,7 +307,7 @@ def _friction(arguments: Arguments) -> ValueDict:
     return {"law": "constant"} | arguments.get("friction", {"coefficient": 0.0}) | rate
 
 
-def _keys(tables: Mapping[str, KeyTable], typed: Mapping[str, str]) -> Rename:
+def _keys(tables: Mapping[str, KeyTable], typed: TextMap) -> Rename:
     """Return a function from names of arguments (`effects.shaking.step`) to keys in the file (`shaking.step_s`).
 
     `typed` has the keys that the file contains, by argument.

@@ -22,8 +22,7 @@ def along_means(scene: Scene) -> Scene:
     if not isinstance(scene, SlopeScene) or scene.stability is None or not scene.stability.method:
         return scene
     searched = scene.stability
-    drawn = uncertain_numbers(scene)
-    means = {n: float(u.number.to_si(u.moments[0])) for n, u in drawn.items()}
+    means = {n: float(u.number.to_si(u.moments[0])) for n, u in uncertain_numbers(scene).items()}
     medians: list[Any] = [scene.numbers[n] for n in means]
     if np.allclose(medians, [*means.values()], rtol=1e-12, atol=0.0):
         return scene

@@ -1,10 +1,10 @@
 """Table of `slipcircle sensitivity`: the most important numbers of a scene, and their values for F = 1."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import NumberDict, NumberMap
 from slipcircle.base.text import number_text, output_unit
 from slipcircle.derivatives import Sensitivity
 from slipcircle.workbench.common.quantities import spelt_out
@@ -23,7 +23,7 @@ _TERMS = {
 }
 
 
-def important(table: Sensitivity) -> dict[str, float]:
+def important(table: Sensitivity) -> NumberDict:
     """Return the sizes of the numbers with the greatest effect on the run-out, in SI units by name, largest first.
 
     The effect of a number is the derivative of the run-out times the size of the number. The size of a place is the
@@ -43,12 +43,12 @@ def _is_point(name: str) -> bool:
     return name.startswith(("ground.", "level.", "centre."))
 
 
-def important_standstills(table: Sensitivity) -> dict[str, float]:
+def important_standstills(table: Sensitivity) -> NumberDict:
     """Return the values of the `important` numbers in SI units at which F = 1, by name; absent without such a value."""
     return standstills(table.scene, important(table).items())
 
 
-def sensitivity_part(table: Sensitivity, stops: Mapping[str, float]) -> ResultTable:
+def sensitivity_part(table: Sensitivity, stops: NumberMap) -> ResultTable:
     """Return a table of derivatives of the outputs per unit of the key of each of the `important` numbers.
 
     ``stops`` are the `important_standstills`, which are listed with their distance.
@@ -101,7 +101,7 @@ def _cell(table: Sensitivity, output: str, parameter: str, key: Key) -> str:
     return f"{text} {kind}"
 
 
-def _note(table: Sensitivity, names: Mapping[str, float]) -> str:
+def _note(table: Sensitivity, names: NumberMap) -> str:
     """Return the explanation of the columns and terms of a table, and how many numbers it omits; it lists ``names``."""
     notes = ["change per unit of the key, and in brackets in per cent per per cent of it"]
     notes.append("F = 1 at: the nearest value at which the mass begins or ceases to slide on this circle")

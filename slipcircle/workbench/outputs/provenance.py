@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import TextDict, Values
+from slipcircle.base.kinds import TextDict, TextMap, Values
 from slipcircle.core import Scene
 from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import Key
@@ -33,7 +33,8 @@ class Input(NamedTuple):
 
 def scene_inputs(scene: Scene, file: str) -> list[Input]:
     """Return the inputs of a scene as in the text of its file, with its comments; uncertain inputs are marked."""
-    inputs = list(_of_file(file))
+    layout = layout_of(tomllib.loads(file))
+    inputs = list(_of_table(layout.tables, toml_comments(file), "", layout.content))
     uncertain = {unknown.key: unknown.record for unknown in uncertain_numbers(scene).values()}
     for place, one in enumerate(inputs):
         if one.path in uncertain:
@@ -41,13 +42,7 @@ def scene_inputs(scene: Scene, file: str) -> list[Input]:
     return inputs
 
 
-def _of_file(file: str) -> Iterator[Input]:
-    """Yield the inputs in the text of a file, table by table, and the defaults of missing keys."""
-    layout = layout_of(tomllib.loads(file))
-    yield from _of_table(layout.tables, toml_comments(file), "", layout.content)
-
-
-def _of_table(tables: Values, sources: Mapping[str, str], path: str, content: Values) -> Iterator[Input]:
+def _of_table(tables: Values, sources: TextMap, path: str, content: Values) -> Iterator[Input]:
     """Yield the inputs of the table at a path of a file and of its subtables.
 
     ``tables`` are the declared tables by path, ``sources`` the comments by path, and ``content`` is the content of the

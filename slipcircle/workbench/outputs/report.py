@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
+from slipcircle.base.kinds import TextDict, TextPair
 from slipcircle.base.progress import tracked
 from slipcircle.base.text import number_text, output_unit
 from slipcircle.core import Motion, Plan, Scene, Status, law_parts, plan
@@ -215,7 +216,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[ResultTable | Raw]:
     yield _energy(motion)
 
 
-def _captions(motion: Motion) -> dict[str, str]:
+def _captions(motion: Motion) -> TextDict:
     """Return the captions of the pictures of a motion, by kind of picture."""
     captions = {"section": "The section: the mass at the start, at its peak velocity and at the run-out."}
     if height := toe_words(motion):
@@ -321,7 +322,7 @@ def _of_study(study: Study, tables: Iterable[ResultTable | str], file: bytes) ->
     yield ResultTable([], method, "Method and accuracy")
 
 
-def _key_numbers(study: Study) -> Iterator[tuple[str, str]]:
+def _key_numbers(study: Study) -> Iterator[TextPair]:
     """Yield label and value of yield coefficient, displacements at own scale, moving share and block factor."""
     at_scale = distribution(study.displacement, study.own_scale)
     yield "yield coefficient", number_text(study.yield_coefficient)

@@ -10,7 +10,7 @@ from textwrap import wrap
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from slipcircle.base.kinds import TextDict
+from slipcircle.base.kinds import TextDict, TextMap
 from slipcircle.base.progress import is_terminal
 from slipcircle.base.text import DIGITS, amount_text, clean, drawn_unit, number_text, output_unit
 from slipcircle.core import Motion, Plan
@@ -179,7 +179,7 @@ def stretches_part(motion: Motion) -> ResultTable | None:
     return ResultTable(head, rows, f"{motion.plan.scene.name}: soils along the slip surface", note)
 
 
-def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
+def beside(columns: Sequence[TextMap]) -> Rows:
     """Return columns of texts by label as rows: the label and a cell of each column, empty without this label."""
     return [[label, *(c.get(label, "") for c in columns)] for label in dict.fromkeys(chain.from_iterable(columns))]
 
@@ -336,7 +336,7 @@ def in_unit(cell: Any, unit: str) -> Any:
     return factor * cell
 
 
-def unit_table(units: Mapping[str, str], rows: Iterable[Iterable[Any]], title: str = "", note: str = "") -> ResultTable:
+def unit_table(units: TextMap, rows: Iterable[Iterable[Any]], title: str = "", note: str = "") -> ResultTable:
     """Return a table in units of output, from rows of cells in SI units and the unit of each column by its name.
 
     Cells of columns without a unit remain as they are.

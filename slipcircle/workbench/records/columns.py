@@ -3,6 +3,7 @@
 import re
 from typing import NamedTuple
 
+from slipcircle.base.kinds import TextPair, Texts
 from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, unit_of
 
 _SEED = "[bcehs][nlgh]"  # band and instrument of a channel code, followed by its orientation
@@ -28,13 +29,12 @@ class Column(NamedTuple):
     reason: str = ""
 
 
-def _words(text: str) -> list[str]:
+def _words(text: str) -> Texts:
     """Return the words of a name in lower case, and the words joined, as the last element.
 
     Words are separated as in `acc_Z`, `accZ` and `U-D`.
     """
-    parted = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
-    words = re.findall(r"[^\W_]+", parted.lower())
+    words = re.findall(r"[^\W_]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text).lower())
     return [*words, "".join(words)]
 
 
@@ -59,7 +59,7 @@ def _is_time(name: str) -> bool:
     return re.fullmatch(_TIME, first) is not None
 
 
-def _with_unit(field: str, quantity: RecordedQuantity) -> tuple[str, str]:
+def _with_unit(field: str, quantity: RecordedQuantity) -> TextPair:
     """Return name and unit of a field such as `acc (g)`, `a [m/s2]`, `time_s` or `acc cm/s^2`.
 
     The unit is empty if the field has none. `quantity` is acceleration or pore pressure.

@@ -122,8 +122,7 @@ def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> li
 
 def choice(names: Iterable[tuple[int, str]]) -> str:
     """Return pairs of number and name of columns as a text for a message, such as "1 (NS), 2 (EW)"."""
-    shown = [f"{place} ({name})" if name else str(place) for place, name in names]
-    return ", ".join(shown)
+    return ", ".join([f"{place} ({name})" if name else str(place) for place, name in names])
 
 
 def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Lines, units: str) -> RecordSamples:
@@ -182,8 +181,7 @@ def _of_table(quantity: RecordedQuantity, name: str, text: str, options: Options
     columns_read = []
     for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
         if column.role in (quantity.role, "vertical"):
-            unit = _unit_of_column(quantity, name, k, column, table.unit)
-            samples = _samples(name, time, of_column, lines, unit)
+            samples = _samples(name, time, of_column, lines, _unit_of_column(quantity, name, k, column, table.unit))
             label = table.component * (width == 1) or column.name
             role = column.role if roles or column.role == "vertical" else ""
             columns_read.append(Channel(k, label, role, "", samples))

@@ -22,7 +22,7 @@ from typing import Any, Literal, NamedTuple
 
 from slipcircle.base.errors import raise_all
 from slipcircle.base.inputerror import InputError
-from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
+from slipcircle.base.kinds import PathName, TextPair, Texts, ValueDict, Values
 from slipcircle.base.progress import tracked
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import files_in
@@ -164,18 +164,16 @@ class Suite:
     @property
     def pairs(self) -> list[tuple[Entry, Entry]]:
         """The two horizontal components of each station that has two, by the names of their files."""
-        by_station: dict[tuple[str, str], list[Entry]] = {}
+        by_station: dict[TextPair, list[Entry]] = {}
         for entry in self.entries:
             if entry.component:
                 by_station.setdefault((str(Path(entry.file).parent), entry.station), []).append(entry)
-        pairs = [same for same in by_station.values() if len(same) == 2]
-        return [(one, other) for one, other in pairs]
+        return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
 
     @property
     def reasons(self) -> Texts:
         """Line for each file, column and vertical component that is not used."""
-        verticals = [f"{entry.name}: is a vertical component" for entry in self.verticals]
-        return [*map(str, self.unread), *verticals]
+        return [*map(str, self.unread), *(f"{entry.name}: is a vertical component" for entry in self.verticals)]
 
     @property
     def not_used(self) -> Texts:
@@ -208,8 +206,7 @@ class Suite:
         for k, first in same.items():
             name = str(Path(entries[k].file).parent / entries[k].name)
             unread.append(Unread(name, f"has the samples of {entries[first].name}, which counts once"))
-        different = [entry for k, entry in enumerate(entries) if k not in same]
-        return cls(tuple(different), unread=tuple(unread))
+        return cls(tuple(entry for k, entry in enumerate(entries) if k not in same), unread=tuple(unread))
 
     @classmethod
     def of(cls, records: Any, strict: bool = False, gravity: float = 9.81) -> "Suite":
@@ -353,8 +350,7 @@ def _read(file: str, channel: int, **reading: Any) -> Series:
 
     `channel` is its index in the file, from 0, and `reading` the arguments of `_shaking`.
     """
-    channels = contents(ACCELERATION, file, Path(file), reading["options"])
-    return _shaking(file, channels[channel], **reading)[0]
+    return _shaking(file, contents(ACCELERATION, file, Path(file), reading["options"])[channel], **reading)[0]
 
 
 def _shaking(file: str, channel: Channel, options: Options, holds: str, gravity: float) -> tuple[Series, str]:
@@ -363,8 +359,7 @@ def _shaking(file: str, channel: Channel, options: Options, holds: str, gravity:
     The arguments are those of `read_record`.
     """
     stated = channel.samples.units if channel.samples else ""
-    with_unit = options._replace(units=stated or options.units)
-    samples = checked_samples(ACCELERATION, file, channel.samples, with_unit)
+    samples = checked_samples(ACCELERATION, file, channel.samples, options._replace(units=stated or options.units))
     return shaking_of(samples, file, holds, gravity), samples.units
 
 
@@ -379,5 +374,4 @@ def _entry(
 ) -> Entry:
     """Return the entry of a record. `unit` is the unit in its file."""
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
-    peak = series.greatest
-    return Entry(name, file, place, series.time.size, step, unit, peak, is_vertical, series, reading or {})
+    return Entry(name, file, place, series.time.size, step, unit, series.greatest, is_vertical, series, reading or {})

@@ -3,7 +3,7 @@
 import re
 from typing import NamedTuple
 
-from slipcircle.base.kinds import Texts
+from slipcircle.base.kinds import TextPair, Texts
 from slipcircle.workbench.common.textfiles import NUMBER, NUMBER_AND_STEP, SEPARATORS, first_row, split, without_comment
 from slipcircle.workbench.common.units import ACCELERATION, TIME, RecordedQuantity, seconds_of, unit_of
 from slipcircle.workbench.records.columns import Column, column_of
@@ -55,7 +55,7 @@ def number_table(quantity: RecordedQuantity, name: str, text: str) -> NumberTabl
     )
 
 
-def _step(said: dict[str, tuple[str, str]]) -> float:
+def _step(said: dict[str, TextPair]) -> float:
     """Return the time between samples stated in a header, s, or 0.
 
     `said` has the bracket and the value of each statement by its kind.
@@ -63,7 +63,7 @@ def _step(said: dict[str, tuple[str, str]]) -> float:
     return seconds_of(*said["step"]) or seconds_of(*said["rate"], default="Hz")
 
 
-def _unit(quantity: RecordedQuantity, said: dict[str, tuple[str, str]]) -> str:
+def _unit(quantity: RecordedQuantity, said: dict[str, TextPair]) -> str:
     """Return the unit stated in a header, as written, empty if none is stated.
 
     `said` has the bracket and the value of each statement by its kind.

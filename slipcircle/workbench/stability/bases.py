@@ -28,8 +28,7 @@ class Arcs(NamedTuple):
 
         The lines are (1 or n, V, 2), in m.
         """
-        from_centre = lines - self.centre[:, None]
-        return from_centre / self.radius[:, None, None]
+        return (lines - self.centre[:, None]) / self.radius[:, None, None]
 
 
 def angle_from_below(centre: Floats, point: Floats) -> Floats:
@@ -254,5 +253,4 @@ class Bases:
             return cohesion
         surface = self.slope.datum_surfaces[self.layer]
         is_below = self.above(surface) > 0.0
-        growth = self.soil.cohesion_gradient * self.scale * is_below
-        return cohesion + self._above_arc(surface, growth)
+        return cohesion + self._above_arc(surface, self.soil.cohesion_gradient * self.scale * is_below)

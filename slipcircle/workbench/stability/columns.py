@@ -54,8 +54,7 @@ class Columns(NamedTuple):
         """Return the index of the column at each x in m; ``slope`` is the index of the slope of each x."""
         if len(self.bounds) == 1:
             return np.searchsorted(self.bounds[0], x)
-        passed = self.bounds[slope] < x[:, None]
-        return np.count_nonzero(passed, axis=1)
+        return np.count_nonzero(self.bounds[slope] < x[:, None], axis=1)
 
 
 @dataclass(frozen=True)
@@ -193,10 +192,8 @@ class SlopeArrays:
         """
         tops = slice(first, first + len(self.tops) + 1)
         height = self.columns.height[tops]
-        gradient = self.columns.gradient[tops]
-        values = np.stack([height, gradient, np.ones_like(height)])
-        step = self.steps[tops, :, None]
-        return np.cumsum(values * step, axis=1)
+        values = np.stack([height, self.columns.gradient[tops], np.ones_like(height)])
+        return np.cumsum(values * self.steps[tops, :, None], axis=1)
 
     def _surfaces(self, lines: list[Floats]) -> list[Floats]:
         """Return heights and gradients of surfaces, (2, n, columns) each, from those of the lines above the ground.

@@ -11,7 +11,7 @@ import numpy as np
 from slipcircle.base.conversions import Pictured
 from slipcircle.base.errors import complaint, raise_all
 from slipcircle.base.inputerror import InputError
-from slipcircle.base.kinds import Floats, Names, Numbers, Pair, ValueDict, Values, cached_property
+from slipcircle.base.kinds import ArrayMap, Floats, Names, Numbers, Pair, ValueDict, Values, cached_property
 from slipcircle.core import AS_ENTERED, STORED, Motion, Parts, Scene
 from slipcircle.ground import Section, ends_above
 from slipcircle.layers import LayeredSection
@@ -309,7 +309,7 @@ def _point(points: Floats) -> Pair:
     return float(points[0, 0]), float(points[0, 1])
 
 
-def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
+def _by_method(factors: ArrayMap) -> dict[str, float | None]:
     """Return the factors of one circle by method, None for a method without a result, from arrays (1,)."""
     return {method: _known(factors[method]) for method in METHODS}
 

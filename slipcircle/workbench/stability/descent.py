@@ -88,10 +88,11 @@ class Descent:
         step = self._step[live, None, :3]
         self._leaps[live] = to_middle + leaps * step
         by_leap = chosen >= len(_OFFSETS)
-        beside_middle = ~by_leap & (chosen != _MIDDLE)
-        on_rim = gains & beside_middle
-        led_by_parabola = better & by_leap
-        smooth = _is_smooth(leaps) | led_by_parabola
+        on_rim = gains & ~by_leap & (chosen != _MIDDLE)
+        # The parabola along all three axes has its minimum within the grid but not in its middle.
+        in_all_numbers = leaps[:, -1]
+        smooth = np.all(np.abs(in_all_numbers) < 1.0, axis=1) & np.any(in_all_numbers, axis=1)
+        smooth |= better & by_leap
         self._scale_steps(live, on_rim, smooth)
 
     def _scale_steps(self, live: Any, on_rim: Any, smooth: Any) -> None:
@@ -124,16 +125,6 @@ def sorted_indices(values: Floats) -> Any:
     is_greater = ordered[1:] > tied(ordered[:-1])
     group = np.append(0, np.cumsum(is_greater))
     return order[np.lexsort((order, group))]
-
-
-def _is_smooth(leaps: Floats) -> Any:
-    """Return whether the parabola along all three axes has its minimum within the grid but not in its middle, (n,).
-
-    ``leaps`` are the results of `_leaps`.
-    """
-    in_all_numbers = leaps[:, -1]
-    within_grid = np.all(np.abs(in_all_numbers) < 1.0, axis=1)
-    return within_grid & np.any(in_all_numbers, axis=1)
 
 
 def _leaps(values: Floats) -> Floats:
@@ -176,15 +167,8 @@ def _derivatives(grid: Floats) -> ArrayPair:
             gradient[:, i] = (ahead - behind) / 2
             curvature[:, i, i] = ahead - 2 * here + behind
             for j in range(i):
-                planes = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))
-                mixed = _mixed_derivative(planes[:, 1])
-                curvature[:, i, j] = mixed
-                curvature[:, j, i] = mixed
+                plane = np.moveaxis(grid, (i + 1, j + 1), (-2, -1))[:, 1]
+                equal_signs = plane[:, 2, 2] + plane[:, 0, 0]
+                opposite_signs = plane[:, 2, 0] + plane[:, 0, 2]
+                curvature[:, i, j] = curvature[:, j, i] = (equal_signs - opposite_signs) / 4
     return gradient, curvature
-
-
-def _mixed_derivative(plane: Floats) -> Floats:
-    """Return the mixed derivative in the middle of grids (n, 3, 3), from their corners."""
-    equal_signs = plane[:, 2, 2] + plane[:, 0, 0]
-    opposite_signs = plane[:, 2, 0] + plane[:, 0, 2]
-    return (equal_signs - opposite_signs) / 4

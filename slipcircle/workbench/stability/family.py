@@ -84,8 +84,7 @@ def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
 
 def _lengths_along(line: Floats) -> Floats:
     """Return the lengths along a line (V, 2) from its first vertex to each vertex, (V,), in m."""
-    lengths = _length(np.diff(line, axis=0))
-    return np.append(0.0, np.cumsum(lengths))
+    return np.append(0.0, np.cumsum(_length(np.diff(line, axis=0))))
 
 
 class Search:
@@ -120,16 +119,14 @@ class Search:
         edges = [np.empty((0, 2, 2))]
         for (top,) in arrays.tops:
             starts = top[:-1]
-            ends = top[1:]
-            edges.append(np.stack([starts, ends], axis=1))
+            edges.append(np.stack([starts, top[1:]], axis=1))
         self.boundary_edges = np.concatenate(edges)
 
     def points(self, lengths: Floats) -> Floats:
         """Return points of the ground, (..., 2) in m, at lengths (...) in m along it from its left end."""
         vertex_x, vertex_y = self.ground.T
         x = np.interp(lengths, self.along, vertex_x)
-        y = np.interp(lengths, self.along, vertex_y)
-        return np.stack([x, y], axis=-1)
+        return np.stack([x, np.interp(lengths, self.along, vertex_y)], axis=-1)
 
     def circles(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """Return centres (n, 2), radii (n,), and left and right ends (n, 2) of circles ``q``, in m.
@@ -160,8 +157,7 @@ class Search:
         half_angle = share * greatest
         touching = np.flatnonzero(touched != NONE)
         if touching.size:
-            number = touched[touching].astype(np.int64)
-            edge = self.boundary_edges[number]
+            edge = self.boundary_edges[touched[touching].astype(np.int64)]
             half_angle[touching] = _touching_half_angle(left[touching], right[touching], edge)
         most = greatest * (1 + 1e-9)
         valid = (half_angle > 0.0) & (half_angle <= most)
@@ -189,8 +185,7 @@ class Search:
         to_left = np.abs(angle_from_below(centre, left))
         to_right = np.abs(angle_from_below(centre, right))
         touching = (to_left + to_right) / 2 * _JUST_BELOW
-        deepest = np.minimum(upright, touching)
-        return np.where(beyond_left & before_right, deepest, upright)
+        return np.where(beyond_left & before_right, np.minimum(upright, touching), upright)
 
     def evaluate(self, q: Floats, rule: Rule = EXACT) -> Floats:
         """Return the factor (or yield coefficient) of each circle, (n,), NaN without a factor or outside the limits.
@@ -283,8 +278,7 @@ class Search:
         total = vertices[-1]
         if len(vertices) > _MOST_VERTICES:
             even = np.linspace(0.0, total, _MOST_VERTICES)
-            next_vertex = np.searchsorted(vertices, even)
-            vertices = vertices[np.unique(next_vertex)]
+            vertices = vertices[np.unique(np.searchsorted(vertices, even))]
         least = _LEAST_ON_EDGE if len(vertices) <= _FEW_EDGES else 1
         positions = [vertices]
         for low, high in pairwise(vertices.tolist()):
@@ -296,8 +290,7 @@ class Search:
         for limit in self.limits.values():
             if limit is not None:
                 first, last = np.interp(limit, vertex_x, self.along)
-                within = np.linspace(first, last, _LEAST_ON_EDGE + 1)
-                positions.append(within)
+                positions.append(np.linspace(first, last, _LEAST_ON_EDGE + 1))
         return np.unique(np.concatenate(positions))
 
     def coarse_family(self, touching: bool = True) -> ArrayPair:
@@ -314,8 +307,7 @@ class Search:
         q = np.column_stack([ends[left], ends[right], _SHARES[share], no_edge])
         spacing = np.gradient(ends)
         share_spacing = np.gradient(_SHARES)[share]
-        constant = np.zeros_like(no_edge)
-        steps = np.column_stack([spacing[left], spacing[right], share_spacing, constant])
+        steps = np.column_stack([spacing[left], spacing[right], share_spacing, np.zeros_like(no_edge)])
         if not touching:
             return q, steps
         pairs = share == 0
@@ -372,8 +364,7 @@ def _distance_from_origin(line: Floats) -> Floats:
     to_foot = -np.sum(start * edge, axis=2)
     divisor = np.where(square > 0.0, square, 1.0)
     share = np.clip(to_foot / divisor, 0.0, 1.0)
-    nearest = start + share[..., None] * edge
-    return _length(nearest).min(axis=1)
+    return _length(start + share[..., None] * edge).min(axis=1)
 
 
 def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge: int) -> list[int]:

@@ -82,12 +82,11 @@ def critical(
 
 def _reached_ends(search: Search, circle: Critical) -> Texts:
     """Return a message for each end of the ground that the circle reaches."""
-    reached = [
-        x
+    return [
+        f"the circle reaches the end of the ground at x = {x:.6g}; the factor may be lower beyond"
         for x in search.ground[[0, -1], 0]
         if min(abs(circle.entry[0] - x), abs(circle.exit[0] - x)) < 1e3 * search.rounding
     ]
-    return [f"the circle reaches the end of the ground at x = {x:.6g}; the factor may be lower beyond" for x in reached]
 
 
 def _reached_limits(search: Search, q: Floats, circle: Critical) -> Texts:
@@ -119,7 +118,7 @@ def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> Texts:
         mistakes += _limit_mistakes(name, pair, ground)
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
         mistakes.append("{ground}: is level; nothing drives a mass")
-    elif not depth and _is_cohesionless(slope):
+    elif not depth and not any(soil.peak_cohesion or soil.cohesion_gradient for soil, _ in slope.soils):
         mistakes.append(
             f"{{cohesion}} = 0: the factor decreases towards ever thinner masses{_skin(slope)}; give a least depth"
         )
@@ -149,11 +148,6 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> Texts:
     return []
 
 
-def _is_cohesionless(slope: Slope) -> bool:
-    """Return whether no soil of the slope has cohesion at any depth."""
-    return not any(soil.peak_cohesion or soil.cohesion_gradient for soil, _ in slope.soils)
-
-
 def _skin(slope: Slope) -> str:
     """Return the factor of safety of a dry skin, ignoring scarps, as the end of a message; empty for layers."""
     run, rise = np.diff(np.asarray(slope.ground), axis=0).T
@@ -165,8 +159,7 @@ def _skin(slope: Slope) -> str:
 
 def _refuse_skin(slope: Slope, circle: Critical) -> None:
     """Raise a ValueError if the search leads to ever thinner masses, in a layer without cohesion at the ground."""
-    chord = math.dist(circle.entry, circle.exit)
-    if chord < 1e-4 * slope.size:
+    if math.dist(circle.entry, circle.exit) < 1e-4 * slope.size:
         words = f"the factor decreases towards ever thinner masses near x = {circle.entry[0]:.4g}"
         raise InputError("critical", [f"{{layers}}: {words}, where the soil has no cohesion; give a least depth"])
 

@@ -86,8 +86,7 @@ class Slices(NamedTuple):
         by_interval = (self.weight * values).sum(axis=0)
         if by_interval.ndim > 1:
             return np.asarray(by_interval.sum(axis=-1))
-        arcs = len(self.arcs.radius)
-        return np.bincount(self.arc, by_interval, arcs).astype(np.float64)
+        return np.bincount(self.arc, by_interval, len(self.arcs.radius)).astype(np.float64)
 
     def of_arcs(self, values: Floats) -> Floats:
         """Return a number of each arc, (arcs,), by interval, or of each slope that shares the only arc as a column."""
@@ -107,14 +106,12 @@ class Slices(NamedTuple):
         """
         stresses = self.stresses
         weight = self.at(stresses.soil + stresses.displaced + stresses.load)
-        moment = slopes.drive(self.sine, self.cosine, weight, 0.0)
-        return self.integral(moment)
+        return self.integral(slopes.drive(self.sine, self.cosine, weight, 0.0))
 
     def weight_along_arc(self) -> Floats:
         """Return the integral of the vertical stress over each arc's breadth, over gamma R^2: the scale of moments."""
         stresses = self.stresses
-        vertical = self.at(stresses.soil + stresses.load + stresses.pond)
-        return self.integral(self.cosine * vertical)
+        return self.integral(self.cosine * self.at(stresses.soil + stresses.load + stresses.pond))
 
     def shaking_moment(self) -> Floats:
         """Return the moment of k_h = 1 over gamma R^3, on soil at half its height and on surcharges at the ground."""
@@ -190,8 +187,7 @@ class Slices(NamedTuple):
     def vertical(self) -> Floats:
         """Return the effective vertical stress on the arc over gamma R at the points, for Bishop's method."""
         stresses = self.stresses
-        total = stresses.soil + stresses.load + stresses.pond - stresses.pressure
-        return self.at(total)
+        return self.at(stresses.soil + stresses.load + stresses.pond - stresses.pressure)
 
     def cohesion(self) -> Floats:
         """Return the cohesion on the arc over gamma R at the points."""
@@ -270,8 +266,7 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.i
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
     """Return angles in rad at which an integrand may not be smooth, (n, any); some of them are outside the arcs."""
-    from_centre = slope.columns.bounds - arcs.centre[:, :1]
-    bounds = from_centre / arcs.radius[:, None]
+    bounds = (slope.columns.bounds - arcs.centre[:, :1]) / arcs.radius[:, None]
     cuts = meets_circle(arcs.from_centre(slope.lines_cut_by_arcs))
     sines = np.concatenate([bounds, cuts], axis=1)
     after_first = sines > np.sin(arcs.first)[:, None]

@@ -223,8 +223,7 @@ def require_drive(section: Section) -> None:
     moment = float(section.moments["weight_moment"])
     area = float(section.area / np.square(section.radius))
     if abs(moment) <= 1e-9 * area:
-        ends = float(section.entry[0]), float(section.exit[0])
-        left, right = sorted(ends)
+        left, right = sorted((float(section.entry[0]), float(section.exit[0])))
         where = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}"
         why = "it is in equilibrium about the centre, as below level ground; choose a circle that cuts the slope"
         raise InputError("Section", [f"{where}: {why}"])
@@ -362,8 +361,7 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays
             cohesion_gradient=by_lane(growth_at_rest(soil.cohesion, soil.cohesion_gradient, slipped)),
         )
         rows.append(of_layer)
-    fields = zip(*rows, strict=True)
-    return SoilArrays(*(np.stack(np.broadcast_arrays(*of_layers)) for of_layers in fields))
+    return SoilArrays(*(np.stack(np.broadcast_arrays(*of_layers)) for of_layers in zip(*rows, strict=True)))
 
 
 def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.arrays import EPS
-from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Texts, Values
+from slipcircle.base.kinds import Floats, Names, NumberDict, Pair, TextDict, Texts, Values
 from slipcircle.core import Motion, Scene, checked_scene, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
@@ -66,9 +66,9 @@ class Solution:
         Sum of the squared residuals over their standard errors (over the observed values if the errors are unknown).
     """
 
-    values: dict[str, float]
+    values: NumberDict
     motion: Motion
-    residuals: dict[str, float]
+    residuals: NumberDict
     covariance: Floats | None
     error_estimate: float
     chi_square: float
@@ -79,7 +79,7 @@ class Solution:
         return next(iter(self.values.values()))
 
     @property
-    def standard_errors(self) -> dict[str, float] | None:
+    def standard_errors(self) -> NumberDict | None:
         """Standard errors of the values, by field; None without a covariance."""
         if self.covariance is None:
             return None
@@ -223,10 +223,7 @@ def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> Back
 
 def _exact(problem: SearchProblem) -> tuple[list[Solution], Texts]:
     """Return all solutions for one field and one observation, the fewest swings first, and warnings."""
-    if problem.limit is None:
-        values = solve_exact(problem)
-    else:
-        values = limit_value(problem)
+    values = solve_exact(problem) if problem.limit is None else limit_value(problem)
     solutions = [_solution(problem, [value]) for value in values]
     if not solutions:
         raise _unattainable(problem)
@@ -241,10 +238,8 @@ def _unattainable(problem: SearchProblem) -> ValueError:
     low, high = (extreme(problem, sign) for sign in (-1.0, 1.0))
     if math.isnan(low):
         return Unattainable(f"{field.key}: no value within the bounds makes this scene move and come to rest", {})
-    outcomes = []
-    for place in (low, high):
-        motion = solve(with_parameters(problem.scene, {field.name: field.to_si(place)}))
-        outcomes.append(float(observable(motion, name)))
+    scenes = (with_parameters(problem.scene, {field.name: field.to_si(place)}) for place in (low, high))
+    outcomes = [float(observable(solve(scene), name)) for scene in scenes]
     least, greatest = outcomes
     unit = OBSERVABLE[name].unit
     from_least = f"{least:.6g} {unit} (at {field.key} = {low:.6g})"
@@ -320,7 +315,7 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
 def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     """Return the solution with these values of the fields; ValueError if the observations do not determine them."""
     by_key = {field.key: float(value) for field, value in zip(problem.fields, values, strict=True)}
-    si = {field.name: float(field.to_si(value)) for field, value in zip(problem.fields, values, strict=True)}
+    si = {field.name: float(field.to_si(by_key[field.key])) for field in problem.fields}
     motion = solve(with_parameters(problem.scene, si))
     slopes = _slopes(problem, motion, si)
     outcomes = problem.seen(motion)

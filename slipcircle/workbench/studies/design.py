@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.arrays import quiet
-from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, ValueDict
+from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, TextMap, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors_by_method
@@ -32,7 +32,7 @@ REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is 
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
 FACTOR = "factor of safety, "  # before the method in the name of a result
 # Results of every motion with their units: signed, NaN without a result, 0 for a mass at rest.
-RESULTS: Mapping[str, str] = {
+RESULTS: TextMap = {
     **{name: quantity.unit for name, quantity in OUTCOMES.items()},
     "end_displacement": "m",
     "rotation": "rad",
@@ -163,8 +163,7 @@ class Design:
     def points(self, index: int, dimensions: int) -> Floats:
         """Draw the points of the block with an index in the unit cube, (dimensions, count)."""
         stream, start, length = self.piece(index)
-        draw = sobol if self.method == "sobol" else monte_carlo
-        return draw(self.seed, stream, start, length, dimensions)
+        return (sobol if self.method == "sobol" else monte_carlo)(self.seed, stream, start, length, dimensions)
 
     def task(self, index: int) -> tuple[Callable[[int], Columns], int]:
         """Return the function that computes a block and its argument, with the records of the block alone."""
@@ -179,8 +178,7 @@ class Design:
         if self.method == "grid":
             # The values of each input in the scenes of a block of a grid, in the units of their keys.
             _, start, length = self.piece(index)
-            shape = [len(level) for level in self.levels]
-            places = np.unravel_index(np.arange(start, start + length), shape)
+            places = np.unravel_index(np.arange(start, start + length), [len(level) for level in self.levels])
             return [level[place] for level, place in zip(self.levels, places, strict=True)]
         d = len(self.inputs)
         if index < self.sample_blocks:

@@ -52,7 +52,13 @@ def open_executor(
     if scheduler is not None and workers is not None:
         raise ValueError("--scheduler: has its own workers: leave out --workers")
     client = None if scheduler is None else _client(scheduler)
-    pool = _pool(name, workers or os.cpu_count() or 1) if client is None else as_executor(client)
+    count = workers or os.cpu_count() or 1
+    if client is not None:
+        pool = as_executor(client)
+    elif name == "processes":  # the workers leave Ctrl-C to this process
+        pool = ProcessPoolExecutor(count, get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
+    else:
+        pool = ThreadPoolExecutor(count)
     try:
         yield pool
     finally:
@@ -69,13 +75,6 @@ def _client(scheduler: str) -> Any:
         return optional("distributed", "--scheduler").Client(scheduler, timeout="10s")
     except OSError as error:
         raise ValueError(f"--scheduler {scheduler}: no Dask scheduler answers there: {error}") from error
-
-
-def _pool(name: str, workers: int) -> Executor:
-    """Return an executor with this number of worker processes for "processes", otherwise of threads."""
-    if name == "processes":  # the workers leave Ctrl-C to this process
-        return ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
-    return ThreadPoolExecutor(workers)
 
 
 def as_executor(executor: Any) -> Executor:
@@ -164,8 +163,7 @@ def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: Shape) -
     size = math.prod(shape) * kind.itemsize
     try:
         with open(os.open(path, os.O_RDWR | os.O_CREAT, 0o666), "r+b") if folder else TemporaryFile() as file:
-            header = {"descr": kind.str, "fortran_order": False, "shape": shape}
-            np.lib.format.write_array_header_1_0(file, header)
+            np.lib.format.write_array_header_1_0(file, {"descr": kind.str, "fortran_order": False, "shape": shape})
             start = file.tell()
             file.truncate(start + size)
             if hasattr(os, "posix_fallocate"):
@@ -231,7 +229,9 @@ def compute(
         finally:  # after an error or Ctrl-C, finished blocks are stored as well
             for future in [*under_way]:
                 future.cancel()
-            save([future for future in under_way if _is_complete(future)])
+            # Those that were computed without an error and not cancelled.
+            done = (future for future in [*under_way] if future.done() and not future.cancelled())
+            save(future for future in done if future.exception() is None)
 
 
 @contextmanager
@@ -247,8 +247,3 @@ def _deferred_interrupt() -> Iterator[Event]:
         yield interrupted
     finally:
         signal.signal(signal.SIGINT, before)
-
-
-def _is_complete(future: Future[Columns]) -> bool:
-    """Return whether a block was computed without an error and not cancelled."""
-    return future.done() and not future.cancelled() and future.exception() is None

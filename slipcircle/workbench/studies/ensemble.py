@@ -13,7 +13,7 @@ from generated.effects import Parameter
 from slipcircle.base import VERSION
 from slipcircle.base.arrays import array_of
 from slipcircle.base.errors import mistakes, raise_all
-from slipcircle.base.kinds import Floats, PathName, ValueDict, Values
+from slipcircle.base.kinds import Floats, PathName, TextPair, ValueDict, Values
 from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked_scene, plan
 from slipcircle.derivatives import parameter_value
@@ -71,7 +71,7 @@ def ensemble(
     accuracy: float | None = None,
     folder: PathName | None = None,
     progress: IO[str] | None = None,
-    correlation: Mapping[tuple[str, str], float] | None = None,
+    correlation: Mapping[TextPair, float] | None = None,
     search_each: bool = False,
     records: Any = None,
     polarities: bool = False,
@@ -116,8 +116,7 @@ def ensemble(
     >>> ensemble(replace(load("vaiont"), uncertain=angle), 1000, rng=1).moving.value
     1.0
     """
-    design = _design(scene, rng, accuracy, folder, records, locals())
-    return conduct(design, executor, confidence, folder, progress)
+    return conduct(_design(scene, rng, accuracy, folder, records, locals()), executor, confidence, folder, progress)
 
 
 def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, arguments: Values) -> Design:
@@ -133,7 +132,9 @@ def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records
     means = along_means(scene)
     matrix = _correlation(drawn, correlation)
     inputs = {k: u.number for k, u in drawn.items()}
-    base = _base_points(arguments["sensitivity"], len(drawn), n, correlation) if records is None else 0
+    base = arguments["sensitivity"]
+    if base is None:
+        base = min(_BASE, n) if len(drawn) > 1 and n > 1 and not correlation and records is None else 0
     tolerance = plan(means, accuracy).accuracy
     seed = _seed(rng, folder)
     size = int(arguments["size"] or _size(n, method))
@@ -146,17 +147,7 @@ def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records
     return replace(design, scene=unshaken, records=motions)
 
 
-def _base_points(requested: int | None, inputs: int, n: int, correlation: Any) -> int:
-    """Return the number of base points of the sensitivity indices, by default up to one for each sample.
-
-    ``requested`` is the user's number or None, ``inputs`` the number of inputs and ``n`` that of samples.
-    """
-    if requested is not None:
-        return requested
-    return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
-
-
-def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[tuple[str, str], float]) -> Floats:
+def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[TextPair, float]) -> Floats:
     """Return the correlation matrix of all inputs, (inputs, inputs), from correlations by pairs of keys or names.
 
     ``drawn`` are the uncertain inputs by name.
@@ -183,8 +174,7 @@ def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[tuple[str, str
 
 def _size(n: int, method: str) -> int:
     """Return the number of samples in a block, a power of two, for ``n`` samples by a method of `METHODS` or a grid."""
-    sequences = REPLICATES if method == "sobol" else 1
-    each = max(n // sequences, 1)
+    each = max(n // (REPLICATES if method == "sobol" else 1), 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
     return min(max(2 ** max(each // 8, 1).bit_length() // 2, 256), most)
 
@@ -227,8 +217,7 @@ def grid(
     raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + faults)
     axes = tuple(np.asarray(values, float) for values in levels.values())
     accuracy = plan(scene, accuracy).accuracy
-    independent = np.eye(len(inputs))
-    design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, independent, 0, _size(n, "grid"))
+    design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, np.eye(len(inputs)), 0, _size(n, "grid"))
     return conduct(design, executor, 0.95, folder, progress)
 
 

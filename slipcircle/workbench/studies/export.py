@@ -68,8 +68,7 @@ def _of_output(study: Any, name: str) -> Iterator[ExportRow]:
 
 def _curve(study: Any, name: str) -> Iterator[tuple[float, Estimate]]:
     """Yield values of an output, each with the probability of exceeding it."""
-    curve = np.stack(study.exceedance(name), axis=1)
-    for at, *probability in curve.tolist():
+    for at, *probability in np.stack(study.exceedance(name), axis=1).tolist():
         yield at, Estimate(*probability)
 
 

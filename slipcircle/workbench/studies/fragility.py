@@ -178,8 +178,7 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
     if np.ptp(log_pga) <= _SAME:
         return "all motions have one peak acceleration; give several scales"
     off_share = share - share.mean()
-    off_pga = log_pga - log_pga.mean()
-    if off_share @ off_pga <= 0.0:
+    if off_share @ (log_pga - log_pga.mean()) <= 0.0:
         return "it is not exceeded more often at larger peak accelerations"
     lowest = log_pga[exceeds].min()
     highest = log_pga[stays].max()

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.errors import raise_all
-from slipcircle.base.kinds import ArrayDict, Floats, Names, Shape, Values
+from slipcircle.base.kinds import ArrayDict, ArrayMap, Floats, Names, Shape, Values
 from slipcircle.core import Scene
 from slipcircle.tables import STRONGEST, LaneSeries, Pulse, Series
 from slipcircle.workbench.files.keys import Key
@@ -53,7 +53,7 @@ class GroundMotions:
         """Return the scene shaken by a record, or by one record for each lane."""
         return replace(scene, effects=scene.checked_effects | {"shaking": {**self.shaking, "horizontal": record}})
 
-    def lanes(self, scene: Scene, si: Mapping[str, Floats], samples: int) -> tuple[Scene, ArrayDict, Shape]:
+    def lanes(self, scene: Scene, si: ArrayMap, samples: int) -> tuple[Scene, ArrayDict, Shape]:
         """Return the shaken scene, its numbers by lane and the shape (record, polarity, scale, sample) of the lanes.
 
         ``si`` are the drawn inputs by name in SI units, (samples,) each. A lane is one motion of an ensemble.

@@ -33,5 +33,4 @@ def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict
 
 def _lanes(scene: Scene, values: Values) -> tuple[Scene, Any]:
     """Return the scene with arrays of values by name in SI units, and a mask of its invalid lanes (members)."""
-    arrays = {name: np.asarray(value, float) for name, value in values.items()}
-    return with_parameter_arrays(scene, arrays)
+    return with_parameter_arrays(scene, {name: np.asarray(value, float) for name, value in values.items()})

@@ -171,11 +171,9 @@ def observations(entered: Mapping[str, Observed]) -> tuple[dict[str, tuple[float
 
 def _is_possible(name: str, seen: float) -> bool:
     """Return whether the outcome with a name may have the value ``seen``; only the position of the toe may be 0."""
-    if not math.isfinite(seen):
-        return False
     if name in _POSITIVE:
-        return seen > 0.0
-    return seen != 0.0 or name == "toe_x"
+        return 0.0 < seen < math.inf
+    return math.isfinite(seen) and (seen != 0.0 or name == "toe_x")
 
 
 def _observation(value: Any) -> tuple[float, float | None]:
@@ -237,8 +235,7 @@ def search_problem(
 
 def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
     """Return the first limit among the intervals; None without a limit."""
-    limits = [interval for interval in intervals.values() if interval.limit is not None]
-    return limits[0] if limits else None
+    return next((interval for interval in intervals.values() if interval.limit is not None), None)
 
 
 def _ranges(scene: Scene, fields: Sequence[Key], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
@@ -246,13 +243,10 @@ def _ranges(scene: Scene, fields: Sequence[Key], ends: Mapping[str, Pair], is_al
 
     ``is_alone`` says that no other field varies.
     """
-    ranges = []
-    for number in fields:
-        if number.key in ends:
-            ranges.append(_between(number.key, *ends[number.key]))
-        else:
-            ranges.append(_range(scene, number, is_alone))
-    return ranges
+    return [
+        _between(number.key, *ends[number.key]) if number.key in ends else _range(scene, number, is_alone)
+        for number in fields
+    ]
 
 
 def _default_field(scene: Scene) -> str:
@@ -321,8 +315,7 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     They follow from scales of the arc, or are around the scene's value.
     """
     arc = scene.arc
-    scales = (arc.static_normal_stress, arc.radius, arc.gravity)
-    stress, radius, gravity = map(float_or_array, scales)
+    stress, radius, gravity = map(float_or_array, (arc.static_normal_stress, arc.radius, arc.gravity))
     to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
     by_scale = {
         "initial_velocity": 2 * math.sqrt(gravity * radius) * np.linspace(-1.0, 1.0, 241),

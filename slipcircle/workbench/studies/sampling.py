@@ -28,10 +28,8 @@ def monte_carlo(seed: int, stream: Shape, start: int, count: int, dimensions: in
 
     The counter of Philox is set to the position; each step gives four numbers.
     """
-    philox = np.random.Philox(_seeded(seed, stream))
-    generator = np.random.Generator(philox.advance(start * dimensions // 4))
-    points = generator.random((count, dimensions))
-    return np.maximum(points.T, _LOWEST)
+    generator = np.random.Generator(np.random.Philox(_seeded(seed, stream)).advance(start * dimensions // 4))
+    return np.maximum(generator.random((count, dimensions)).T, _LOWEST)
 
 
 def sobol(seed: int, stream: Shape, start: int, count: int, dimensions: int) -> Floats:

@@ -1,6 +1,5 @@
 """Factors of safety of samples, with the critical circle searched for each sample."""
 
-from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
@@ -8,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.inputerror import InputError
-from slipcircle.base.kinds import ArrayDict, Flags, Floats, Texts
+from slipcircle.base.kinds import ArrayDict, ArrayMap, Flags, Texts
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
@@ -23,7 +22,7 @@ from slipcircle.workbench.stability.starting import OF_CLOSURE
 SEARCHED = "searched "  # prefix of a method's name: the circle is searched for every sample
 
 
-def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> ArrayDict:
+def searched_factors(scene: Scene, si: ArrayMap, valid: Flags) -> ArrayDict:
     """Return factors of safety by `SEARCHED` and method, (samples,) each, NaN where not ``valid``.
 
     ``si`` are the values of the inputs by name in SI units, (samples,) each.
@@ -38,8 +37,7 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> Ar
         slope = varied_slope(with_parameters(scene, numbers), stability.slope)
         search = Search(slope, stability.method, **stability.limits)
         with suppress(InputError):  # no circle within the limits can slide
-            best = least(search, lambda _: None)
-            by_method = circle_factors(search.arrays, *search.circles(best[:1]))
+            by_method = circle_factors(search.arrays, *search.circles(least(search, lambda _: None)[:1]))
             for method in METHODS:
                 factors[method][k] = by_method[method][0]
     return {f"{SEARCHED}{method}": values for method, values in factors.items()}

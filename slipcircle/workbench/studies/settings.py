@@ -45,11 +45,6 @@ def _are_positive(values: Any) -> bool:
     return is_list and bool(np.all((numbers > 0.0) & (numbers < np.inf)))
 
 
-def _is_size(value: Any) -> bool:
-    """Return whether a value is a power of two from 4 to the largest block."""
-    return whole(value) and 4 <= value <= _LARGEST and not int(value) & (int(value) - 1)
-
-
 def _are_pairs(value: Any) -> bool:
     """Return whether a value is a mapping whose keys are pairs."""
     return isinstance(value, Mapping) and all(isinstance(pair, tuple) and len(pair) == 2 for pair in value)
@@ -61,7 +56,10 @@ SETTINGS: Mapping[str, Setting] = {
     "n": Setting(lambda x: whole(x) and 1 <= x <= _MOST, f"must be a whole number of samples, from 1 to {_MOST:.0e}"),
     "method": Setting(lambda x: x in METHODS, f"must be one of {', '.join(METHODS)}"),
     "confidence": Setting(lambda x: isinstance(x, float) and 0.0 < x < 1.0, "must be between 0 and 1"),
-    "size": Setting(_is_size, f"must be a power of two from 4 to {_LARGEST}"),
+    "size": Setting(
+        lambda x: whole(x) and 4 <= x <= _LARGEST and not int(x) & (int(x) - 1),
+        f"must be a power of two from 4 to {_LARGEST}",
+    ),
     "sensitivity": Setting(
         lambda x: whole(x) and 0 <= x <= _MOST_BASE and x != 1, f"must be 0, or 2 to {_MOST_BASE} base points"
     ),

@@ -57,8 +57,7 @@ class Shaken:
     @property
     def displacement(self) -> Floats:
         """Permanent displacement along the arc, m, (record, polarity, scale, sample); infinite without a result."""
-        without_result = np.isin(self.values["status"], NO_RESULT)
-        return np.where(without_result, np.inf, np.abs(self.values["end_displacement"]))
+        return np.where(np.isin(self.values["status"], NO_RESULT), np.inf, np.abs(self.values["end_displacement"]))
 
     @property
     def factors(self) -> Floats:
@@ -153,8 +152,7 @@ class Shaken:
         blocks = []
         for k, curve in enumerate(curves):
             threshold = np.full(levels.size, curve.threshold)
-            fitted = curve.probability(levels)
-            blocks.append(np.stack([threshold, self.scales, levels, *shares[:, k].T, *fitted]))
+            blocks.append(np.stack([threshold, self.scales, levels, *shares[:, k].T, *curve.probability(levels)]))
         rows = np.concatenate(blocks, axis=1).tolist()
         columns = {
             name: [None if math.isnan(value) else value for value in row] for name, row in zip(names, rows, strict=True)

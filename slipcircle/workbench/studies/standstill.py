@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, NumberDict
 from slipcircle.core import Scene
 from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.starting import method_of
@@ -17,7 +17,7 @@ _PARTS = 16  # of a bracket
 _ROUNDS = 7
 
 
-def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> dict[str, float]:
+def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> NumberDict:
     """Return by name the nearest value, in SI units, of each parameter for a factor of safety of 1 at the start.
 
     The factor is computed by the starting method on the scene's circle. ``sizes`` has the names of parameters and the
@@ -60,5 +60,4 @@ def _nearest(scene: Scene, name: str, value: float, size: float) -> float | None
 def _excess(scene: Any, name: str, values: Floats) -> Floats:
     """Return the factor of safety by the starting method minus 1, for values of a parameter in SI units."""
     by_method = factors_at_start(scene, {name: values}, _ACCURACY)
-    first = next(iter(by_method.values()))
-    return np.asarray(by_method.get(method_of(scene), first)) - 1.0
+    return np.asarray(by_method.get(method_of(scene), next(iter(by_method.values())))) - 1.0

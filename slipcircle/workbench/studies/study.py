@@ -113,8 +113,7 @@ class Study(Shaken, Pictured):
         moves = np.where(status < Status.INVALID, status != Status.STAYS, np.nan)
         outputs = np.stack([moves, *(_magnitudes(values, name) for name in OUTCOMES)])
         outputs = outputs.reshape(len(_VARYING), self.design.base_scenes, -1)
-        valid = ~np.isnan(outputs[0]).any(axis=0)
-        return [sums(y) for y in outputs[:, :, valid]]
+        return [sums(y) for y in outputs[:, :, ~np.isnan(outputs[0]).any(axis=0)]]
 
     @cached_property
     def convergence(self) -> list[Convergence]:

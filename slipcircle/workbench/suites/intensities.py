@@ -55,11 +55,9 @@ def intensities(record: Series, gravity: float = 9.81) -> Intensities:
     arias = math.pi / 2.0 * gravity * total
     duration = 0.0
     if total > 0.0:
-        limits = 0.05 * total, 0.95 * total
-        first, last = np.interp(limits, squares, time)
+        first, last = np.interp((0.05 * total, 0.95 * total), squares, time)
         duration = float(last - first)
-    pgv = float(np.max(np.abs(velocity)))
-    return Intensities(record.greatest, pgv, arias, duration, _mean_period(record))
+    return Intensities(record.greatest, float(np.max(np.abs(velocity))), arias, duration, _mean_period(record))
 
 
 def drift_warning(record: Series, gravity: float = 9.81) -> str:
@@ -91,11 +89,9 @@ def _with_zeros(record: Series) -> ArrayPair:
     time, values = record.time, record.values
     before, after = values[:-1], values[1:]
     crosses = np.flatnonzero(before * after < 0.0)
-    share = before / np.where(before == after, 1.0, before - after)
-    zeros = time[:-1] + share * np.diff(time)
+    zeros = time[:-1] + (before / np.where(before == after, 1.0, before - after)) * np.diff(time)
     places = crosses + 1
-    with_zeros = np.insert(time, places, zeros[crosses])
-    return with_zeros, np.insert(values, places, 0.0)
+    return np.insert(time, places, zeros[crosses]), np.insert(values, places, 0.0)
 
 
 def _mean_period(record: Series) -> float:

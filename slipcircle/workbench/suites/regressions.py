@@ -115,8 +115,7 @@ class Regression:
 
     def negligible(self, shaking: Shaking) -> Floats:
         """Return the probability, for each record, of a displacement up to ``least_cm``; needs ``motion``."""
-        quantiles = _sum(self.motion, shaking)
-        return np.array([0.5 * math.erfc(z / math.sqrt(2.0)) for z in quantiles.tolist()])
+        return np.array([0.5 * math.erfc(z / math.sqrt(2.0)) for z in _sum(self.motion, shaking).tolist()])
 
     @property
     def valid(self) -> str:

@@ -261,12 +261,8 @@ def _fit(inputs: PageInputs, present: Floats, key: tuple[tuple[int, int], ...], 
     left, size, right = np.linalg.svd(coefficients.reshape(len(rows), -1), full_matrices=False)
     counted = size > ROUNDING * size[0]
     weights = sizes * left[:, counted] * size[counted]
-    return Interpolant(of, degrees, rows, np.vectorize(_rounded)(weights), right[counted])
-
-
-def _rounded(value: float) -> float:
-    """Return a number rounded to 15 digits, which make pages smaller."""
-    return float(f"{value:.15g}")
+    # Rounded to 15 digits, which make pages smaller.
+    return Interpolant(of, degrees, rows, np.vectorize(lambda weight: float(f"{weight:.15g}"))(weights), right[counted])
 
 
 def _share(slider: Slider, scene: Scene) -> float:

@@ -15,7 +15,7 @@ from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Annotation, Text
 
-from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.base.kinds import ArrayPair, Floats, ValueDict
 
 _DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # distances of a label from an anchor, in points
 _NEAR = 15.0  # points, greatest distance of a label without a leader
@@ -36,7 +36,7 @@ class Label(Annotation):
         self.inside, self._placed_for = inside, b""
         self.parent: Any = ax
         line = {"arrowstyle": "-", "lw": 0.8, "color": colour, "shrinkA": 0.0, "shrinkB": 1.0}
-        style: dict[str, Any] = {"color": colour, "fontsize": "small", "ha": "center", "va": "center", "zorder": 6}
+        style: ValueDict = {"color": colour, "fontsize": "small", "ha": "center", "va": "center", "zorder": 6}
         style |= {"textcoords": "offset pixels", "arrowprops": line, **more}
         super().__init__(words, tuple(self.anchors[0]), (0, 0), **style)
         self.set_path_effects([withStroke(linewidth=_HALO, foreground="white")])

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.base.kinds import ArrayPair, Floats, TextMap, TextPair
 from slipcircle.base.text import output_unit
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
@@ -46,7 +46,7 @@ from slipcircle.workbench.outputs.pictures.sheets import Drawing, heading, sheet
 __all__ = ["HISTORIES", "history", "ladder", "motion_overview", "phase_plane", "section", "shaking", "slide_animation"]
 
 # Symbols of the quantities that `history` draws.
-HISTORIES: Mapping[str, str] = {
+HISTORIES: TextMap = {
     "velocity": " $v$",
     "displacement": " $s$",
     "rotation": " $\\phi$",
@@ -283,7 +283,7 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     return ax
 
 
-_SHAKING: Mapping[str, tuple[str, str]] = {  # style and label of each component
+_SHAKING: Mapping[str, TextPair] = {  # style and label of each component
     "shaking.horizontal": ("main", "down-slope $k_h$"),
     "shaking.vertical": ("other", "vertical $k_v$, reduces the weight"),
 }

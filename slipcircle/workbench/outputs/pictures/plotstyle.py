@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Pair, Values
+from slipcircle.base.kinds import Pair, TextPair, Texts, Values
 from slipcircle.base.optional import optional
 from slipcircle.base.text import amount_text, number_text, output_unit
 from slipcircle.core import Motion, Status
@@ -56,7 +56,7 @@ SERIES: Sequence[tuple[str, Any, str]] = (
 MEASURED = "measured"  # `gid` of labels with measured values, which differ from run to run
 REST: tuple[str, Any, str] = ("0.75", "-", ".")  # style of further curves
 # Of soils, from the ground down: colours of the band and of the stretch of the arc.
-SOILS: Sequence[tuple[str, str]] = (
+SOILS: Sequence[TextPair] = (
     ("#F5E8C4", "#9C6F00"),
     ("#D3E6F4", "#0072B2"),
     ("#F8DCCB", "#D55E00"),
@@ -275,7 +275,7 @@ def empty(words: str, ax: Any, *sides: str) -> Any:
     return ax
 
 
-def figure_texts(figure: Any) -> list[str]:
+def figure_texts(figure: Any) -> Texts:
     """Return the texts of titles, axes, legends and labels of a figure, except labels with measured values."""
     texts = [part.get_suptitle() for part in (figure, *figure.subfigs)]
     legends = [*figure.legends, *filter(None, (ax.get_legend() for ax in figure.axes))]

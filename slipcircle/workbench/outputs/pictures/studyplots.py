@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Pair
+from slipcircle.base.kinds import Pair, Texts
 from slipcircle.base.text import output_unit
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, Quantity, observable
 from slipcircle.workbench.files.keys import Key
@@ -95,7 +95,7 @@ def _limits(at: Any, probability: Any) -> Pair:
     return 0.0, right
 
 
-def _mark_quantiles(study: "Study", output: str, ax: Any, rare: bool) -> list[str]:
+def _mark_quantiles(study: "Study", output: str, ax: Any, rare: bool) -> Texts:
     """Mark the median and the 95 % quantile on the curve of an axis; return notes on quantiles beyond it.
 
     With ``rare`` the marks have no labels.

@@ -1,12 +1,13 @@
 """Tornado diagrams: changes of an output with each number of a scene, the largest on top."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import NumberMap
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.numbers import by_name, in_output_unit, lengths, uncertain_numbers
@@ -39,11 +40,7 @@ class Bar(NamedTuple):
 
 
 def tornado(
-    table: "Sensitivity",
-    output: str = "run_out",
-    changes: Mapping[str, float] | None = None,
-    ax: Any = None,
-    named: bool = True,
+    table: "Sensitivity", output: str = "run_out", changes: NumberMap | None = None, ax: Any = None, named: bool = True
 ) -> Any:
     """Draw the change of an output, to first order, with each number of a scene, largest on top; return the axis.
 
@@ -97,7 +94,7 @@ def _bar(table: "Sensitivity", output: str, name: str, key: Key, step: float) ->
     return Bar(change, words.rstrip(), re.sub(r"\.\d+\..*", "", name))
 
 
-def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Key, float]], str]:
+def _steps(table: "Sensitivity", changes: NumberMap | None) -> tuple[dict[str, tuple[Key, float]], str]:
     """Return key and step of each number by name, in the unit of the key, and the rule for the steps in words.
 
     ``changes`` are given steps by key, or None.
