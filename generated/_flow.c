@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "307da6f582d65d95b7fba183877123c969ce02b50a3c90a46de85aa752d9705e"
+#define DIGEST "aafe60c56618efc78699d751660fae7c844da43063e13372047a7be8c2fc1cad"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3727,22 +3727,20 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
-/* Compute -w/p and the power series, for the drive with the load. */
-INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
+/* Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning. */
+INLINE void expand_right_side(Batch *b, V *e, V drive)
 {
-    V pole = e[POLE];
-    e[4] = q;
-    e[SHIFT] = pick(e[SHIFT] == 0.0, broadcast(LEAST), e[SHIFT]);
-    V whole_sine = e[NET + 1] + (e[FIRST] * e[LOAD + 1]);
-    V whole_vers = e[NET + 2] + (e[FIRST] * e[LOAD + 2]);
+    V q = e[4];
+    V sine = e[NET + 1] + (e[FIRST] * e[LOAD + 1]);
+    V vers = e[NET + 2] + (e[FIRST] * e[LOAD + 2]);
     V fading = broadcast(2.0);
     V even = broadcast(2.0);
     V odd = broadcast(0.0);
     V before = broadcast(0.0);
     for (int k = 0; k <= 2 * HALF; k++) {
         V versine = fading - even;
-        V whole = (drive * fading) + ((whole_sine * odd) + (whole_vers * versine));
-        e[POWER + k] = (pole * whole) + before;
+        V whole = (drive * fading) + ((sine * odd) + (vers * versine));
+        e[POWER + k] = (e[POLE] * whole) + before;
         before = (e[NET] * fading) + ((e[NET + 1] * odd) + (e[NET + 2] * versine));
         V of_sine = (odd * q) + even;
         V of_cosine = (even * q) - odd;
@@ -3750,14 +3748,22 @@ INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
         even = of_cosine * b->inverse[k + 1];
         odd = of_sine * b->inverse[k + 1];
     }
+}
+
+/* Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning. */
+INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
+{
+    e[4] = q;
+    e[SHIFT] = pick(e[SHIFT] == 0.0, broadcast(LEAST), e[SHIFT]);
+    expand_right_side(b, e, drive);
     V higher = broadcast(0.0);
     for (int k = 2 * HALF; k >= 1; k--) {
         V per = 1.0 / (e[SHIFT] + (double)k);
-        V shrink = ((double)(k + 1) * pole) * per;
+        V shrink = ((double)(k + 1) * e[POLE]) * per;
         higher = (e[POWER + k] * per) - (shrink * higher);
         e[POWER + k] = higher;
     }
-    V weight = e[POWER] - (pole * higher);
+    V weight = e[POWER] - (e[POLE] * higher);
     e[POWER] = (-weight) / e[SHIFT];
 }
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 239786f6e319646525cbba08f3f392f87b54b0ca4f8f47285863a67c06e77655
+# sha256 of the text below: 5a7dc0a5c734a44a5cf4b33b3937ba67529304e7518ac138b6b446000fcabefa
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2298,34 +2298,39 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = rest / faded_by
 
 
-def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
-    """Compute -w/p and the power series, for the drive with the load."""
-    pole = e[POLE]
-    e[4] = q
-    e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
-    whole_sine = e[NET + 1] + e[FIRST] * e[LOAD + 1]
-    whole_vers = e[NET + 2] + e[FIRST] * e[LOAD + 2]
+def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
+    """Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning."""
+    q = e[4]
+    sine = e[NET + 1] + e[FIRST] * e[LOAD + 1]
+    vers = e[NET + 2] + e[FIRST] * e[LOAD + 2]
     fading: Floats = 2.0
     even: Floats = 2.0
     odd: Floats = 0.0
     before: Floats = 0.0
     for k in range(2 * HALF + 1):
         versine = fading - even
-        whole = drive * fading + (whole_sine * odd + whole_vers * versine)
-        e[POWER + k] = pole * whole + before
+        whole = drive * fading + (sine * odd + vers * versine)
+        e[POWER + k] = e[POLE] * whole + before
         before = e[NET] * fading + (e[NET + 1] * odd + e[NET + 2] * versine)
         of_sine = odd * q + even
         of_cosine = even * q - odd
         fading = fading * q * (1.0 / (k + 1))
         even = of_cosine * (1.0 / (k + 1))
         odd = of_sine * (1.0 / (k + 1))
+
+
+def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
+    """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[4] = q
+    e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
+    expand_right_side(s, e, drive)
     higher: Floats = 0.0
     for k in range(2 * HALF, 1 - 1, -1):
         per = 1.0 / (e[SHIFT] + float(k))
-        shrink = float(k + 1) * pole * per
+        shrink = float(k + 1) * e[POLE] * per
         higher = e[POWER + k] * per - shrink * higher
         e[POWER + k] = higher
-    weight = e[POWER] - pole * higher
+    weight = e[POWER] - e[POLE] * higher
     e[POWER] = -weight / e[SHIFT]
 
 

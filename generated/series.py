@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 34301768de55d9b578bd23c9faf3192c4b0d584b1b5d9853ad901aa5f515a6a6
+# sha256 of the text below: ac2059be1182e6bf3de5d0ddf506665383fdf8e237b03c1e549d42cf69fd4f15
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "307da6f582d65d95b7fba183877123c969ce02b50a3c90a46de85aa752d9705e"  # of the compiled integrator's source
+DIGEST = "aafe60c56618efc78699d751660fae7c844da43063e13372047a7be8c2fc1cad"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

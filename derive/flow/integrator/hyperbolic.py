@@ -28,13 +28,11 @@ LOAD = 33
 NET = 36
 
 
-def hyperbolic_factors(s: Lanes, e: S, q: V, drive: V) -> None:
-    """Compute -w/p and the power series, for the drive with the load."""
-    pole = e[POLE]
-    e[4] = q
-    e[SHIFT] = where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
-    whole_sine = e[NET + 1] + e[FIRST] * e[LOAD + 1]
-    whole_vers = e[NET + 2] + e[FIRST] * e[LOAD + 2]
+def expand_right_side(s: Lanes, e: S, drive: V) -> None:
+    """Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning."""
+    q = e[4]
+    sine = e[NET + 1] + e[FIRST] * e[LOAD + 1]
+    vers = e[NET + 2] + e[FIRST] * e[LOAD + 2]
     # Coefficients of exp(q x), exp(q x) cos(x) and exp(q x) sin(x), doubled.
     fading: V = 2.0
     even: V = 2.0
@@ -42,21 +40,28 @@ def hyperbolic_factors(s: Lanes, e: S, q: V, drive: V) -> None:
     before: V = 0.0
     for k in up(0, 2 * HALF):
         versine = fading - even
-        whole = drive * fading + (whole_sine * odd + whole_vers * versine)
-        e[POWER + k] = pole * whole + before
+        whole = drive * fading + (sine * odd + vers * versine)
+        e[POWER + k] = e[POLE] * whole + before
         before = e[NET] * fading + (e[NET + 1] * odd + e[NET + 2] * versine)
         of_sine = odd * q + even
         of_cosine = even * q - odd
         fading = fading * q * s.inverse[k + 1]
         even = of_cosine * s.inverse[k + 1]
         odd = of_sine * s.inverse[k + 1]
+
+
+def hyperbolic_factors(s: Lanes, e: S, q: V, drive: V) -> None:
+    """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[4] = q
+    e[SHIFT] = where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
+    expand_right_side(s, e, drive)
     higher: V = 0.0
     for k in down(2 * HALF, 1):
         per = 1.0 / (e[SHIFT] + number(k))
-        shrink = number(k + 1) * pole * per
+        shrink = number(k + 1) * e[POLE] * per
         higher = e[POWER + k] * per - shrink * higher
         e[POWER + k] = higher
-    weight = e[POWER] - pole * higher
+    weight = e[POWER] - e[POLE] * higher
     e[POWER] = -weight / e[SHIFT]
 
 
