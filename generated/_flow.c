@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "aafe60c56618efc78699d751660fae7c844da43063e13372047a7be8c2fc1cad"
+#define DIGEST "6172b20274c6f798276185da1bfd024e80488031341661bec83223f3ff9d3a73"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3951,12 +3951,15 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     f[7] = 2.0 * (turns + (rate * loss));
 }
 
-/* Return E at a distance from rest in the variable of the rules, and compute the functions of which it consists. */
+/* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
 INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
 {
     const Job *const job = b->job;
+    f[5] = broadcast(1.0);
     if (job->role->per_pole >= 0) {
-        return hyperbolic_energy(e, f, part ? -past : past);
+        V at = hyperbolic_energy(e, f, part ? -past : past);
+        f[5] = magnitude(e[POLE] + f[0]);
+        return at;
     }
     softening_functions(b, e, f, past);
     if (part) {
@@ -3986,10 +3989,7 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         V share = 1.0 / (here + (other * other));
         V past = end * (here * share);
         V at = energy_past(b, e, f, past, end, part);
-        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
-        if (job->role->per_pole >= 0) {
-            slowness = slowness * magnitude(e[POLE] + f[0]);
-        }
+        V slowness = (((share * share) * (other * NODES[k])) * f[5]) / sqrt_of(at);
         total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
         lower = at;
         last = last + (LAST_SHARES[k] * slowness);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5a7dc0a5c734a44a5cf4b33b3937ba67529304e7518ac138b6b446000fcabefa
+# sha256 of the text below: 113f9d340b089255e31bffbb39e1d1e02102d2b2cc7ba1d0b1bdc6ee1fc8f67e
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2491,9 +2491,12 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
 
 
 def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
-    """Return E at a distance from rest in the variable of the rules, and compute the functions of which it consists."""
+    """Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5."""
+    f[5] = 1.0
     if s.roles.per_pole >= 0:
-        return hyperbolic_energy(e, f, -past if part else past)
+        at = hyperbolic_energy(e, f, -past if part else past)
+        f[5] = np.abs(e[POLE] + f[0])
+        return at
     softening_functions(s, e, f, past)
     if part:
         count_from_end(s, e, f, end - past)
@@ -2517,9 +2520,7 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
         share = 1.0 / (here + other * other)
         past = end * (here * share)
         at = energy_past(s, e, f, past, end, part)
-        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
-        if s.roles.per_pole >= 0:
-            slowness = slowness * np.abs(e[POLE] + f[0])
+        slowness = share * share * (other * NODES[k]) * f[5] / np.sqrt(at)
         total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ac2059be1182e6bf3de5d0ddf506665383fdf8e237b03c1e549d42cf69fd4f15
+# sha256 of the text below: 66a3486cece42211ca52dd85b54f201670aedbe9e4b77aa22f3155aa21d6800c
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "aafe60c56618efc78699d751660fae7c844da43063e13372047a7be8c2fc1cad"  # of the compiled integrator's source
+DIGEST = "6172b20274c6f798276185da1bfd024e80488031341661bec83223f3ff9d3a73"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

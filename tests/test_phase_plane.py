@@ -284,7 +284,9 @@ def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch:
     for part, uncertain in ((1e-7, False), (1e-4, True)):
         integrand = 1 + part * np.polynomial.Legendre.basis(degree)(2 * nodes - 1)
         energies = iter((share**2 * nodes / integrand) ** 2)
-        monkeypatch.setattr(softening, "energy_past", lambda *_, given=energies: next(given))
+        monkeypatch.setattr(softening, "softening_functions", lambda *_: None)
+        monkeypatch.setattr(softening, "softening_energy", lambda *_, given=energies: next(given))
+        monkeypatch.setattr(softening, "count_from_end", lambda *_: None)
         lane = SimpleNamespace(highest=18, has=SimpleNamespace(per_pole=False))
         time = softening.time_of_part(lane, [], 1.0, unit, 0.0, 1)
         assert time == (math.inf if uncertain else pytest.approx(2 * unit, rel=1e-6))

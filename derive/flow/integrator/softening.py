@@ -195,9 +195,12 @@ def soften(s: Lanes, e: S, f: S, x: V) -> None:
 
 
 def energy_past(s: Lanes, e: S, f: S, past: V, end: V, part: N) -> V:
-    """Return E at a distance from rest in the variable of the rules, and compute the functions of which it consists."""
+    """Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5."""
+    f[5] = 1.0
     if s.has.per_pole:
-        return hyperbolic_energy(e, f, -past if part else past)
+        at = hyperbolic_energy(e, f, -past if part else past)
+        f[5] = abs(e[POLE] + f[0])
+        return at
     softening_functions(s, e, f, past)
     if part:
         count_from_end(s, e, f, end - past)
@@ -225,9 +228,7 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
         share = 1.0 / (here + other * other)
         past = end * (here * share)
         at = energy_past(s, e, f, past, end, part)
-        slowness = share * share * (other * NODES[k]) / sqrt(at)
-        if s.has.per_pole:
-            slowness = slowness * abs(e[POLE] + f[0])
+        slowness = share * share * (other * NODES[k]) * f[5] / sqrt(at)
         total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
