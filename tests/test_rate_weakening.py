@@ -11,7 +11,7 @@ from sympy import Expr
 from derive.check.proof import ProofError
 from derive.declare.effects import EFFECTS, LAWS
 from derive.flow import fragments, linked, pace
-from slipcircle import Scene, load, solve
+from slipcircle import Arc, Scene, load, solve
 from tests.support import oracle, taylor
 from tests.support.lanes import BACKENDS, Recipe, backend, build_program
 
@@ -54,6 +54,18 @@ def test_states_at_given_times_and_at_the_end_time(name: str) -> None:
         slope = float(after[k][1] - after[k][0]) / 2e-4
         assert state.acceleration[k] == pytest.approx(slope, rel=1e-6, abs=1e-6)
         assert cut[k].acceleration == pytest.approx(slope, rel=1e-6, abs=1e-6)
+
+
+def test_the_estimate_sees_the_error_of_steps_that_the_end_time_cuts_short() -> None:
+    """The last step is the same in all runs, so that they need different orders."""
+    arc = Arc(20.0, 4.74, 6.53, 20e3)
+    friction = {"law": "rate_weakening", "peak": 0.56, "residual": 0.21, "velocity": 1.55}
+    scene: Any = Scene(arc, friction, {"cohesion": {"cohesion": 1e4}}, 3.0, end_time=2.55)
+    given = {"arc": oracle.plain(arc), "friction": friction, "effects": {"cohesion": {"cohesion": 1e4}}}
+    exact = taylor.solve(given | {"initial_velocity": 3.0, "end_time": 2.55}, digits=20)
+    motion = solve(scene)
+    error = max(abs(motion.outcomes[name] / float(exact[name]) - 1) for name in ("run_out", "peak_velocity"))
+    assert 1e-14 < error < motion.error_estimate
 
 
 def test_tau_replaces_the_time_where_a_quotient_of_the_speed_is_the_only_friction() -> None:

@@ -86,6 +86,8 @@ def _below(grounds: Floats, levels: Floats, first: float = -np.inf, last: float 
     """
     levels = continued(levels, -2 * FAR, 2 * FAR)
     x, is_wet = _wet_sections(grounds, levels)
+    if not np.any(is_wet):
+        return
     by_lane = x.T
     heights, _ = edge_below(levels, by_lane, by_lane)
     at_start = heights[:, :-1].T
@@ -94,14 +96,13 @@ def _below(grounds: Floats, levels: Floats, first: float = -np.inf, last: float 
     higher = np.maximum(at_start, at_end)
     changes = np.diff(is_wet, axis=0, prepend=False)
     number = np.cumsum(changes & is_wet, axis=0)
-    outside = grounds[..., 0].min(initial=0.0) - 1.0  # where a lane has less water
-    bottom = grounds[..., 1].min(initial=0.0)
+    below_all = grounds.min(axis=(0, 1), initial=0.0) - 1.0  # where a lane has less water
+    outside, bottom = below_all.tolist()
     start = x[:-1]
     end = x[1:]
     count = number.max(initial=0)
     for k in range(1, count + 1):
-        is_same_body = number == k
-        inside = is_wet & is_same_body
+        inside = is_wet & (number == k)
         left, right = _range(start, end, inside, outside)
         begins_before = left < last
         ends_after = right > first
@@ -130,11 +131,13 @@ def _wet_sections(grounds: Floats, levels: Floats) -> tuple[Floats, Flags]:
     Grounds are (lanes, V, 2), and levels (lanes or 1, W, 2) extend beyond them.
     """
 
-    def depth(x: Floats, inside: Floats) -> Floats:
-        height, _ = edge_below(levels, x.T, inside.T)
-        ground, _ = edge_below(grounds, x.T, inside.T)
+    def depth(x: Floats) -> ArrayPair:
+        by_lane = x.T
+        height, slope = edge_below(levels, by_lane, by_lane)
+        ground, ground_slope = edge_below(grounds, by_lane, by_lane)
         below_level = height - ground
-        return below_level.T
+        growth = slope - ground_slope
+        return below_level.T, growth.T
 
     left, right = grounds[:, [0, -1], 0].T
     of_lanes = each_lane(levels, len(grounds))
@@ -142,24 +145,18 @@ def _wet_sections(grounds: Floats, levels: Floats) -> tuple[Floats, Flags]:
     vertices = points[..., 0].T
     within_ground = np.clip(vertices, left, right)
     x = _sections(within_ground)
-    start = x[:-1]
-    width = np.diff(x, axis=0)
-    inside = start + width / 2
-    at_start = depth(start, inside)
-    at_end = depth(start + width, inside)
-    fall = at_start - at_end
-    divisor = np.where(fall == 0.0, np.inf, fall)
-    share = np.clip(at_start / divisor, 0.0, 1.0)  # of the section, where the depth is 0
-    shores = start + share * width
-    every_edge = np.concatenate([x, shores])
+    middle = (x[:-1] + x[1:]) / 2
+    in_middle, growth = depth(middle)
+    divisor = np.where(growth == 0.0, np.inf, growth)
+    shores = middle - in_middle / divisor
+    within_section = np.clip(shores, x[:-1], x[1:])
+    every_edge = np.concatenate([x, within_section])
     x = _sections(every_edge)
-    width = np.diff(x, axis=0)
-    start = x[:-1]
-    inside = start + width / 2
+    middle = (x[:-1] + x[1:]) / 2
+    in_middle, _ = depth(middle)
     least = _ROUNDING * (right - left)
-    in_middle = depth(inside, inside)
     is_deep = in_middle > least
-    has_width = width > 0.0
+    has_width = x[1:] > x[:-1]
     return x, is_deep & has_width
 
 
@@ -191,13 +188,17 @@ def water_faults(grounds: Floats, levels: Floats | None, confined: bool, ponds: 
         name = f"{{pond.{number}.level}}"
         water = free_water(grounds, None, confined, [pond])
         yield from _pond_faults(name, pond, water)
-    water = free_water(grounds, levels, confined, ponds)
+    if ponds:
+        yield _water_in_water(free_water(grounds, levels, confined, ponds))
+
+
+def _water_in_water(water: Ponds) -> Fault:
+    """Return the error of ponds in other free water: a mask of lanes, and a function that returns the message."""
     in_order = np.argsort(water.first, axis=0)
     first = np.take_along_axis(water.first, in_order, axis=0)
     last = np.take_along_axis(water.last, in_order, axis=0)
     overlaps = last[:-1] > first[1:]
-    in_other = "{ponds}: lies in other free water; remove one of them"
-    yield overlaps.any(axis=0), lambda k: in_other
+    return overlaps.any(axis=0), lambda k: "{ponds}: lies in other free water; remove one of them"
 
 
 def _sloping_water(grounds: Floats, water: Ponds) -> Fault:

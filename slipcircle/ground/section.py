@@ -193,8 +193,11 @@ class Section(SectionGeometry, Mass):
         """Whether the section has one soil and no number with lanes, so that it belongs to a single scene."""
         if self.friction is not None:
             return False
-        values = ((getattr(self, name), p.axes) for name, p in self.quantities.items())
-        return not any(leading_shape(value, axes) for value, axes in values if value is not None)
+        for name, quantity in self.quantities.items():
+            value = getattr(self, name)
+            if value is not None and leading_shape(value, quantity.axes):
+                return False
+        return True
 
     @property
     def _weighted_moments(self) -> Mapping[str, Floats]:

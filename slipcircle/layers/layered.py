@@ -14,8 +14,10 @@ from slipcircle.layers.strength import OfRotation
 from slipcircle.tables.interpolation import between_kinks, continuous
 
 _SAMPLE = 256  # number of lanes for which the reach is estimated
-_SHARES = np.linspace(0.0, 1.0, 41)  # rotations over the rotation to upright, at which the energy is estimated
-_MARGIN = 1.2  # factor of the estimated reach
+_STEPS = 20  # of the rotation to upright, at which the balance is estimated
+_PARTS = 8  # of a step, in which it is linear
+_IN_STEP = (np.arange(_PARTS)[:, None] + 0.5) / _PARTS
+_MARGIN = 1.05  # factor of the estimated reach
 
 
 class RotationTables(NamedTuple):
@@ -118,11 +120,12 @@ class RotationTables(NamedTuple):
         """
         if self.upslope or "rate" in friction or "soils" in friction:
             return np.inf
-        farthest = float(upright(self.section).max())
-        for shares in _SHARES[:10], _SHARES:  # most masses rest in the first quarter
-            energy = np.cumsum(self._net_moment(shares[:, None] * farthest, friction), axis=0)
-            if np.all(energy[-1] < 0.0):
-                return float(shares[np.argmax(energy < 0.0, axis=0).max()] * _MARGIN + shares[1]) * farthest
+        step = float(upright(self.section).max()) / _STEPS
+        for count in _STEPS // 4, _STEPS:  # most masses rest in the first quarter
+            rotation = step * np.arange(count + 1.0)
+            steps = _standstill(self._net_moment(rotation[:, None], friction))
+            if steps < np.inf:
+                return _MARGIN * steps * step
         return np.inf
 
     def _net_moment(self, rotation: Floats, friction: Parameters) -> Floats:
@@ -168,6 +171,20 @@ class RotationTables(NamedTuple):
             else:
                 terms[name] = np.ravel(term)[::step]
         return terms
+
+
+def _standstill(moment: Floats) -> float:
+    """Return the number of steps in which the work of moments from rest is used up in all lanes, infinite if it is not.
+
+    The moments, (steps + 1, lanes), are linear in each step.
+    """
+    growth = np.diff(moment, axis=0)
+    in_parts = moment[:-1, None] + growth[:, None] * _IN_STEP
+    work = np.cumsum(in_parts.reshape(_PARTS * len(growth), -1), axis=0)
+    is_used_up = work < 0.0
+    if not np.all(is_used_up[-1]):
+        return np.inf
+    return float(1 + is_used_up.argmax(axis=0).max()) / _PARTS
 
 
 def _lanes(function: OfRotation) -> int:

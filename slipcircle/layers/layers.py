@@ -8,6 +8,7 @@ method is the paper's for a single friction coefficient. `slipcircle.layers.stre
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
+import math
 import operator
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
@@ -263,7 +264,8 @@ class LayeredSection(LayeredNumbers):
     @cached_property
     def _columns(self) -> ArrayPair:
         """Surfaces summed in each column and weights of the columns, see `columns_of`."""
-        return columns_of(self.weight_steps, len(self._facing))
+        circles = math.prod(self.shape)
+        return columns_of(self.weight_steps, circles)
 
     @cached_property
     def _moments_of_weight(self) -> Floats:
@@ -374,19 +376,17 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     """
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
-    same_tops = all(map(operator.is_, one.tops, other.tops))
     if not np.array_equal(one._columns[0], other._columns[0]):
         return False  # profiles depend on the weights of surfaces
-    return same_tops and _growing_below(one) == _growing_below(other)
-
-
-def _growing_below(section: LayeredSection) -> list[tuple[Any, bool]]:
-    """Return for each soil its own datum and whether its cohesion grows."""
-    return [(soil.datum, bool(np.any(soil.cohesion_gradient))) for soil in section.soils]
+    return all(map(operator.is_, one.tops, other.tops))
 
 
 def _cut_of(section: LayeredSection) -> tuple[Any, ...]:
-    """Return the properties of a section's cut that can be compared by value: counts, switches and surcharges."""
+    """Return the properties of a section's cut that can be compared by value.
+
+    They are the number of layers, switches, places of surcharges, and for each soil its own datum and whether its
+    cohesion grows.
+    """
     places = [load[:2] for load in section.surcharge]
-    counts = len(section.layers), len(section.soils)
-    return counts, section.strength, section._saturated, places
+    growing = [(soil.datum, bool(np.any(soil.cohesion_gradient))) for soil in section.soils]
+    return len(section.layers), section.strength, section._saturated, places, growing

@@ -103,8 +103,7 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
         Coefficients in powers of the distance to the break, (pieces, TERMS, functions, n).
     """
     inside = np.clip(kinks, least, most)
-    edges = distinct(np.vstack([least, inside, most]), _SAME)
-    first, last = _first_pieces(edges, _widest(tolerance))
+    edges = _divided(distinct(np.vstack([least, inside, most]), _SAME), tolerance)
     end = edges[-1]
     constant = _constant(function, end)
 
@@ -116,7 +115,7 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
         sizes = np.abs(chebyshev)
         return chebyshev, sizes, _next_coefficients(sizes)
 
-    for _, start, stop, chebyshev in converged_pieces(first, last, develop, tolerance, _SHORTEST):
+    for _, start, stop, chebyshev in converged_pieces(edges[:-1], edges[1:], develop, tolerance, _SHORTEST):
         starts.append(start)
         coefficients.append(_in_powers(chebyshev, stop - start))
     start = np.concatenate(starts)
@@ -125,35 +124,19 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
     return np.vstack([start[order], end]), np.concatenate([powers[order], constant])
 
 
-def _widest(tolerance: float) -> float:
-    """Return the width in rad at which interpolation meets the tolerance if all derivatives are at most 1."""
-    inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
-    return float(2 * (tolerance * inverse_error) ** (1 / TERMS))
+def _divided(edges: Floats, tolerance: float) -> Floats:
+    """Return edges of pieces, (edges, n), with further ones where a piece is too wide for the tolerance.
 
-
-def _first_pieces(edges: Floats, widest: float) -> ArrayPair:
-    """Return both ends of the initial pieces, (pieces, n), each between two edges and at most `widest` wide.
-
-    The edges are rotations in rad, (edges, n), increasing.
+    A piece is narrow enough if interpolation meets the tolerance for a function whose derivatives are at most 1.
     """
-    widths = np.diff(edges, axis=0)
-    greatest_width = widths.max(axis=1, initial=0.0)
-    pieces = np.ceil(greatest_width / widest - 1e-9)
-    count = pieces.astype(np.intp)
-    numbers = map(np.arange, count)
-    number = np.concatenate([*numbers])  # of a piece between its edges
-    of = np.repeat(count, count)
-    start = np.repeat(edges[:-1], count, axis=0)
-    end = np.repeat(edges[1:], count, axis=0)
-    width = end - start
-    share_before = number / of
-    share_after = (number + 1) / of
-    first = start + width * share_before[:, None]
-    last = start + width * share_after[:, None]
-    at_end = share_after == 1.0
-    last[at_end] = end[at_end]
-    first[:1] = edges[0]  # even if adjacent kinks coincide with it
-    return first, last
+    inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
+    widest = 2 * (tolerance * inverse_error) ** (1 / TERMS)
+    while True:
+        is_wide = (np.diff(edges, axis=0) > widest).any(axis=1)
+        if not np.any(is_wide):
+            return edges
+        middle = (edges[:-1] + edges[1:]) / 2
+        edges = np.sort(np.concatenate([edges, middle[is_wide]]), axis=0)
 
 
 def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:

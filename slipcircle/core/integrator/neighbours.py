@@ -7,6 +7,7 @@ import numpy as np
 
 from generated import layout as ix
 from generated.program import Program
+from slipcircle.base.arrays import INFINITY
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import engine
 from slipcircle.core.integrator.lanes import ENTRIES, integrate_problem
@@ -19,18 +20,18 @@ _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], float)
 # Increase of the order, and ratio of step lengths, of each run relative to the motion. Two orders are added because
 # every other coefficient is 0 at rest. Longer steps of higher order cost less than shorter steps and truncate less.
-# Single scenes in time without tables are truncated below rounding by any of these steps, and keep their order.
 # Where breaks of time cut steps short, series end at terms below factor^order. Runs of almost the same order end at the
-# same term, so that the last run has many more.
+# same term, so that the last run has many more. Single scenes in time without tables and end time have one order, since
+# their longer steps truncate more.
 FURTHER = np.array([0.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 6.0])
 LONGER = np.array([1.0, 1.005, 1.02, 1.035, 1.05, 1.07, 1.095, 1.115])
 
 
 @lru_cache(maxsize=256)
-def _moves(program: Program, rounding: float, is_single: bool, is_refined: bool = False) -> Floats:
+def _moves(program: Program, rounding: float, has_one_order: bool, is_refined: bool = False) -> Floats:
     """Return factors and summands of the cells in each run, (2, cells, 8): perturbed inputs, orders and step lengths.
 
-    ``rounding`` is the relative error of an input. A single scene in time without tables has one order in all runs.
+    ``rounding`` is the relative error of an input.
 
     If the limit friction is refined, its two parts and the friction are exact inputs and remain unchanged.
     """
@@ -43,7 +44,7 @@ def _moves(program: Program, rounding: float, is_single: bool, is_refined: bool 
         moves[0, cell, 1:] = rounding * SIGNS[:, number % len(_FIRST)]
     moves[0] += 1.0
     moves[0, ix.FACTOR] = LONGER
-    if program.tables or program.by_rotation or not is_single:
+    if program.tables or program.by_rotation or not has_one_order:
         moves[1, ix.ORDER] = FURTHER
     return moves
 
@@ -63,7 +64,8 @@ def perturbed_runs(problem: Problem, runs: slice = EVERY) -> Floats:
     Run 0 is the motion itself, and ``runs`` is a slice of the numbers 0 to 7, by default all of them. A single lane may
     have several runs at once, one per column. Inputs are moved by the relative error of the mass's coefficients.
     """
-    kind = problem.program, problem.plan.scene.arc.rounding, problem.lanes == 1
+    is_free = problem.lanes == 1 and problem.start["END_TIME"] == INFINITY
+    kind = problem.program, problem.plan.scene.arc.rounding, is_free
     start = problem.cells()
     factors, summands = _moves(*kind)[:, :, runs]
     cells = start * factors
@@ -82,8 +84,9 @@ def integrate_single(problem: Problem) -> tuple[list[float], Any]:
     program = problem.program
     steady = program.by_rotation or not program.tables
     if steady and "viscosity" not in problem.recipe.effects:
-        moves = _moves(program, problem.plan.scene.arc.rounding, True)
-        runs = engine().integrate_runs(program, problem.tables(), problem.start, moves)
+        start = problem.start
+        moves = _moves(program, problem.plan.scene.arc.rounding, start["END_TIME"] == INFINITY)
+        runs = engine().integrate_runs(program, problem.tables(), start, moves)
         if runs and runs[0][ix.CLOSE] >= NEAR:
             final, spreads = runs
             return final, spreads
