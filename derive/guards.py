@@ -104,8 +104,7 @@ def check(every: Sequence[Declaration]) -> None:
     in_text = re.findall(r"\w+", " ".join((FUNCTIONS, MODULES, ARGUMENTS, emit.KERNEL_IMPORTS, emit.STUB_IMPORTS)))
     in_scenes = {*balance, "frozen", *TABLES.split()}
     in_modules = {*in_text, *dir(builtins), *dir(np), *(q.name for q in QUOTIENTS)}
-    of_formulas = {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {K_H, K_V}
-    symbols = set(map(str, of_formulas))
+    symbols = set(map(str, {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {K_H, K_V}))
     symbols.update(re.findall(r"\w+", repr(balance)))
     weights: dict[Expr, str] = {}
     for e in every:
@@ -248,16 +247,14 @@ def _check_law(law: Law) -> Texts:
     by_symbol = _check_parameters(law, UNITS_OF_LAWS)
     formula = law.coefficient
     if formula is None:
-        listed = [(p.name, p.unit, p.kind) for p in law.parameters]
-        if listed not in TABLES_OF:
+        if [(p.name, p.unit, p.kind) for p in law.parameters] not in TABLES_OF:
             refuse(law, "coefficient", "none", "a formula, or two lists: slip, speed or time, and coefficient")
         if not 0 <= law.degree <= DEGREE:
             refuse(law, "degree", law.degree, f"0 to {DEGREE}")
         return []
     if law.degree:
         refuse(law, "degree", law.degree, "none, as it follows from the formula")
-    units = MOTION | _units({p.name: p.unit for p in law.parameters})
-    used = _check_formula(law, "coefficient", formula, units)
+    used = _check_formula(law, "coefficient", formula, MOTION | _units({p.name: p.unit for p in law.parameters}))
     if MOTION.keys() <= used:
         refuse(law, "coefficient", "slip and speed", "slip or speed: in a scene two laws multiply each other")
     _check_kinks(law, formula, by_symbol)
@@ -313,8 +310,7 @@ def _check_effect(effect: Effect) -> Texts:
     used = set[Symbol]()
     for p in effect.symbols.values():
         what = f"parameter {p.name!r}, dimensionless"
-        units = scales | {VALUE: of_unit(p.unit)}
-        found = _check_formula(effect, what, p.dimensionless, units)
+        found = _check_formula(effect, what, p.dimensionless, scales | {VALUE: of_unit(p.unit)})
         if VALUE not in found:
             refuse(effect, what, p.dimensionless, "a formula of the value")
         used |= found

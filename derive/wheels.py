@@ -65,8 +65,7 @@ def headers(folder: Path) -> Path:
     names = {name for text in texts for name in re.findall(r"\b_?Py\w+", text)}
     exports = folder / "python3.def"
     exports.write_text("\n".join(["LIBRARY python3.dll", "EXPORTS", *sorted(names)]), "utf-8")
-    command = (*ZIG, "dlltool", "-m", "i386:x86-64", "-d", exports, "-l", folder / "libpython3.a")
-    subprocess.run(command, check=True)
+    subprocess.run((*ZIG, "dlltool", "-m", "i386:x86-64", "-d", exports, "-l", folder / "libpython3.a"), check=True)
     return folder
 
 

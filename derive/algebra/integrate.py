@@ -132,8 +132,7 @@ def derive(moment: Moment) -> Derivation:
 def shortest(expression: Expr) -> Expr:
     """Return the form equivalent to an expression with the fewest operations among the results of SymPy's rules."""
     normal = trig_normal(expression)
-    candidates = [normal, simplify(normal), factor_terms(normal)]
-    return min(candidates, key=lambda e: (count_ops(e), default_sort_key(e)))
+    return min([normal, simplify(normal), factor_terms(normal)], key=lambda e: (count_ops(e), default_sort_key(e)))
 
 
 def closed_forms() -> Forms:

@@ -125,8 +125,7 @@ def prove(count: int = 3) -> str:
         net = NET.subs(problem, simultaneous=True) * exp(-j * slope * x)
         prove_zero(diff(term, x) + q * term - 2 * net, f"term {j} under softening friction")
         weight = diff(exp(-brake * fall / slope), fall, j).subs(fall, 0) / factorial(j)
-        found = problem[drive].coeff(drive)
-        prove_zero(found - weight, f"weight {j} of exp(-brake W/slope)")
+        prove_zero(problem[drive].coeff(drive) - weight, f"weight {j} of exp(-brake W/slope)")
     factor = exp(brake * exp(-slope * x) / slope)
     prove_zero(diff(factor, x) + brake * exp(-slope * x) * factor, "exp(brake W/slope) removes brake W E")
     return "E' + k E = 2 f derived from (3.11), solved for constant friction and for softening"

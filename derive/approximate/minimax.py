@@ -149,8 +149,7 @@ def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], 
         powers = [arb(1)]
         for _ in range(max(above, last)):
             powers.append(powers[-1] * x)
-        products = [factor * power for power in powers[first : last + 1]]
-        rows.append(powers[: above + 1] + products)
+        rows.append(powers[: above + 1] + [factor * power for power in powers[first : last + 1]])
     return rows
 
 

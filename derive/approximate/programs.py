@@ -142,8 +142,7 @@ def _even_and_odd(code: Code, u: Value, c: Sequence[float]) -> Value:
     """
     u_2 = u * u
     odd = code.horner(u_2, c[2::2])
-    even = code.horner(u_2, c[1::2])
-    return code.fma(u, code.fma(u, odd, even), c[0])
+    return code.fma(u, code.fma(u, odd, code.horner(u_2, c[1::2])), c[0])
 
 
 def near(code: Code, closed: Expr, piece: Pieces) -> Pair:
@@ -181,11 +180,9 @@ def logarithm(code: Code, b: Value) -> Value:
     s = code.put("significand", b) - 1.0
     q = s / (s + 2.0)
     z = q * q
-    p = code.horner(z, coefficients)
-    bent = code.fma(z, p, -s)
+    bent = code.fma(z, code.horner(z, coefficients), -s)
     exponent = code.put("exponent", b)
-    power = code.fma(exponent, ln2, s)
-    return code.fma(q, bent, power)
+    return code.fma(q, bent, code.fma(exponent, ln2, s))
 
 
 def far(code: Code, closed: Expr, shape: Far, seam: float) -> Pair:
@@ -210,12 +207,10 @@ def far(code: Code, closed: Expr, shape: Far, seam: float) -> Pair:
         ahead = b * tilt if ahead is None else fma(b, tilt, ahead)
     rest = front * core if ahead is None else fma(front, core, ahead)
     if not shapes.end(closed).odd and (shape.bend or shape.slope):
-        bent = fma(b, -shape.bend, shape.slope)
-        rest = fma(b, bent, rest)
+        rest = fma(b, fma(b, -shape.bend, shape.slope), rest)
     if not shape.slope:
         return Pair(code.value(shape.line), rest)
-    rise = code.x if shape.slope == 1 else shape.slope * code.x
-    return Pair(rise + shape.line, rest)
+    return Pair((code.x if shape.slope == 1 else shape.slope * code.x) + shape.line, rest)
 
 
 def fused_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -> Value:
@@ -264,8 +259,7 @@ def fused_part(code: Code, closed: Expr, part: Pieces, seam: float) -> Pair:
         h = near(code, closed, part)
         total = x * h.high
         lost = fma(x, h.low, fma(x, h.high, -total))
-    high = code.below(seam, w.high, total)
-    return Pair(high, code.below(seam, w_low, lost))
+    return Pair(code.below(seam, w.high, total), code.below(seam, w_low, lost))
 
 
 def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
@@ -343,8 +337,7 @@ def functions_of_ends() -> Iterator[tuple[str, str, Names]]:
         if not moment.amplitude:
             continue
         kernel, _ = moment.kernel
-        words = str(derive(moment).direction).replace("(", " ").rstrip(")")
-        yield moment.name, kernel, (*moment.definition, words)
+        yield moment.name, kernel, (*moment.definition, str(derive(moment).direction).replace("(", " ").rstrip(")"))
     ratio = next(kernel for kernel in shapes.kernels() if kernel.name == LIMIT_FRICTION)
     yield "limit_friction", ratio.name, (*ratio.definition, "tan psi")
 

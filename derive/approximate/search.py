@@ -76,8 +76,7 @@ def rises(closed: Expr, seam: float) -> bool:
     step = math.ulp(math.nextafter(seam, 0.0))
     x = arb(seam)
     f = float(value_at(closed, x))
-    slope = float(value_at(diff(closed, alpha), x))
-    return slope * step > 1.4 * certify.ulp(f)
+    return float(value_at(diff(closed, alpha), x)) * step > 1.4 * certify.ulp(f)
 
 
 @cache
@@ -182,8 +181,7 @@ def falls(variant: Variant, seam: float) -> bool:
     near = 1000 if variant.form == "fused" else 1
     bits = np.float64(seam).view(np.int64) + np.arange(-near, near)
     alpha = bits.view(np.float64)
-    inside = alpha[alpha <= HALF_PI]
-    return bool(np.any(np.diff(variant.program.run(inside)) < 0))
+    return bool(np.any(np.diff(variant.program.run(alpha[alpha <= HALF_PI])) < 0))
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
@@ -311,8 +309,7 @@ def _degrees() -> Iterator[tuple[int, int]]:
 def _cost(degrees: tuple[int, int]) -> tuple[int, int]:
     """Return the number of operations including a division, and minus the denominator's degree, to order degrees."""
     above, below = degrees
-    division = DIVISION if below else 0
-    return above + below + division, -below
+    return above + below + (DIVISION if below else 0), -below
 
 
 def search(kernel: Kernel) -> Shape:
@@ -333,5 +330,4 @@ def complete() -> str:
     missing = {k.definition: k for k in shapes.kernels() if k.definition not in recorded_shapes()}
     searched = parallel(search, [[x] for x in missing.values()], "shapes searched")
     recorded_shapes().update(zip(missing, searched, strict=True))
-    names = [" / ".join(definition) for definition in missing]
-    return ", ".join(names) or "none"
+    return ", ".join(map(" / ".join, missing)) or "none"

@@ -220,8 +220,7 @@ def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> Coe
 
     W is F/alpha**3 times the constant that makes its limit at 0 ``limit_at_0``.
     """
-    samples = near_samples(closed, seam, count, limit_at_0)
-    coefficients, _ = rounded(samples, count - 1, careful=min(3, count - 1))
+    coefficients, _ = rounded(near_samples(closed, seam, count, limit_at_0), count - 1, careful=min(3, count - 1))
     return coefficients
 
 
@@ -236,8 +235,7 @@ def logarithm_fit() -> tuple[float, Coefficients]:
     degree = 6
     with ctx.workprec(GUARD):
         largest = as_ball(Fraction(1, 25))
-        samples = sample(rest, lambda z, _: z * z.sqrt(), largest, degree)
-        coefficients, _ = rounded(samples, degree, careful=1)
+        coefficients, _ = rounded(sample(rest, lambda z, _: z * z.sqrt(), largest, degree), degree, careful=1)
         return nearest(arb(2).log()), coefficients
 
 

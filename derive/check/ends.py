@@ -51,8 +51,7 @@ class RecordedValue:
             if isinstance(x, RecordedValue):
                 place = x.place
             else:
-                constant = float(x).hex()
-                place = self._find(["const", [], constant])
+                place = self._find(["const", [], float(x).hex()])
             places.append(place)
         place = self._find([kind, places, value])
         return RecordedValue(self.operations, place)

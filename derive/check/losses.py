@@ -46,8 +46,7 @@ def reduction_loss() -> float:
     with working(400):
         missing = above(sum(map(arb, PI), -arb.pi()))
         nearest = min(below(distance(n, 52)) for n in range(2, most + 1))
-        of_first = below(distance(1, 52)) - 2.0**-54
-        first = min(below(distance(1, 106)), of_first)
+        first = min(below(distance(1, 106)), below(distance(1, 52)) - 2.0**-54)
     last = PI[-1] * HALF_ULP  # n times the last part is rounded, where n is no power of two
     cases = (
         (2.0**55, 0.0),
@@ -120,10 +119,8 @@ def slope_gap(statement: str) -> float:
                 s, c = x.sin_cos()
                 h = -((arb.pi() / 2 - x) / 2).tan().log()
                 slope = 2 * s * truth.folded(power, x, s, c, h)
-                amplitude = model(x - segment.centre)
-                steepness = x * slope / amplitude
-                near = 3 * x * c / s
-                worst = max(worst, above(steepness - near))
+                steepness = x * slope / model(x - segment.centre)
+                worst = max(worst, above(steepness - 3 * x * c / s))
     return worst + 3 * cotangent_loss()
 
 

@@ -48,8 +48,7 @@ def _of_binade(statement: str, exponent: int) -> Coefficients:
     """
     with working(BITS):
         (nearest, *_) = SEGMENTS
-        model = truth.kernel_model(statement, nearest)
-        largest = above(model(truth.ball(0.0, 2.0**-40)))  # of F/alpha**3
+        largest = above(truth.kernel_model(statement, nearest)(truth.ball(0.0, 2.0**-40)))  # of F/alpha**3
         if largest * 8.0 ** (exponent + 1) < 2.0 ** (LEAST - 1):
             return ()
         h = 2.0 ** (exponent - 23)
@@ -73,8 +72,7 @@ def _near(statement: str, h: float, start: int, stop: int) -> Iterator[float]:
         yield from _near(statement, h, middle, stop)
         return
     first = BLOCK // 2 + start - middle
-    last = BLOCK // 2 + stop - middle
-    halves = row @ POWERS[:, first:last] / 2
+    halves = row @ POWERS[:, first : BLOCK // 2 + stop - middle] / 2
     distance = 0.5 - np.abs(halves - np.rint(halves))  # from the nearest midpoint, in ulp
     for t in np.flatnonzero(distance <= WIDTH + SLACK).tolist():
         yield (start + t) * h
@@ -101,8 +99,7 @@ def _polynomial(statement: str, h: float, start: int, middle: int, stop: int) ->
     coefficients = [c / unit for c in terms.coeffs()]
     for k in (0, 1):  # t is an integer
         coefficients[k] -= 2 * (coefficients[k].mid() / 2).floor()
-    higher = arb_poly(coefficients[DEGREE + 1 :])
-    lost = above(higher(t) * radius ** (DEGREE + 1) + rest / unit)
+    lost = above(arb_poly(coefficients[DEGREE + 1 :])(t) * radius ** (DEGREE + 1) + rest / unit)
     row = []
     for k, coefficient in enumerate(coefficients[: DEGREE + 1]):
         nearest = float(coefficient)

@@ -24,8 +24,7 @@ QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 def _pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
     """Return parts of [lower, upper], both ends included and no double omitted, each with one tape."""
     inside = sorted(c for c in _cuts(record) if lower < c < upper)
-    cuts = pairwise([lower, *inside, upper])
-    todo = [(a, math.nextafter(b, -9.0)) for a, b in cuts]
+    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise([lower, *inside, upper])]
     todo.append((upper, upper))
     todo.reverse()
     parts: list[tuple[float, float, Tape]] = []
@@ -67,8 +66,7 @@ def ideal(tape: Tape, centre: arb) -> Balls:
         if node.kind == "x":
             values.append(arb_series([centre, 1]))
         elif node.kind in VALUE:
-            operands = (values[a] for a in node.args)
-            values.append(VALUE[node.kind](*operands))
+            values.append(VALUE[node.kind](*(values[a] for a in node.args)))
         else:  # a constant, or an error, which is 0 in real arithmetic
             values.append(arb_series([arb(node.value if node.kind == "const" else 0)]))
     return truth.coefficients(values[-1])
@@ -109,8 +107,7 @@ class Patch:
                 divisor = self.below(t)
                 difference = difference / divisor
                 exact = exact / divisor
-            largest = above(difference)
-            distance = (largest + total) * UP
+            distance = (above(difference) + total) * UP
             smallest = below(exact)
             if not (distance < math.inf and smallest >= 0):
                 raise Unbounded("the error is not finite")
@@ -145,8 +142,7 @@ def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, up
         computed = truth.model(ideal(tape, arb(centre)), ideal(tape, fat), order)
         if second is None:
             main = computed.main - first.main
-            last = computed.last - first.last
-            difference = Model(main, last, computed.power)
+            difference = Model(main, computed.last - first.last, computed.power)
         else:
             difference = _times_denominator(computed, first, second, fat - centre)
     return Patch(tape, segment, lower, upper, difference, first, second, order)

@@ -144,8 +144,7 @@ def rounding_sum(tape: Tape, x: arb) -> Pair:
         if slope == 0:
             continue
         if kind == "error":
-            terms = (-slope, slope * value)[-len(args) :]
-            for a, term in zip(args, terms, strict=True):
+            for a, term in zip(args, (-slope, slope * value)[-len(args) :], strict=True):
                 weight[a] += term
         elif kind == "scale":
             adjoint[args[0]] += slope * ball(0.0, value)
@@ -201,8 +200,7 @@ class _Specialise:
             comparison, compared, _ = self.operations[args[0]]
             if comparison != "less":
                 raise ValueError("select needs a comparison")
-            chosen = 1 if self.less(*map(self.visit, compared)) else 2
-            return self.visit(args[chosen])
+            return self.visit(args[1 if self.less(*map(self.visit, compared)) else 2])
         nodes = tuple(self.visit(a) for a in args)
         if kind == "max":
             return nodes[self.less(*nodes)]

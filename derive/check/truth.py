@@ -109,8 +109,7 @@ def _taylor(statement: str, centre: arb) -> Balls:
     a = arb_series([centre, 1])
     s, c = a.sin_cos()
     # artanh(sin a) = -ln tan((pi/2 - a)/2), and its derivative is 1/cos a.
-    at_centre = -((arb.pi() / 2 - centre) / 2).tan().log()
-    h = (1 / c).integral() + at_centre
+    h = (1 / c).integral() - ((arb.pi() / 2 - centre) / 2).tan().log()
     return coefficients(exactly(statement, a, s, c, h))
 
 
@@ -130,8 +129,7 @@ def taylor_at_zero(statement: str) -> list[fmpq]:
     with working(BITS):
         a = fmpq_series([0, 1])
         s = a.sin()
-        c = a.cos()
-        series = exactly(statement, a, s, c, s.atanh())
+        series = exactly(statement, a, s, a.cos(), s.atanh())
         taylor = [series[k] for k in range(TERMS + 1)]
     if any(x != 0 for x in taylor[:CUBE]) or taylor[CUBE] == 0:
         raise ArithmeticError(f"{statement} is not of order alpha**{CUBE}")
@@ -164,8 +162,7 @@ class Model:
         """Return an enclosure over the ball t from the Taylor coefficients at its middle."""
         middle = t.mid()
         main = self.main(arb_poly([middle, 1]))(t - middle)
-        rest = arb(0, 1) * t.abs_upper() ** self.power if self.power else 1
-        return main + self.last * rest
+        return main + self.last * (arb(0, 1) * t.abs_upper() ** self.power if self.power else 1)
 
 
 def model(thin: Balls, fat: Balls, order: int = 0) -> Model:

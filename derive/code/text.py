@@ -315,8 +315,7 @@ def _call(program: Program, places: Mapping[Op, int], i: int, part: Part) -> Cal
     if not same(i, part.program.outputs[0]):
         return None
     try:
-        numbered = enumerate(part.program.ops)
-        inputs = {str(op.value): bound[k] for k, op in numbered if op.kind == "input"}
+        inputs = {str(op.value): bound[k] for k, op in enumerate(part.program.ops) if op.kind == "input"}
         results = walk(part.program, inputs, lambda op, args: places[replace(op, args=tuple(args))])
     except KeyError:
         return None

@@ -45,8 +45,7 @@ def prove() -> str:
 
     forms = (energy.energy, energy.slope_of, energy.bend_of)
     for order, form in enumerate(forms):
-        of_start = _factors(drive, sine, vers, q)
-        found = form(of_start, BASIS)
+        found = form(_factors(drive, sine, vers, q), BASIS)
         claim(found, phase_plane.energy_from_rest().diff(x, order), f"derivative {order} of E")
     end = symbols("end", real=True)
     mirrored = expand_trig(-NET.subs(x, end - x))

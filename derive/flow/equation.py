@@ -116,8 +116,7 @@ def term(quantity: str, e: Expr, by_soil: bool = False) -> Term:
 
 def _balance(by_soil: bool = False) -> Term:
     """Return (3.11) with (2.20): the rate of the angular velocity in the time t sqrt(g/R); s is the sign of omega."""
-    normal = Max(0, STRESS - PRESSURE, evaluate=False)
-    friction = _FRICTION if by_soil else MU * normal
+    friction = _FRICTION if by_soil else MU * Max(0, STRESS - PRESSURE, evaluate=False)
     shown = term("Theta domega/dt", DRIVE - DIRECTION * (LAMBDA * friction + RESISTANCE))
     return shown._replace(formula=shown.formula.replace("Max(", "max("))
 
@@ -141,8 +140,7 @@ def _position(rotates: bool) -> Terms:
     angle = PHI if rotates else Integer(0)
     turned = []
     for q, name in COMPONENTS.items():
-        slope = BY_PSI[q].subs(start)
-        turned.append((name, start[q] * cos(angle) - slope * sin(angle)))
+        turned.append((name, start[q] * cos(angle) - BY_PSI[q].subs(start) * sin(angle)))
     return tuple(turned)
 
 

@@ -95,8 +95,7 @@ def _position() -> dict[Symbol, Split]:
     versine = series("vers(x)")
     components = {}
     for q, slope in BY_PSI.items():
-        increment = total((-slope.subs(at_start), sine), (-at_start[q], versine))
-        components[q] = (at_start[q], increment)
+        components[q] = (at_start[q], total((-slope.subs(at_start), sine), (-at_start[q], versine)))
     return components
 
 
@@ -246,8 +245,7 @@ def _log_speed(law: Law, low: Lowering) -> None:
     start = cell("start_speed")
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
     low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
-    base = low.cell(-beyond)
-    low.put("lin", "relative_speed", base, ((low.cell(beyond / start), "omega"),))
+    low.put("lin", "relative_speed", low.cell(-beyond), ((low.cell(beyond / start), "omega"),))
     low.put("log", "log_speed", "relative_speed")
 
 
@@ -296,8 +294,7 @@ def _rotation(effect: Effect) -> Fragment:
     """
     low = Lowering(effect.name, {})
     for q, slope in BY_PSI.items():
-        turned = q * cos(ROTATION) - slope * sin(ROTATION)
-        low.cells[str(seen(q))] = sign(q) * turned
+        low.cells[str(seen(q))] = sign(q) * (q * cos(ROTATION) - slope * sin(ROTATION))
     low.turn(series("x"), ONE, ONE)
     normal_load, increment = _position()[NORMAL_LOAD]
     low.put("lin", "upright", str(normal_load), low.sum(increment))
@@ -343,18 +340,15 @@ def _drive(low: Lowering, net: Expr) -> None:
     margin = driving - resisting
     cells["limit_0"] = margin / normal
     other_driving = driving - cell(str(seen(DRIVING_MOMENT)))
-    other_normal = normal - cell(str(seen(NORMAL_LOAD)))
-    cells["others"] = abs(other_driving) + abs(other_normal) + resisting
+    cells["others"] = abs(other_driving) + abs(normal - cell(str(seen(NORMAL_LOAD)))) + resisting
     cells["limit"] = Select(0, others, cell("limit_0"), cell("LIMIT"))
     cells["rounded_gap"] = limit - mu
     cells["known_rest"] = Select(0, others, 0, cell("LIMIT_REST"))
     cells["gap"] = cell("rounded_gap") + Select(0, abs(cell("rounded_gap")), cell("known_rest"), 0)
-    driven = Select(0, margin, 1, 0)
-    cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
+    cells["first"] = Select(0, cell("departed"), 0, GRIP * Select(0, margin, 1, 0))
     cells["drive"] = Select(0, first, normal * cell("gap"), net)
     drives, resists, presses, lifts = (cell(f"{x}_size") for x in QUANTITIES)
-    terms = drives + resists + GRIP * mu * (presses + lifts)
-    size = Select(0, first, abs(drive), terms)
+    size = Select(0, first, abs(drive), drives + resists + GRIP * mu * (presses + lifts))
     cells["drive_scale"] = Rational(1, 2**52) * size
 
 

@@ -248,8 +248,7 @@ class Lowering:
         direct, increment = self.split(e)
         base, scale = self.base(e, direct)
         name = f"{self.name}.{quantity}"
-        base_cell = self.cell(base, name)
-        return base_cell, self.cell(scale, f"{name}_size"), self.sum(increment)
+        return self.cell(base, name), self.cell(scale, f"{name}_size"), self.sum(increment)
 
     def base(self, e: Expr, direct: Expr) -> tuple[Expr, Expr]:
         """Return a base of the term ``e`` and the size of its terms; ``direct`` is its value at the phase's start.
@@ -269,8 +268,7 @@ class Lowering:
             other += coefficient * Mul(*(registers[name] for name in names))
         other_size = size(other)
         direct_size = size(direct)
-        almost = direct_size * (1 + Rational(1, 2**40))
-        return Select(almost, other_size, direct, other), Min(other_size, direct_size)
+        return Select(direct_size * (1 + Rational(1, 2**40)), other_size, direct, other), Min(other_size, direct_size)
 
     def fragment(
         self,

@@ -132,8 +132,7 @@ def prove(order: int = 6) -> Texts:
         coefficients = _coefficients(o, highest)
         for i in range(highest + 1):
             for result, start, step in zip(o.results, o.start, o.step, strict=True):
-                recurrence = step.subs(n, i).doit() if i else start
-                stated = unfold(at(recurrence, coefficients))
+                stated = unfold(at(step.subs(n, i).doit() if i else start, coefficients))
                 prove_zero(expand(stated - coefficients[result][i]), f"{o.name}: coefficient {i}")
         claims.append(f"{o.name}: {highest + 1} coefficients")
     return claims
@@ -195,8 +194,7 @@ def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Ma
         if name == "lin":
             result, constant, terms = names
             base = _cell(constant, cells) if constant else 0
-            products = (_cell(c, cells) * registers[r] for c, r in terms)
-            registers[result] = Add(base, *products)
+            registers[result] = Add(base, *(_cell(c, cells) * registers[r] for c, r in terms))
             continue
         o = OPERATIONS[name]
         places = (*o.results, *o.arguments, *o.numbers)

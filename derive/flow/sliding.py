@@ -54,8 +54,7 @@ def _follow(speed: Any, net: Any, after: Any) -> list[Any]:
         rest = now + length * stop
     if speed == 0 and net < 0 < after:
         level, _ = pieces.roots()
-        begin = level.subs({pieces.net: net, pieces.rise: rise})
-        speed, further, _ = _slide(0, 0, rise, 1 - begin)
+        speed, further, _ = _slide(0, 0, rise, 1 - level.subs({pieces.net: net, pieces.rise: rise}))
         path += further
     return [speed, path, rest]
 

@@ -122,8 +122,7 @@ class Writer:
         vector = any(v.kind == "V" for v in values)
         texts = []
         for v in values:
-            cast = vector and v.kind == "N"
-            texts.append(self.say("cast", v.text) if cast else v.text)
+            texts.append(self.say("cast", v.text) if vector and v.kind == "N" else v.text)
         joint = f" {sign} ".join(texts)
         return f"({joint})"
 

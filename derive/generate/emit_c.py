@@ -164,8 +164,7 @@ def _loops_and_table(variants: Sequence[Variant]) -> tuple[Texts, Texts]:
         of_double = f"(void *){name}_##LEVEL##_double"
         inputs = len(variant.program.inputs)
         rows.append(f'{{"{kernel}", "{tier}", {inputs}, {{{of_float}, {of_double}}}}},')
-    table = ["static Ufunc ufuncs_##LEVEL[] = {", *rows, "{NULL, NULL, 0, {NULL, NULL}}};"]
-    return double_loops + float_loops, table
+    return double_loops + float_loops, ["static Ufunc ufuncs_##LEVEL[] = {", *rows, "{NULL, NULL, 0, {NULL, NULL}}};"]
 
 
 def _bodies(form: str, variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str]) -> str:

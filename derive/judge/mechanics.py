@@ -76,8 +76,7 @@ GRAVITY: Pair = basis(Integer(0), -g)
 def reaction() -> Pair:
     """Return the components of the traction on the arc: pressure against the normal, shear against the velocity."""
     tangent = _direction(theta).diff(theta)
-    outward = Matrix([tangent[1], -tangent[0]])
-    x, y = -sigma_n * outward - tau_n * tangent
+    x, y = -sigma_n * Matrix([tangent[1], -tangent[0]]) - tau_n * tangent
     pressure, shear = basis(x, y)
     return pressure, shear * sign(omega)
 
@@ -120,8 +119,7 @@ def chord() -> Expr:
     """Return the point where the ray at theta meets the line through both ends of the arc, from collinearity."""
     first = R * _direction(theta_1)
     second = R * _direction(theta_1 + 2 * alpha)
-    ray = r * _direction(theta)
-    return solve(Matrix.hstack(ray - first, second - first).det(), r)[0]
+    return solve(Matrix.hstack(r * _direction(theta) - first, second - first).det(), r)[0]
 
 
 @cache
@@ -162,8 +160,7 @@ def radial() -> Expr:
     weight = rho * GRAVITY[0]
     inertia = rho * rate(2)[0]
     pressure, _ = reaction()
-    balance = body(inertia * AREA) - body(weight * AREA)
-    return expand(balance / pressure.coeff(sigma_n))
+    return expand((body(inertia * AREA) - body(weight * AREA)) / pressure.coeff(sigma_n))
 
 
 def derived_form(equation: str) -> Expr:
@@ -174,8 +171,7 @@ def derived_form(equation: str) -> Expr:
 def momentum() -> Pair:
     """Return both sides of (3.8), over ell rho: the rate of angular momentum, and the moment."""
     left = derived_form("3.8 left") / (ell * rho)
-    right = derived_form("3.8") / (ell * rho)
-    return expand(left), expand(right)
+    return expand(left), expand(derived_form("3.8") / (ell * rho))
 
 
 def lever() -> Expr:
@@ -202,8 +198,7 @@ def dimensional() -> Forms:
     rate = simplify(clock * angular_velocity)
     phi = simplify(rotation)
     velocity = (R * rate).subs(c0, c1 / R)
-    displacement = (R * phi).subs(c0, c1 / R)
-    return {"omega": rate, "phi": phi, "v": velocity, "s": displacement}
+    return {"omega": rate, "phi": phi, "v": velocity, "s": (R * phi).subs(c0, c1 / R)}
 
 
 def expanded_in_time(motion: Expr) -> tuple[Expr, Expr, Expr]:
@@ -211,8 +206,7 @@ def expanded_in_time(motion: Expr) -> tuple[Expr, Expr, Expr]:
 
     ``motion`` is an expression in t.
     """
-    expansion = sp.series(motion, t, 0, 6).removeO()
-    terms = sorted(Add.make_args(expansion), key=lambda x: degree(x, t))
+    terms = sorted(Add.make_args(sp.series(motion, t, 0, 6).removeO()), key=lambda x: degree(x, t))
     first, second = terms[:2]
     return motion, first, O(t ** degree(second, t))
 

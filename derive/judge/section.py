@@ -114,8 +114,7 @@ def second_appendix() -> mpf:
 
 def limit_friction(as_printed: bool = False) -> mpf:
     """Return the friction coefficient mu_eq (3.21), on request with Appendix II for J_theta, as printed."""
-    weight_moment = second_appendix() if as_printed else moment("weight_moment")
-    return weight_moment / moment("radial_weight")
+    return (second_appendix() if as_printed else moment("weight_moment")) / moment("radial_weight")
 
 
 def friction_degrees(friction: mpf) -> mpf:

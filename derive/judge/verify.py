@@ -90,8 +90,7 @@ def vanishes(form: Expr, domain: Domain = ()) -> bool:
     if form.has(Order):
         return False
     for kind in (Integral, Derivative, AppliedUndef):  # unevaluated parts count as one symbol
-        atoms = sorted(form.atoms(kind), key=default_sort_key)
-        form = form.xreplace({x: Symbol(f"_{x}", real=True) for x in atoms})
+        form = form.xreplace({x: Symbol(f"_{x}", real=True) for x in sorted(form.atoms(kind), key=default_sort_key)})
     signs = [dict(choice) for choice in product(*_choices(form, domain))]
     try:
         for choice in signs:
@@ -129,8 +128,7 @@ def _homogeneous(form: Expr, dimension: str) -> bool:
     units = {x: Symbol(f"unit_{x}", positive=True) for x in "MLT"}
     factors = {name: parse_expr(text, local_dict=units) for name, text in DIMENSIONS.items()}
     in_other_units = {x: x * factors[x.name] for x in form.free_symbols if x.name in factors}
-    scaled = form.subs(in_other_units, simultaneous=True)
-    return vanishes(scaled - parse_expr(dimension, local_dict=units) * form)
+    return vanishes(form.subs(in_other_units, simultaneous=True) - parse_expr(dimension, local_dict=units) * form)
 
 
 def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
@@ -282,8 +280,7 @@ def _form(claim: Claim) -> Judgement:
     computed = claim.shows.format("; ".join(dict.fromkeys(map(words, derived))))
     edits = (None, *(x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression))
     for postulates, cause in product(_candidates(claim), edits):
-        printed = claim.expression.replace(*cause.edit) if cause else claim.expression
-        if _form_holds(claim, printed, postulates):
+        if _form_holds(claim, claim.expression.replace(*cause.edit) if cause else claim.expression, postulates):
             return computed, *_form_verdict(claim, postulates, cause)
     return computed, *UNEXPLAINED
 

@@ -137,8 +137,7 @@ class Division(NamedTuple):
             low, high = self.quantities[name]
             middle = (low + high) / 2
             swing = first_swing(_slide(self.quantities | {name: _Interval(middle, middle)}))
-            coefficients = (*swing[:-1], swing.drop * swing.decay)
-            return sum(float(x.rad()) for x in coefficients)
+            return sum(float(x.rad()) for x in (*swing[:-1], swing.drop * swing.decay))
 
         divided = min((name for name, x in self.quantities.items() if x.low < x.high), key=spread)
         low, high = self.quantities[divided]

@@ -49,8 +49,7 @@ class Swing(NamedTuple):
 
     def acceleration(self, x: Any, omega: Any) -> Any:
         """Return omega', the angular acceleration of a moving mass, after a rotation x at the velocity omega."""
-        driving = (self.dip - x).sin() * self.weight - self.cohesion
-        return driving - self.friction(x) * self.normal(x, omega)
+        return (self.dip - x).sin() * self.weight - self.cohesion - self.friction(x) * self.normal(x, omega)
 
     def taylor(self, x: arb, omega: arb) -> list[arb]:
         """Return the Taylor coefficients of omega in time about a state, up to the cap of series, lowest first.
