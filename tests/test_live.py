@@ -27,7 +27,6 @@ from slipcircle.workbench.outputs.page.model import default_sliders, unsolvable
 from slipcircle.workbench.outputs.pictures.shapes import mass_of
 from tests.support.layered import TURNING, profile
 
-GENERATED = Path(__file__).parents[1] / "generated"
 PROGRAMS = live.page_script()
 SOLVED = ("vaiont", "vaiont-softening", "real-slope", "layered-slope", "vaiont-shaken", "weak-toe")
 POSITIONS = 40

@@ -15,14 +15,14 @@ from functools import cache, wraps
 from pathlib import Path
 from typing import ParamSpec, TypeVar, cast
 
+from tests.support import oracle
+
 P = ParamSpec("P")
 T = TypeVar("T")
 HERE = Path(__file__).parent
 FILE = HERE / "recorded.jsonl"
-SOURCES = (
-    *(HERE / f"{name}.py" for name in ("oracle", "pieces", "section_references", "taylor")),
-    HERE.parents[1] / "derive" / "declare" / "quantities.py",
-)
+SOURCES = tuple(HERE / f"{name}.py" for name in ("oracle", "pieces", "section_references", "taylor"))
+DECLARED = oracle.WEIGHTS, oracle.WHOLE, oracle.QUOTIENTS
 COMMENTS = re.compile(r'(?s:""".*?""")|#.*|\s+')
 
 
@@ -45,7 +45,7 @@ def recorded(function: Callable[P, T]) -> Callable[P, T]:
     def answer(*given: P.args, **named: P.kwargs) -> T:
         classes = [x for x in (*given, *named.values(), function) if hasattr(x, "__module__")]
         files = {*SOURCES, *(Path(str(sys.modules[x.__module__].__file__)) for x in classes)}
-        question = repr((function.__qualname__, given, sorted(named.items())))
+        question = repr((DECLARED, function.__qualname__, given, sorted(named.items())))
         key = hashlib.sha256("".join([question, *map(digest, sorted(files))]).encode()).hexdigest()[:24]
         known = answers().get(key)
         if known is not None and int(key, 16) % 32:
