@@ -34,7 +34,7 @@ from slipcircle.ground.section import Section, copy_computed
 from slipcircle.layers.depths import Depths, depths_below
 from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
-from slipcircle.layers.profile import MEASURED, Profile, columns_of, profile_of
+from slipcircle.layers.profile import MEASURED, Profile, profile_of
 from slipcircle.layers.soils import Layers, Soil, datum_mistakes, layer_mistakes, soil_mistakes, top_of
 from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
@@ -263,9 +263,16 @@ class LayeredSection(LayeredNumbers):
 
     @cached_property
     def _columns(self) -> ArrayPair:
-        """Surfaces summed in each column and weights of the columns, see `columns_of`."""
-        circles = math.prod(self.shape)
-        return columns_of(self.weight_steps, circles)
+        """Weights of the surfaces in columns, (columns, surfaces, circles), and of the columns, (columns, lanes).
+
+        If lanes of one circle differ in the steps of the unit weight, each column is a surface; otherwise the only
+        column contains all surfaces.
+        """
+        steps = self.weight_steps
+        of_circles = steps[:, : math.prod(self.shape)]
+        if np.any(steps != of_circles):
+            return np.eye(len(steps))[..., None], steps
+        return of_circles[None], np.ones((1, steps.shape[1]))
 
     @cached_property
     def _moments_of_weight(self) -> Floats:

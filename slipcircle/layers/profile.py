@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 
-from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Integers
+from slipcircle.base.kinds import ArrayTriple, Floats, Integers
 from slipcircle.ground.plane import sine_and_cosine
 from slipcircle.layers.strips import Strips
 from slipcircle.tables.interpolation import NODES, TERMS, TO_CHEBYSHEV, converged_pieces
@@ -156,18 +156,6 @@ def _of_piece(values: Floats, piece: Integers, some: slice = slice(None)) -> Flo
     return values.reshape(*axes, pieces * circles).take(number, axis=-1)
 
 
-def columns_of(steps: Floats, circles: int) -> ArrayPair:
-    """Return the surfaces summed in each column, (columns, surfaces, circles), and its weights, (columns, lanes).
-
-    ``steps`` are the steps of the unit weight below surfaces, (surfaces, lanes). If lanes of one circle differ in them,
-    each column is a surface; otherwise the only column contains all surfaces.
-    """
-    of_circles = steps[:, :circles]
-    if np.any(steps != of_circles):
-        return np.eye(len(steps))[..., None], steps
-    return of_circles[None], np.ones((1, steps.shape[1]))
-
-
 def profile_of(strips: Strips, weights: Floats) -> Profile:
     """Return the integrals along the arcs of masses in strips.
 
@@ -247,8 +235,7 @@ def _integrands(surfaces: _Surfaces, beta: Floats, half: Floats, count: int) -> 
             some = slice(used[0], used[-1] + 1)  # pieces
             cosine = c[:, some]
             height = np.maximum(y[some] + slope[some] * beyond[:, some] + cosine, 0.0)
-            _add(total[..., some, :], over_height(cosine, height), weight[..., some, :] * per_node[:, some])
-    _complete(total, x, c)
+            _add(total[..., some, :], over_height(x[:, some], cosine, height), weight[..., some, :] * per_node[:, some])
     if len(surfaces.loads):
         ground = surfaces.y[0] + surfaces.slope[0] * beyond
         _add_loads(total, surfaces.loads, x, ground, weights[len(surfaces.y) :] * per_node)
@@ -282,38 +269,25 @@ def _add_loads(total: Floats, loads: Floats, x: Floats, y: Floats, weights: Floa
                 _add(total, _of_pressure(x, y), weight)
 
 
-def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
-    """Yield the integrals over y from the arc to a height h above it, by index, which `_complete` completes.
+def over_height(x: Floats, c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
+    """Yield the integrals over y from the arc to a height h above it, in order, by index.
 
-    `c` is the cosine of the direction, and lengths are over R.
+    `x` and `c` are sine and cosine of the direction, and lengths are over R.
     """
     chord = 2.0 * c - h
     gap = h * chord  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
-    ratio = (inward + h) / (rho + c - h)
     yield RADIAL_Y, -inward
-    yield RADIAL_X, np.log1p(ratio)
-    yield POLAR, h * rho
+    ratio = (inward + h) / (rho + c - h)
+    radial_x = x * np.log1p(ratio)
+    yield RADIAL_X, radial_x
+    yield POLAR, (h * rho + x * radial_x + c * inward) / 2
     yield HEAD, h / c
     yield AREA, h
     yield INERTIA, h * h * (h / 3 - c) + h
-    yield MOMENT_X, h
+    yield MOMENT_X, x * h
     yield MOMENT_Y, gap / -2
-
-
-def _complete(total: Floats, x: Floats, c: Floats) -> None:
-    """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once.
-
-    `total` has the first integrals, three at least, as first axis and is changed. `x` and `c` are sine and cosine of
-    the directions.
-    """
-    radial_y, radial_x, polar, *_ = total
-    radial_x *= x
-    polar += x * radial_x
-    polar -= c * radial_y
-    polar /= 2
-    total[MOMENT_X:MOMENT_Y] *= x
 
 
 def _of_pressure(x: Floats, y: Floats) -> Iterator[tuple[int, Floats]]:
