@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b65da488f1f7416eee1036aacfe5b1a698eb5d653c99a74b2276dfa05b9e18a5"
+#define DIGEST "bf5b9e424b2b5c2849ac258538412d70c9bc25ce1684f30946fbacc348ebb5ed"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole;
 } Roles;
 
 typedef struct {
@@ -680,13 +680,25 @@ APART V by_lanes(double f(double), V x)
     return x;
 }
 
+/* log(1 + x): 1 + x = 2^k (1 + f) with |f| < 0.42, and twice the series of artanh(f / (2 + f)). */
+APART V log1p_of(V x)
+{
+    if (bits((x > -1.0) & (x < 0x1p1000)) != ALL) return by_lanes(log1p, x);
+    const V y = 1.0 + x;
+    const M n = ((M)y - INT64_C(0x3fe6a09e667f3bcd)) >> 52;
+    const V per = (V)((INT64_C(1023) - n) << 52), k = (V)(n + (M)broadcast(TO_INTEGER)) - TO_INTEGER;
+    const V f = (y * per - 1.0) + (x - (y - 1.0)) * per, s = f / (2.0 + f), z = s * s;
+    V p = broadcast(2 / 21.0);
+    for (int j = 19; j > 1; j -= 2) p = p * z + 2.0 / j;
+    return k * 0x1.62e42ffp-1 + (2.0 * s + (s * z * p - k * 0x1.718432a1b0e26p-35));
+}
+
 INLINE V sin_of(V x) { V s, c; sine_cosine(x, &s, &c); return s; }
 INLINE V cos_of(V x) { V s, c; sine_cosine(x, &s, &c); return c; }
 INLINE V tan_of(V x) { V s, c; sine_cosine(x, &s, &c); return s / c; }
 INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
-INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
 INLINE V sqrt_of(V x)
 {
 #if WIDE == 512
@@ -1422,8 +1434,8 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 
 static const double SINES[] = {0.0, 0.009607359798384776, 0.03806023374435662, 0.08426519384872735, 0.14644660940672624, 0.22221488349019888, 0.3086582838174551, 0.40245483899193585, 0.4999999999999999};
 static const double COSINES[] = {0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, 0.25, 0.46193976625564337, 0.3535533905932738, 0.1913417161825449, 0.0, -0.1913417161825449, -0.3535533905932738, -0.46193976625564337, -0.25, 0.16666666666666666, 0.2771565374341817, 0.12756114412169658, -0.06503010733870943, -0.23570226039551587, -0.3269284268010768, -0.30795984417042893, -0.18519007767320073, 0.0, 0.125, 0.1767766952966369, 0.0, -0.1767766952966369, -0.25, -0.1767766952966369, 0.0, 0.1767766952966369, 0.125, 0.1, 0.11111404660392044, -0.07653668647301795, -0.1961570560806461, -0.1414213562373095, 0.03901806440322565, 0.18477590650225734, 0.16629392246050906, 0.0, 0.08333333333333333, 0.06378057206084829, -0.11785113019775793, -0.15397992208521447, 0.0, 0.15397992208521447, 0.11785113019775793, -0.06378057206084829, -0.08333333333333333, 0.07142857142857142, 0.027870046002304038, -0.13198279035875524, -0.07936717614565746, 0.10101525445522108, 0.11878137318607788, -0.054669061766441394, -0.1401121829147472, 0.0, 0.0625, 0.0, -0.125, 0.0, 0.125, 0.0, -0.125, 0.0, 0.0625, 0.05555555555555555, -0.021676702446236474, -0.10265328139014297, 0.06173002589106691, 0.07856742013183862, -0.09238551247806058, -0.042520381373898866, 0.10897614226702561, 0.0, 0.05, -0.038268343236508975, -0.07071067811865475, 0.09238795325112867, 0.0, -0.09238795325112867, 0.07071067811865475, 0.038268343236508975, -0.05, 0.045454545454545456, -0.050506384819963834, -0.03478940294228089, 0.08916229821847549, -0.0642824346533225, -0.017735483819648026, 0.08398904841011698, -0.07558814657295866, 0.0, 0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, 0.041666666666666664, 0.038461538461538464, -0.06395920094634963, 0.029437187105006906, 0.015006947847394482, -0.05439282932204212, 0.07544502156947927, -0.07106765634702206, 0.04273617177073863, 0.0, 0.03571428571428571, -0.06599139517937762, 0.05050762722761054, -0.027334530883220697, 0.0, 0.027334530883220697, -0.05050762722761054, 0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783, -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0, 0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125};
-static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306};
-#define LAST_OF_ARCSINE 20
+static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363};
+#define LAST_OF_ARCSINE 16
 #define SHORTEST 12
 static const double NODES[] = {0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
 static const double SHARES[] = {0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
@@ -1456,6 +1468,14 @@ static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
+#define HALF 12
+#define LEAST 0x1.bff2ee48e0530p-333
+#define SHIFT 5
+#define FIRST 6
+#define POLE 7
+#define POWER 8
+#define LOAD 33
+#define NET 36
 #define TERMS 8
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
@@ -1463,13 +1483,12 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define PER_STEP 0x1.0000000000000p+2
 #define PER_STEP_TO_ROUNDING 0x1.d8e64b8d4ddaep+2
 #define BENT 0x1.4cccccccccccdp-2
-#define SHIFT 5
-#define FIRST 6
+#define CLOSER_TO_POLE 0x1.8000000000000p+1
+#define LEAST_EXPONENT -0x1.0000000000000p-1
+#define COMPLETE 0x1.8000000000000p+2
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
-#define LOAD 33
-#define NET 36
 #define PI 0x1.921fb54442d18p+1
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
@@ -1477,9 +1496,12 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define CLEAR 0x1.47ae147ae147bp-7
 #define MOST_CORRECTIONS 12
 #define LAST_OF_NEWTON 0x1.0000000000000p-26
+#define CLOSE_TO_REST 0x1.0000000000000p-40
 #define PAIRS 8
+#define LONG 17
+#define NEAR_MIDDLE 0x1.999999999999ap-2
 #define QUARTER 0x1.921fb54442d18p-1
-#define LAST_OF_COARSE 0x1.0000000000000p-32
+#define LAST_OF_COARSE 0x1.0000000000000p-31
 #define LAST_OF_FINE 0x1.0000000000000p-42
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
@@ -3575,7 +3597,7 @@ static void turn_on(Batch *b, M here)
     }
     V duration = before + after;
     V until = c[TIME] + duration;
-    M stands = c[STEP] == 0.0;
+    M stands = (c[STEP] == 0.0) & (c[EVENT] == (double)EVENT_STANDSTILL);
     M regular = (duration > BRIEFEST) | stands;
     M fits = here & regular & (until < c[END_TIME]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
@@ -3708,6 +3730,63 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
+/* Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning. */
+INLINE void expand_right_side(Batch *b, V *e, V drive)
+{
+    V q = e[4];
+    V sine = e[NET + 1] + (e[FIRST] * e[LOAD + 1]);
+    V vers = e[NET + 2] + (e[FIRST] * e[LOAD + 2]);
+    V fading = broadcast(2.0);
+    V even = broadcast(2.0);
+    V odd = broadcast(0.0);
+    V before = broadcast(0.0);
+    for (int k = 0; k <= 2 * HALF; k++) {
+        V versine = fading - even;
+        V whole = (drive * fading) + ((sine * odd) + (vers * versine));
+        e[POWER + k] = (e[POLE] * whole) + before;
+        before = (e[NET] * fading) + ((e[NET + 1] * odd) + (e[NET + 2] * versine));
+        V of_sine = (odd * q) + even;
+        V of_cosine = (even * q) - odd;
+        fading = (fading * q) * b->inverse[k + 1];
+        even = of_cosine * b->inverse[k + 1];
+        odd = of_sine * b->inverse[k + 1];
+    }
+}
+
+/* Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning. */
+INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
+{
+    e[4] = q;
+    e[SHIFT] = pick(e[SHIFT] == 0.0, broadcast(LEAST), e[SHIFT]);
+    expand_right_side(b, e, drive);
+    V higher = broadcast(0.0);
+    for (int k = 2 * HALF; k >= 1; k--) {
+        V per = 1.0 / (e[SHIFT] + (double)k);
+        V shrink = ((double)(k + 1) * e[POLE]) * per;
+        higher = (e[POWER + k] * per) - (shrink * higher);
+        e[POWER + k] = higher;
+    }
+    V weight = e[POWER] - (e[POLE] * higher);
+    e[POWER] = (-weight) / e[SHIFT];
+}
+
+/* Return E, and compute x in place 0, where the logarithm of 1 + x/pole is ``passed``. */
+INLINE V hyperbolic_energy(V *e, V *f, V passed)
+{
+    V x = e[POLE] * expm1_of(passed);
+    f[0] = x;
+    V square = x * x;
+    V even = e[POWER + (2 * HALF)];
+    V odd = e[(POWER + (2 * HALF)) - 1];
+    for (int k = HALF - 1; k >= 1; k--) {
+        even = (even * square) + e[POWER + (2 * k)];
+        odd = (odd * square) + e[(POWER + (2 * k)) - 1];
+    }
+    V series = x * (odd + (x * even));
+    V singular = e[POWER] * expm1_of((-e[SHIFT]) * passed);
+    return (1.0 + expm1_of((-e[4]) * x)) * (series + singular);
+}
+
 /* Compute the factors of all terms from the numbers of the net moment without the load, and of the load. */
 INLINE void factors_of_terms(V *e, V q, V rate)
 {
@@ -3742,6 +3821,12 @@ INLINE void softening_factors(Batch *b, V *e)
     e[NET + 1] = c[job->role->net_sine] - c[job->role->net_loss_sine];
     e[NET + 2] = c[job->role->net_vers] - c[job->role->net_loss_vers];
     V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
+    if (job->role->per_pole >= 0) {
+        e[0] = 2.0 * e[NET];
+        e[POLE] = 1.0 / c[job->role->per_pole];
+        hyperbolic_factors(b, e, q, c[job->role->drive]);
+        return;
+    }
     factors_of_terms(e, q, c[job->role->loss_rate]);
 }
 
@@ -3755,6 +3840,12 @@ INLINE void factors_about_end(Batch *b, V *back, V *e, V *f)
     back[FIRST] = 1.0 + f[4];
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f);
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f);
+    if (job->role->per_pole >= 0) {
+        back[POLE] = (-e[POLE]) - f[0];
+        V drive = back[NET] + (back[FIRST] * back[LOAD]);
+        hyperbolic_factors(b, back, -e[4], drive);
+        return;
+    }
     factors_of_terms(back, -e[4], -c[job->role->loss_rate]);
 }
 
@@ -3764,17 +3855,25 @@ INLINE M series_suffices(Batch *b, V *e)
     const Job *const job = b->job;
     V *const c = b->c;
     M driven = magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]);
+    if (job->role->per_pole >= 0) {
+        return driven & (e[SHIFT] > LEAST_EXPONENT);
+    }
     M converges = magnitude(e[SHIFT]) <= GREATEST;
     M resonates = ((2.0 * e[4]) + c[job->role->loss_rate]) >= 0.0;
     return driven & converges & ~resonates;
 }
 
-/* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
+/* Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1. */
 INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     functions(f, x, magnitude(e[4]));
+    if (job->role->per_pole >= 0) {
+        V change = c[job->role->loss_rate] * x;
+        f[4] = change / (1.0 - change);
+        return;
+    }
     f[4] = expm1_of(c[job->role->loss_rate] * x);
 }
 
@@ -3817,13 +3916,29 @@ INLINE V softening_energy(V *e, V *f)
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
+/* Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole. */
+INLINE V passed_to(Batch *b, V x)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->per_pole >= 0) {
+        return log1p_of(c[job->role->per_pole] * x);
+    }
+    return x;
+}
+
 /* Compute E and its first two derivatives behind the functions of which it consists. */
 INLINE void soften(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     softening_functions(b, e, f, x);
-    V at = softening_energy(e, f);
+    V left = 1.0 + f[4];
+    V rate = c[job->role->loss_rate] * left;
+    if (job->role->per_pole >= 0) {
+        rate = rate * left;
+    }
+    V at = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
     V sine = f[0] - f[3];
     V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
     V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
@@ -3836,13 +3951,29 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
     f[5] = at;
     f[6] = slope;
-    V softens = (c[job->role->loss_rate] * (1.0 + f[4])) * loss;
-    f[7] = 2.0 * (turns + softens);
+    f[7] = 2.0 * (turns + (rate * loss));
+}
+
+/* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
+INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
+{
+    const Job *const job = b->job;
+    f[5] = broadcast(1.0);
+    if (job->role->per_pole >= 0) {
+        V at = hyperbolic_energy(e, f, part ? -past : past);
+        f[5] = magnitude(e[POLE] + f[0]);
+        return at;
+    }
+    softening_functions(b, e, f, past);
+    if (part) {
+        count_from_end(b, e, f, end - past);
+    }
+    return softening_energy(e, f);
 }
 
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
- * distances to both rests. E rises from node to node. */
+ * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node. */
 INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
     const Job *const job = b->job;
@@ -3860,12 +3991,8 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         V other = 1.0 + (bend * (1.0 - NODES[k]));
         V share = 1.0 / (here + (other * other));
         V past = end * (here * share);
-        softening_functions(b, e, f, past);
-        if (part) {
-            count_from_end(b, e, f, end - past);
-        }
-        V at = softening_energy(e, f);
-        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
+        V at = energy_past(b, e, f, past, end, part);
+        V slowness = (((share * share) * (other * NODES[k])) * f[5]) / sqrt_of(at);
         total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
         lower = at;
         last = last + (LAST_SHARES[k] * slowness);
@@ -3884,17 +4011,25 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V unit = peak / (end - peak);
+    V to_peak = passed_to(b, peak);
+    V to_end = passed_to(b, end);
+    V unit = to_peak / (to_end - to_peak);
     V softened = 1.0 - (peak * c[job->role->loss_rate]);
     V unchanged = pick(c[FACTOR] < 0.2, broadcast(PER_STEP_TO_ROUNDING), broadcast(PER_STEP));
     V change = c[FACTOR] * unchanged;
     V bend = (change * BENT) * sqrt_of(softened);
-    V before = time_of_part(b, e, end, unit, bend, 0);
+    if (job->role->per_pole >= 0) {
+        bend = change * CLOSER_TO_POLE;
+        V reach = end + e[POLE];
+        M complete = ((1.0 + (e[4] * e[4])) * (reach * reach)) < COMPLETE;
+        to_end = pick(complete, to_end, broadcast(INFINITY));
+    }
+    V before = time_of_part(b, e, to_end, unit, bend, 0);
     V f[STRIDE];
     V back[STRIDE];
     softening_functions(b, e, f, end);
     factors_about_end(b, back, e, f);
-    V after = time_of_part(b, back, end, 1.0 / unit, change - 1.0, 1);
+    V after = time_of_part(b, back, to_end, 1.0 / unit, change - 1.0, 1);
     return (Pair){before, (before + after)};
 }
 
@@ -4021,30 +4156,13 @@ INLINE V mean_of(V *both, int pairs, int by)
     return total / (double)(2 * pairs);
 }
 
-/* Return u from -cos(2 u) and sin(2 u), by the series of the arcsine. */
-INLINE V angle_of(V place, V sine)
+/* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
+ * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
+ * sums of ``odd``. */
+INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
 {
-    V z = place / sqrt_of(2.0 + (2.0 * sine));
-    V square = z * z;
-    V total = broadcast(0.0);
-    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
-        total = (total * square) + ARCSINE[k];
-    }
-    return QUARTER + (z * total);
-}
-
-/* Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes. Its
- * even coefficients are sums of ``both``, and its odd coefficients sums of ``odd``. */
-INLINE V time_to(V x, V end, V *both, V *odd, int pairs, int by)
-{
-    V left = end - x;
-    V place = (x - left) / end;
-    V sine = (2.0 * sqrt_of(x * left)) / end;
-    V angle = angle_of(place, sine);
-    V total = (2.0 * mean_of(both, pairs, by)) * angle;
-    V twice = (-2.0) * place;
-    V previous = broadcast(0.0);
-    V waves = broadcast(0.0);
+    V scale = broadcast(1.0 / (double)pairs);
+    w[0] = pick(here, mean_of(both, pairs, by), w[0]);
     for (int j = 1; j <= pairs; j++) {
         V of_odd = broadcast(0.0);
         V of_even = broadcast(0.0);
@@ -4056,22 +4174,79 @@ INLINE V time_to(V x, V end, V *both, V *odd, int pairs, int by)
             of_even = of_even + (COSINES[even_row + node] * both[node]);
         }
         V last = broadcast((j == pairs) ? 0.5 : 1.0);
-        V following = (twice * sine) - previous;
-        V odd_wave = sine * of_odd;
-        V even_wave = following * (last * of_even);
-        waves = waves + (odd_wave + even_wave);
-        sine = (twice * following) - sine;
-        previous = following;
+        w[(2 * j) - 1] = pick(here, scale * of_odd, w[(2 * j) - 1]);
+        w[2 * j] = pick(here, (scale * last) * of_even, w[2 * j]);
     }
-    return total + (waves / (double)pairs);
 }
 
-/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Halving the
- * intervals shows the last coefficient of the series of cosines, which is larger than the relative error of the
- * first time and the root of that of the second. */
-INLINE Pair durations_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
+/* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
+ * -cos(2 u) and sin(2 u). */
+INLINE Pair time_at(V *w, V u, V place, V sine)
+{
+    int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
+    V twice = (-2.0) * place;
+    V cosine = -place;
+    V sine_before = broadcast(0.0);
+    V cosine_before = broadcast(1.0);
+    V time = (2.0 * w[0]) * u;
+    V slope = 2.0 * w[0];
+    for (int m = 1; m <= top; m++) {
+        time = time + (w[m] * sine);
+        slope = slope + (((double)(2 * m) * w[m]) * cosine);
+        V sine_after = (twice * sine) - sine_before;
+        V cosine_after = (twice * cosine) - cosine_before;
+        sine_before = sine;
+        cosine_before = cosine;
+        sine = sine_after;
+        cosine = cosine_after;
+    }
+    return (Pair){time, slope};
+}
+
+/* Return u from -cos(2 u) and sin(2 u), by the series of the arcsine, and a correction where it is incomplete. */
+INLINE V angle_of(V place, V sine)
+{
+    V z = place / sqrt_of(2.0 + (2.0 * sine));
+    V square = z * z;
+    V total = broadcast(0.0);
+    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
+        total = (total * square) + ARCSINE[k];
+    }
+    V u = QUARTER + (z * total);
+    M far = magnitude(z) > NEAR_MIDDLE;
+    if (bits(far)) {
+        const Pair lag_versine = turned(2.0 * u);
+        V lag = lag_versine.one, versine = lag_versine.other;
+        V excess = (place * ((2.0 * u) - lag)) + (sine * (1.0 - versine));
+        u = pick(far, u + (0.5 * excess), u);
+    }
+    return u;
+}
+
+/* Return the time from rest to a rotation. */
+INLINE V time_to(V *w, V x, V end)
+{
+    V left = end - x;
+    V place = (x - left) / end;
+    V sine = (2.0 * sqrt_of(x * left)) / end;
+    V u = angle_of(place, sine);
+    const Pair time__ = time_at(w, u, place, sine);
+    V time = time__.one, _ = time__.other;
+    return time;
+}
+
+/* Return whether the last two coefficients of the series of the time are too large for the accuracy of lanes. */
+INLINE M is_uneven(Batch *b, V *w, int n)
 {
     const Job *const job = b->job;
+    V most = broadcast((job->order > FINEST) ? LAST_OF_FINE : LAST_OF_COARSE);
+    V last = magnitude(w[n - 1]) + magnitude(w[n]);
+    return ~(last <= (most * w[0]));
+}
+
+/* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
+INLINE V duration_of_swing(Batch *b, V *e, V *back, V end, V *w, M which)
+{
     V both[STRIDE];
     V odd[STRIDE];
     V near = sqrt_of(end / e[0]);
@@ -4081,35 +4256,20 @@ INLINE Pair durations_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
     for (int k = 1; k <= 4; k++) {
         add_node(e, back, end, both, odd, 2 * k);
     }
-    V coarse = mean_of(both, 2, 4);
-    V mean = mean_of(both, 4, 2);
-    V before = time_to(peak, end, both, odd, 4, 2);
-    V most = broadcast((job->order > FINEST) ? LAST_OF_FINE : LAST_OF_COARSE);
-    V last = magnitude(mean - coarse) / mean;
-    M unsure = which & (last > most);
+    for (int m = 0; m <= LONG; m++) {
+        w[m] = broadcast(0.0);
+    }
+    find_waves(w, which, both, odd, 4, 2);
+    M unsure = which & is_uneven(b, w, 8);
     if (bits(unsure)) {
         for (int k = 1; k <= 4; k++) {
             add_node(e, back, end, both, odd, (2 * k) - 1);
         }
-        V finer = mean_of(both, 8, 1);
-        V change = magnitude(finer - mean) / finer;
-        last = pick(unsure, change, last);
-        mean = pick(unsure, finer, mean);
-        V later = time_to(peak, end, both, odd, 8, 1);
-        before = pick(unsure, later, before);
+        find_waves(w, unsure, both, odd, 8, 1);
+        w[LONG] = pick(unsure, broadcast(1.0), broadcast(0.0));
+        unsure = unsure & is_uneven(b, w, 16);
     }
-    V whole = PI * mean;
-    return (Pair){before, pick(last <= most, whole, broadcast(INFINITY))};
-}
-
-/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. */
-INLINE Pair times_of_swing(Batch *b, V *e, V *back, V end, V peak, M which)
-{
-    const Job *const job = b->job;
-    if (SOFTENS(job->role)) {
-        return duration_of_softening(b, e, end, peak);
-    }
-    return durations_of_swing(b, e, back, end, peak, which);
+    return pick(unsure, broadcast(INFINITY), PI * w[0]);
 }
 
 /* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
@@ -4132,8 +4292,8 @@ INLINE void rest(Batch *b, M here, V *back, V *f)
     stick(b, here);
 }
 
-/* Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``. */
-INLINE void finish(Batch *b, M here, V *e, V end, V duration, V peak, V before)
+/* Record the greatest speed, which lanes reach at the rotation ``peak``, after the time ``before``. */
+INLINE void pass_peak(Batch *b, M here, V *e, V peak, V before)
 {
     V *const c = b->c;
     V f[STRIDE];
@@ -4141,12 +4301,88 @@ INLINE void finish(Batch *b, M here, V *e, V end, V duration, V peak, V before)
     V speed = sqrt_of(f[5]);
     V then = c[TIME] + before;
     keep_faster(b, here, speed, then, peak, 0.5 * f[6]);
+}
+
+/* Bring lanes to rest at the end of their phase. */
+INLINE void finish(Batch *b, M here, V end, V duration)
+{
+    V *const c = b->c;
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
     c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
     c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     on_standstill(b, here);
+}
+
+/* End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time. */
+static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
+{
+    V *const c = b->c;
+    V time = c[END_TIME] - c[TIME];
+    V u = (0.5 * time) / w[0];
+    const Pair lag_versine = turned(2.0 * u);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    M asked = here;
+    int count = 0;
+    while (bits(asked) && (count < MOST_CORRECTIONS)) {
+        const Pair then_slope = time_at(w, u, versine - 1.0, (2.0 * u) - lag);
+        V then = then_slope.one, slope = then_slope.other;
+        V change = (time - then) / slope;
+        u = pick(asked, u + change, u);
+        asked = asked & (magnitude(change) > (LAST_OF_NEWTON * u));
+        const Pair lag_there_versine_there = turned(2.0 * u);
+        V lag_there = lag_there_versine_there.one, versine_there = lag_there_versine_there.other;
+        lag = 1.0 * lag_there;
+        versine = 1.0 * versine_there;
+        count = count + 1;
+    }
+    V x = (0.5 * end) * versine;
+    V f[STRIDE];
+    functions(f, x, e[4]);
+    V square = energy(e, f);
+    V rate = 0.5 * slope_of(e, f);
+    functions(f, end - x, e[4]);
+    reverse(f, e[4]);
+    square = pick(versine > 1.0, energy(back, f), square);
+    c[X] = pick(here, x, c[X]);
+    c[OMEGA] = pick(here, sqrt_of(square), c[OMEGA]);
+    c[TIME] = pick(here, c[END_TIME], c[TIME]);
+    c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
+    keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
+    end_motion(b, here, rate, broadcast(ENDED));
+}
+
+/* Complete phases under constant friction, up to rest or the end time, and return these lanes. ``f`` has the
+ * functions of E at the end of the phase. */
+static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
+{
+    V *const c = b->c;
+    V w[STRIDE];
+    V duration = duration_of_swing(b, e, back, end, w, fits);
+    V before = time_to(w, peak, end);
+    V until = c[TIME] + duration;
+    M rests = fits & (until < c[END_TIME]);
+    M ends = fits & (until < INFINITY) & (until > (c[END_TIME] * (1.0 + CLOSE_TO_REST)));
+    pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), e, peak, before);
+    finish(b, rests, end, duration);
+    rest(b, rests, back, f);
+    if (bits(ends)) {
+        end_within(b, ends, e, back, w, end);
+    }
+    return rests | ends;
+}
+
+/* Complete phases under exponential softening, up to rest before the end time, and return these lanes. */
+INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
+{
+    V *const c = b->c;
+    const Pair before_duration = duration_of_softening(b, e, end, peak);
+    V before = before_duration.one, duration = before_duration.other;
+    fits = fits & ((c[TIME] + duration) < c[END_TIME]);
+    pass_peak(b, fits, e, peak, before);
+    finish(b, fits, end, duration);
+    return fits;
 }
 
 /* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
@@ -4182,17 +4418,14 @@ static M swing(Batch *b, M which)
         fits = fits & (back[0] > 0.0);
     }
     fits = fits & has_closed_form(b, f, q);
-    if (bits(fits)) {
-        peak = peak_of_swing(b, e, peak, end, fits);
-        const Pair before_duration = times_of_swing(b, e, back, end, peak, fits);
-        V before = before_duration.one, duration = before_duration.other;
-        fits = fits & ((c[TIME] + duration) < c[END_TIME]);
-        finish(b, fits, e, end, duration, peak, before);
-        if (!softens) {
-            rest(b, fits, back, f);
-        }
+    if (!bits(fits)) {
+        return fits;
     }
-    return fits;
+    peak = peak_of_swing(b, e, peak, end, fits);
+    if (softens) {
+        return complete_softening(b, fits, e, end, peak);
+    }
+    return complete_swing(b, fits, e, back, f, end, peak);
 }
 
 /* Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead. */

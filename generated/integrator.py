@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fdab44c666adf0b10b25b791cdda09983e23462ef4a2027031b0a3c3881d68a7
+# sha256 of the text below: 90cc33ca4249231278f2fdebadb4b7e49e355d14ab0f8471df20f8d5d50b09ab
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -292,8 +292,8 @@ COSINES = (0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304,
 ARCSINE = (1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092,
     0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815,
     0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096,
-    0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306)
-LAST_OF_ARCSINE = 20
+    0.004240907093679363)
+LAST_OF_ARCSINE = 16
 SHORTEST = 12
 NODES = (0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994,
     0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523,
@@ -395,6 +395,14 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
     -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
     -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
     -7.647163731819816e-13, 4.779477332387385e-14)
+HALF = 12
+LEAST = 1e-100
+SHIFT = 5
+FIRST = 6
+POLE = 7
+POWER = 8
+LOAD = 33
+NET = 36
 TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
@@ -402,13 +410,12 @@ ALIKE = 3.814697265625e-06
 PER_STEP = 4.0
 PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325
-SHIFT = 5
-FIRST = 6
+CLOSER_TO_POLE = 3.0
+LEAST_EXPONENT = -0.5
+COMPLETE = 6.0
 CONSTANT = 8
 SINE = 16
 VERS = 24
-LOAD = 33
-NET = 36
 PI = 3.141592653589793
 FARTHEST = 3.14
 FADED = 2.0
@@ -416,9 +423,12 @@ LAST_OF_HALLEY = 3.814697265625e-06
 CLEAR = 0.01
 MOST_CORRECTIONS = 12
 LAST_OF_NEWTON = 1.4901161193847656e-08
+CLOSE_TO_REST = 9.094947017729282e-13
 PAIRS = 8
+LONG = 17
+NEAR_MIDDLE = 0.4
 QUARTER = 0.7853981633974483
-LAST_OF_COARSE = 2.3283064365386963e-10
+LAST_OF_COARSE = 4.656612873077393e-10
 LAST_OF_FINE = 2.2737367544323206e-13
 TOUCHES = 2.0
 TOGETHER = 1e-09
@@ -2175,7 +2185,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
         count = count + 1
     duration = before + after
     until = c[ix.TIME] + duration
-    stands = c[ix.STEP] == 0.0
+    stands = (c[ix.STEP] == 0.0) & (c[ix.EVENT] == ix.EVENT_STANDSTILL)
     regular = (duration > BRIEFEST) | stands
     fits = here & regular & (until < c[ix.END_TIME])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
@@ -2291,6 +2301,57 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = rest / faded_by
 
 
+def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
+    """Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning."""
+    q = e[4]
+    sine = e[NET + 1] + e[FIRST] * e[LOAD + 1]
+    vers = e[NET + 2] + e[FIRST] * e[LOAD + 2]
+    fading: Floats = 2.0
+    even: Floats = 2.0
+    odd: Floats = 0.0
+    before: Floats = 0.0
+    for k in range(2 * HALF + 1):
+        versine = fading - even
+        whole = drive * fading + (sine * odd + vers * versine)
+        e[POWER + k] = e[POLE] * whole + before
+        before = e[NET] * fading + (e[NET + 1] * odd + e[NET + 2] * versine)
+        of_sine = odd * q + even
+        of_cosine = even * q - odd
+        fading = fading * q * (1.0 / (k + 1))
+        even = of_cosine * (1.0 / (k + 1))
+        odd = of_sine * (1.0 / (k + 1))
+
+
+def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
+    """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[4] = q
+    e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
+    expand_right_side(s, e, drive)
+    higher: Floats = 0.0
+    for k in range(2 * HALF, 1 - 1, -1):
+        per = 1.0 / (e[SHIFT] + float(k))
+        shrink = float(k + 1) * e[POLE] * per
+        higher = e[POWER + k] * per - shrink * higher
+        e[POWER + k] = higher
+    weight = e[POWER] - e[POLE] * higher
+    e[POWER] = -weight / e[SHIFT]
+
+
+def hyperbolic_energy(e: Floats, f: Floats, passed: Floats) -> Floats:
+    """Return E, and compute x in place 0, where the logarithm of 1 + x/pole is ``passed``."""
+    x = e[POLE] * np.expm1(passed)
+    f[0] = x
+    square = x * x
+    even = e[POWER + 2 * HALF]
+    odd = e[POWER + 2 * HALF - 1]
+    for k in range(HALF - 1, 1 - 1, -1):
+        even = even * square + e[POWER + 2 * k]
+        odd = odd * square + e[POWER + 2 * k - 1]
+    series = x * (odd + x * even)
+    singular = e[POWER] * np.expm1(-e[SHIFT] * passed)
+    return (1.0 + np.expm1(-e[4] * x)) * (series + singular)
+
+
 def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
     """Compute the factors of all terms from the numbers of the net moment without the load, and of the load."""
     factors(e, e[NET], e[NET + 1], e[NET + 2], q)
@@ -2321,6 +2382,11 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     e[NET + 1] = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
     e[NET + 2] = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
+    if s.roles.per_pole >= 0:
+        e[0] = 2.0 * e[NET]
+        e[POLE] = 1.0 / c[s.roles.per_pole]
+        hyperbolic_factors(s, e, q, c[s.roles.drive])
+        return
     factors_of_terms(e, q, c[s.roles.loss_rate])
 
 
@@ -2331,6 +2397,11 @@ def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
     back[FIRST] = 1.0 + f[4]
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
+    if s.roles.per_pole >= 0:
+        back[POLE] = -e[POLE] - f[0]
+        drive = back[NET] + back[FIRST] * back[LOAD]
+        hyperbolic_factors(s, back, -e[4], drive)
+        return
     factors_of_terms(back, -e[4], -c[s.roles.loss_rate])
 
 
@@ -2338,15 +2409,21 @@ def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
     driven = np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive]
+    if s.roles.per_pole >= 0:
+        return driven & (e[SHIFT] > LEAST_EXPONENT)
     converges = np.abs(e[SHIFT]) <= GREATEST
     resonates = 2.0 * e[4] + c[s.roles.loss_rate] >= 0.0
     return driven & converges & np.logical_not(resonates)
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
+    """Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1."""
     c = s.cells
     functions(f, x, np.abs(e[4]))
+    if s.roles.per_pole >= 0:
+        change = c[s.roles.loss_rate] * x
+        f[4] = change / (1.0 - change)
+        return
     f[4] = np.expm1(c[s.roles.loss_rate] * x)
 
 
@@ -2384,11 +2461,23 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
     return grown * (energy(e, f) + (terms + faded_part))
 
 
+def passed_to(s: Lanes, x: Floats) -> Floats:
+    """Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole."""
+    c = s.cells
+    if s.roles.per_pole >= 0:
+        return np.log1p(c[s.roles.per_pole] * x)
+    return x
+
+
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
     c = s.cells
     softening_functions(s, e, f, x)
-    at = softening_energy(e, f)
+    left = 1.0 + f[4]
+    rate = c[s.roles.loss_rate] * left
+    if s.roles.per_pole >= 0:
+        rate = rate * left
+    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
     sine = f[0] - f[3]
     of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
     of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
@@ -2401,8 +2490,20 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
     f[6] = slope
-    softens = c[s.roles.loss_rate] * (1.0 + f[4]) * loss
-    f[7] = 2.0 * (turns + softens)
+    f[7] = 2.0 * (turns + rate * loss)
+
+
+def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
+    """Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5."""
+    f[5] = 1.0
+    if s.roles.per_pole >= 0:
+        at = hyperbolic_energy(e, f, -past if part else past)
+        f[5] = np.abs(e[POLE] + f[0])
+        return at
+    softening_functions(s, e, f, past)
+    if part:
+        count_from_end(s, e, f, end - past)
+    return softening_energy(e, f)
 
 
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
@@ -2421,11 +2522,8 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        softening_functions(s, e, f, past)
-        if part:
-            count_from_end(s, e, f, end - past)
-        at = softening_energy(e, f)
-        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
+        at = energy_past(s, e, f, past, end, part)
+        slowness = share * share * (other * NODES[k]) * f[5] / np.sqrt(at)
         total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
@@ -2440,17 +2538,24 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
 def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     c = s.cells
-    unit = peak / (end - peak)
+    to_peak = passed_to(s, peak)
+    to_end = passed_to(s, end)
+    unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * c[s.roles.loss_rate]
     unchanged = np.where(c[ix.FACTOR] < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
     change = c[ix.FACTOR] * unchanged
     bend = change * BENT * np.sqrt(softened)
-    before = time_of_part(s, e, end, unit, bend, 0)
+    if s.roles.per_pole >= 0:
+        bend = change * CLOSER_TO_POLE
+        reach = end + e[POLE]
+        complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
+        to_end = np.where(complete, to_end, INFINITY)
+    before = time_of_part(s, e, to_end, unit, bend, 0)
     f = np.zeros((ix.STRIDE, e.shape[1]))
     back = np.zeros((ix.STRIDE, e.shape[1]))
     softening_functions(s, e, f, end)
     factors_about_end(s, back, e, f)
-    after = time_of_part(s, back, end, 1.0 / unit, change - 1.0, 1)
+    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1)
     return (before, before + after)
 
 
@@ -2561,26 +2666,10 @@ def mean_of(both: Floats, pairs: int, by: int) -> Floats:
     return total / float(2 * pairs)
 
 
-def angle_of(place: Floats, sine: Floats) -> Floats:
-    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine."""
-    z = place / np.sqrt(2.0 + 2.0 * sine)
-    square = z * z
-    total: Floats = 0.0
-    for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
-        total = total * square + ARCSINE[k]
-    return QUARTER + z * total
-
-
-def time_to(x: Floats, end: Floats, both: Floats, odd: Floats, pairs: int, by: int) -> Floats:
-    """Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes."""
-    left = end - x
-    place = (x - left) / end
-    sine = 2.0 * np.sqrt(x * left) / end
-    angle = angle_of(place, sine)
-    total = 2.0 * mean_of(both, pairs, by) * angle
-    twice = -2.0 * place
-    previous: Floats = 0.0
-    waves: Floats = 0.0
+def find_waves(w: Floats, here: Mask, both: Floats, odd: Floats, pairs: int, by: int) -> None:
+    """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule."""
+    scale: Floats = 1.0 / float(pairs)
+    w[0] = np.where(here, mean_of(both, pairs, by), w[0])
     for j in range(1, pairs + 1):
         of_odd: Floats = 0.0
         of_even: Floats = 0.0
@@ -2591,18 +2680,66 @@ def time_to(x: Floats, end: Floats, both: Floats, odd: Floats, pairs: int, by: i
             of_odd = of_odd + COSINES[odd_row + node] * odd[node]
             of_even = of_even + COSINES[even_row + node] * both[node]
         last: Floats = 0.5 if j == pairs else 1.0
-        following = twice * sine - previous
-        odd_wave = sine * of_odd
-        even_wave = following * (last * of_even)
-        waves = waves + (odd_wave + even_wave)
-        sine = twice * following - sine
-        previous = following
-    return total + waves / float(pairs)
+        w[2 * j - 1] = np.where(here, scale * of_odd, w[2 * j - 1])
+        w[2 * j] = np.where(here, scale * last * of_even, w[2 * j])
 
 
-def durations_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats, which: Mask) -> tuple[Floats,
-        Floats]:
-    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
+def time_at(w: Floats, u: Floats, place: Floats, sine: Floats) -> tuple[Floats, Floats]:
+    """Return the time since rest at the rotation end sin(u)^2, and its derivative by u."""
+    top = 2 * PAIRS if np.any(w[LONG] > 0.0) else PAIRS
+    twice = -2.0 * place
+    cosine = -place
+    sine_before: Floats = 0.0
+    cosine_before: Floats = 1.0
+    time = 2.0 * w[0] * u
+    slope = 2.0 * w[0]
+    for m in range(1, top + 1):
+        time = time + w[m] * sine
+        slope = slope + float(2 * m) * w[m] * cosine
+        sine_after = twice * sine - sine_before
+        cosine_after = twice * cosine - cosine_before
+        sine_before = sine
+        cosine_before = cosine
+        sine = sine_after
+        cosine = cosine_after
+    return (time, slope)
+
+
+def angle_of(place: Floats, sine: Floats) -> Floats:
+    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine, and a correction where it is incomplete."""
+    z = place / np.sqrt(2.0 + 2.0 * sine)
+    square = z * z
+    total: Floats = 0.0
+    for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
+        total = total * square + ARCSINE[k]
+    u = QUARTER + z * total
+    far = np.abs(z) > NEAR_MIDDLE
+    if np.any(far):
+        lag, versine = turned(2.0 * u)
+        excess = place * (2.0 * u - lag) + sine * (1.0 - versine)
+        u = np.where(far, u + 0.5 * excess, u)
+    return u
+
+
+def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
+    """Return the time from rest to a rotation."""
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * np.sqrt(x * left) / end
+    u = angle_of(place, sine)
+    time, _ = time_at(w, u, place, sine)
+    return time
+
+
+def is_uneven(s: Lanes, w: Floats, n: int) -> Mask:
+    """Return whether the last two coefficients of the series of the time are too large for the accuracy of lanes."""
+    most: Floats = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
+    last = np.abs(w[n - 1]) + np.abs(w[n])
+    return np.logical_not(last <= most * w[0])
+
+
+def duration_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, w: Floats, which: Mask) -> Floats:
+    """Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``."""
     both = np.zeros((ix.STRIDE, e.shape[1]))
     odd = np.zeros((ix.STRIDE, e.shape[1]))
     near = np.sqrt(end / e[0])
@@ -2611,30 +2748,17 @@ def durations_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Flo
     odd[0] = near - far
     for k in range(1, 4 + 1):
         add_node(e, back, end, both, odd, 2 * k)
-    coarse = mean_of(both, 2, 4)
-    mean = mean_of(both, 4, 2)
-    before = time_to(peak, end, both, odd, 4, 2)
-    most: Floats = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
-    last = np.abs(mean - coarse) / mean
-    unsure = which & (last > most)
+    for m in range(LONG + 1):
+        w[m] = 0.0
+    find_waves(w, which, both, odd, 4, 2)
+    unsure = which & is_uneven(s, w, 8)
     if np.any(unsure):
         for k in range(1, 4 + 1):
             add_node(e, back, end, both, odd, 2 * k - 1)
-        finer = mean_of(both, 8, 1)
-        change = np.abs(finer - mean) / finer
-        last = np.where(unsure, change, last)
-        mean = np.where(unsure, finer, mean)
-        later = time_to(peak, end, both, odd, 8, 1)
-        before = np.where(unsure, later, before)
-    whole = PI * mean
-    return (before, np.where(last <= most, whole, INFINITY))
-
-
-def times_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, peak: Floats, which: Mask) -> tuple[Floats, Floats]:
-    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
-    if s.roles.loss_rate >= 0:
-        return duration_of_softening(s, e, end, peak)
-    return durations_of_swing(s, e, back, end, peak, which)
+        find_waves(w, unsure, both, odd, 8, 1)
+        w[LONG] = np.where(unsure, 1.0, 0.0)
+        unsure = unsure & is_uneven(s, w, 16)
+    return np.where(unsure, INFINITY, PI * w[0])
 
 
 def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
@@ -2654,20 +2778,85 @@ def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
     stick(s, here)
 
 
-def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats, peak: Floats, before: Floats) -> None:
-    """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
+def pass_peak(s: Lanes, here: Mask, e: Floats, peak: Floats, before: Floats) -> None:
+    """Record the greatest speed, which lanes reach at the rotation ``peak``, after the time ``before``."""
     c = s.cells
     f = np.zeros((ix.STRIDE, e.shape[1]))
     evaluate_at(s, e, f, peak)
     speed = np.sqrt(f[5])
     then = c[ix.TIME] + before
     keep_faster(s, here, speed, then, peak, 0.5 * f[6])
+
+
+def finish(s: Lanes, here: Mask, end: Floats, duration: Floats) -> None:
+    """Bring lanes to rest at the end of their phase."""
+    c = s.cells
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
     c[ix.STEPS] = np.where(here, c[ix.STEPS] + 1.0, c[ix.STEPS])
     c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     on_standstill(s, here)
+
+
+def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats) -> None:
+    """End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time."""
+    c = s.cells
+    time = c[ix.END_TIME] - c[ix.TIME]
+    u = 0.5 * time / w[0]
+    lag, versine = turned(2.0 * u)
+    asked = here
+    count = 0
+    while np.any(asked) and count < MOST_CORRECTIONS:
+        then, slope = time_at(w, u, versine - 1.0, 2.0 * u - lag)
+        change = (time - then) / slope
+        u = np.where(asked, u + change, u)
+        asked = asked & (np.abs(change) > LAST_OF_NEWTON * u)
+        lag_there, versine_there = turned(2.0 * u)
+        lag = 1.0 * lag_there
+        versine = 1.0 * versine_there
+        count = count + 1
+    x = 0.5 * end * versine
+    f = np.zeros((ix.STRIDE, e.shape[1]))
+    functions(f, x, e[4])
+    square = energy(e, f)
+    rate = 0.5 * slope_of(e, f)
+    functions(f, end - x, e[4])
+    reverse(f, e[4])
+    square = np.where(versine > 1.0, energy(back, f), square)
+    c[ix.X] = np.where(here, x, c[ix.X])
+    c[ix.OMEGA] = np.where(here, np.sqrt(square), c[ix.OMEGA])
+    c[ix.TIME] = np.where(here, c[ix.END_TIME], c[ix.TIME])
+    c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
+    keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
+    end_motion(s, here, rate, ix.ENDED)
+
+
+def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end: Floats, peak: Floats) -> Mask:
+    """Complete phases under constant friction, up to rest or the end time, and return these lanes."""
+    c = s.cells
+    w = np.zeros((ix.STRIDE, e.shape[1]))
+    duration = duration_of_swing(s, e, back, end, w, fits)
+    before = time_to(w, peak, end)
+    until = c[ix.TIME] + duration
+    rests = fits & (until < c[ix.END_TIME])
+    ends = fits & (until < INFINITY) & (until > c[ix.END_TIME] * (1.0 + CLOSE_TO_REST))
+    pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), e, peak, before)
+    finish(s, rests, end, duration)
+    rest(s, rests, back, f)
+    if np.any(ends):
+        end_within(s, ends, e, back, w, end)
+    return rests | ends
+
+
+def complete_softening(s: Lanes, fits: Mask, e: Floats, end: Floats, peak: Floats) -> Mask:
+    """Complete phases under exponential softening, up to rest before the end time, and return these lanes."""
+    c = s.cells
+    before, duration = duration_of_softening(s, e, end, peak)
+    fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
+    pass_peak(s, fits, e, peak, before)
+    finish(s, fits, end, duration)
+    return fits
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
@@ -2697,14 +2886,12 @@ def swing(s: Lanes, which: Mask) -> Mask:
         peak = peak_of_cubic(e[0], back[0], end)
         fits = fits & (back[0] > 0.0)
     fits = fits & has_closed_form(s, f, q)
-    if np.any(fits):
-        peak = peak_of_swing(s, e, peak, end, fits)
-        before, duration = times_of_swing(s, e, back, end, peak, fits)
-        fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
-        finish(s, fits, e, end, duration, peak, before)
-        if not softens:
-            rest(s, fits, back, f)
-    return fits
+    if not np.any(fits):
+        return fits
+    peak = peak_of_swing(s, e, peak, end, fits)
+    if softens:
+        return complete_softening(s, fits, e, end, peak)
+    return complete_swing(s, fits, e, back, f, end, peak)
 
 
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:

@@ -18,8 +18,18 @@ from derive.check.proof import ProofError
 
 NAME = "flow.wasm.txt"
 COMPILER = "0.17.1"  # version of ziglang, also in `constraints.txt`, which wheels do not contain
+# Calls of small functions take a tenth of the time; written in place they would take an eighth of the module.
 FLAGS = (
-    *("-target", "wasm32-wasi", "-mexec-model=reactor", "-msimd128", "-Os", "-DLEVEL=wasm", "-DWIDE=128"),
+    *(
+        "-target",
+        "wasm32-wasi",
+        "-mexec-model=reactor",
+        "-msimd128",
+        "-Os",
+        "-fno-inline",
+        "-DLEVEL=wasm",
+        "-DWIDE=128",
+    ),
     *("-ffp-contract=off", "-fno-math-errno", "-Wl,--strip-all"),
 )
 

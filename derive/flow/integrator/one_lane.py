@@ -34,7 +34,7 @@ COSINES = tuple(
     for k, times in enumerate(_MIRRORED)
 )
 # Coefficients of the arcsine of z over z in powers of z^2.
-LAST_OF_ARCSINE = 20
+LAST_OF_ARCSINE = 16
 ARCSINE = tuple(math.comb(2 * k, k) / 4**k / (2 * k + 1) for k in range(LAST_OF_ARCSINE + 1))
 _gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
 # Gauss's rules in `derive.flow.integrator.softening`, one after the other: nodes on [0, 1], weights on [-1, 1], and
@@ -90,6 +90,11 @@ def sqrt(x: V) -> V:
     return x**0.5
 
 
+def expm1(x: V) -> V:
+    """Return exp(x) - 1, with many digits if x has."""
+    return math.expm1(x) if isinstance(x, float) else mpmath.expm1(x)
+
+
 def new_series() -> list[Any]:
     """Return a series of zeros."""
     return [0.0] * layout.STRIDE
@@ -104,7 +109,7 @@ any_lane: Any = bool
 number: Any = float
 minimum: Any = min
 maximum: Any = max
-expm1 = math.expm1
+log1p = math.log1p
 numbers = tail = generated
 greatest = least = integer = generated
 all_lanes = none_of = lanes_in = generated

@@ -226,7 +226,7 @@ def turn_on(s: Lanes, here: M) -> None:
         count = count + 1
     duration = before + after
     until = s.time + duration
-    stands = s.step == 0.0
+    stands = s.step == 0.0 and s.event == Event.STANDSTILL  # not where a tiny step is rounded to 0
     regular = duration > BRIEFEST or stands
     fits = here and regular and until < s.end_time
     s.omega = omega

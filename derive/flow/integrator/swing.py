@@ -8,7 +8,7 @@ A phase is complete if the mass stays pressed on its slip surface, with its chor
 half a turn, and before its end time. All other phases are integrated in time.
 """
 
-from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of
+from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of, turned
 from derive.flow.integrator.one_lane import (
     ARCSINE,
     COSINES,
@@ -21,6 +21,7 @@ from derive.flow.integrator.one_lane import (
     N,
     Passed,
     S,
+    Status,
     V,
     any_lane,
     down,
@@ -35,7 +36,7 @@ from derive.flow.integrator.phases import keep_faster, stick
 from derive.flow.integrator.roots import inside_or_middle
 from derive.flow.integrator.rotation import FINEST
 from derive.flow.integrator.softening import duration_of_softening, series_suffices, soften, softening_factors
-from derive.flow.integrator.step import on_standstill
+from derive.flow.integrator.step import end_motion, on_standstill
 
 PI = 3.141592653589793
 FARTHEST = 3.14  # greatest rotation of a phase: net moment and normal force have two zeros in a turn
@@ -44,10 +45,13 @@ LAST_OF_HALLEY = 2.0**-18  # relative step of Halley's method after which the ne
 CLEAR = 0.01  # excess of resistance over the driving moment, relative to their terms, that is no matter of rounding
 MOST_CORRECTIONS = 12  # of a root by Newton's method
 LAST_OF_NEWTON = 2.0**-26  # the same for Newton's method
+CLOSE_TO_REST = 2.0**-40  # an end time that is closer to the standstill, relatively, is left to the integration in time
 PAIRS = 8  # of nodes at most
+LONG = 2 * PAIRS + 1  # place behind the coefficients of the time: 1 if those beyond PAIRS are not 0
+NEAR_MIDDLE = 0.4  # argument of the arcsine up to which its series is complete
 QUARTER = PI / 4.0
-# Greatest last coefficient of the series of cosines over the first one, for all orders and for those above `FINEST`.
-LAST_OF_COARSE = 2.0**-32
+# Greatest last coefficients of the series of the time over the first one, for all orders and for those above `FINEST`.
+LAST_OF_COARSE = 2.0**-31
 LAST_OF_FINE = 2.0**-42
 
 
@@ -160,29 +164,14 @@ def mean_of(both: S, pairs: N, by: N) -> V:
     return total / number(2 * pairs)
 
 
-def angle_of(place: V, sine: V) -> V:
-    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine."""
-    z = place / sqrt(2.0 + 2.0 * sine)
-    square = z * z
-    total: V = 0.0
-    for k in down(LAST_OF_ARCSINE, 0):
-        total = total * square + ARCSINE[k]
-    return QUARTER + z * total
+def find_waves(w: S, here: M, both: S, odd: S, pairs: N, by: N) -> None:
+    """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule.
 
-
-def time_to(x: V, end: V, both: S, odd: S, pairs: N, by: N) -> V:
-    """Return the time from rest to a rotation: the integral of the series of cosines of 2 u through the nodes.
-
-    Its even coefficients are sums of ``both``, and its odd coefficients sums of ``odd``.
+    It is the integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients
+    are sums of ``odd``.
     """
-    left = end - x
-    place = (x - left) / end
-    sine = 2.0 * sqrt(x * left) / end
-    angle = angle_of(place, sine)
-    total = 2.0 * mean_of(both, pairs, by) * angle
-    twice = -2.0 * place
-    previous: V = 0.0
-    waves: V = 0.0
+    scale: V = 1.0 / number(pairs)
+    w[0] = where(here, mean_of(both, pairs, by), w[0])
     for j in up(1, pairs):
         of_odd: V = 0.0
         of_even: V = 0.0
@@ -193,21 +182,69 @@ def time_to(x: V, end: V, both: S, odd: S, pairs: N, by: N) -> V:
             of_odd = of_odd + COSINES[odd_row + node] * odd[node]
             of_even = of_even + COSINES[even_row + node] * both[node]
         last: V = 0.5 if j == pairs else 1.0
-        following = twice * sine - previous
-        odd_wave = sine * of_odd
-        even_wave = following * (last * of_even)
-        waves = waves + (odd_wave + even_wave)
-        sine = twice * following - sine
-        previous = following
-    return total + waves / number(pairs)
+        w[2 * j - 1] = where(here, scale * of_odd, w[2 * j - 1])
+        w[2 * j] = where(here, scale * last * of_even, w[2 * j])
 
 
-def durations_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tuple[V, V]:
-    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain.
+def time_at(w: S, u: V, place: V, sine: V) -> tuple[V, V]:
+    """Return the time since rest at the rotation end sin(u)^2, and its derivative by u.
 
-    Halving the intervals shows the last coefficient of the series of cosines, which is larger than the relative error
-    of the first time and the root of that of the second.
+    ``place`` and ``sine`` are -cos(2 u) and sin(2 u).
     """
+    top: N = 2 * PAIRS if any_lane(w[LONG] > 0.0) else PAIRS
+    twice = -2.0 * place
+    cosine = -place
+    sine_before: V = 0.0
+    cosine_before: V = 1.0
+    time = 2.0 * w[0] * u
+    slope = 2.0 * w[0]
+    for m in up(1, top):
+        time = time + w[m] * sine
+        slope = slope + number(2 * m) * w[m] * cosine
+        sine_after = twice * sine - sine_before
+        cosine_after = twice * cosine - cosine_before
+        sine_before = sine
+        cosine_before = cosine
+        sine = sine_after
+        cosine = cosine_after
+    return time, slope
+
+
+def angle_of(place: V, sine: V) -> V:
+    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine, and a correction where it is incomplete."""
+    z = place / sqrt(2.0 + 2.0 * sine)
+    square = z * z
+    total: V = 0.0
+    for k in down(LAST_OF_ARCSINE, 0):
+        total = total * square + ARCSINE[k]
+    u = QUARTER + z * total
+    far = abs(z) > NEAR_MIDDLE
+    if any_lane(far):
+        lag, versine = turned(2.0 * u)
+        excess = place * (2.0 * u - lag) + sine * (1.0 - versine)
+        u = where(far, u + 0.5 * excess, u)
+    return u
+
+
+def time_to(w: S, x: V, end: V) -> V:
+    """Return the time from rest to a rotation."""
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * sqrt(x * left) / end
+    u = angle_of(place, sine)
+    time, _ = time_at(w, u, place, sine)
+    return time
+
+
+def is_uneven(s: Lanes, w: S, n: N) -> M:
+    """Return whether the last two coefficients of the series of the time are too large for the accuracy of lanes."""
+    most: V = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
+    last = abs(w[n - 1]) + abs(w[n])
+    return not last <= most * w[0]
+
+
+def duration_of_swing(s: Lanes, e: S, back: S, end: V, w: S, which: M) -> V:
+    """Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``."""
     both = new_series()
     odd = new_series()
     near = sqrt(end / e[0])
@@ -216,30 +253,17 @@ def durations_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tu
     odd[0] = near - far
     for k in up(1, 4):
         add_node(e, back, end, both, odd, 2 * k)
-    coarse = mean_of(both, 2, 4)
-    mean = mean_of(both, 4, 2)
-    before = time_to(peak, end, both, odd, 4, 2)
-    most: V = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
-    last = abs(mean - coarse) / mean
-    unsure = which and last > most
+    for m in up(0, LONG):
+        w[m] = 0.0
+    find_waves(w, which, both, odd, 4, 2)
+    unsure = which and is_uneven(s, w, 8)
     if any_lane(unsure):
         for k in up(1, 4):
             add_node(e, back, end, both, odd, 2 * k - 1)
-        finer = mean_of(both, 8, 1)
-        change = abs(finer - mean) / finer
-        last = where(unsure, change, last)
-        mean = where(unsure, finer, mean)
-        later = time_to(peak, end, both, odd, 8, 1)
-        before = where(unsure, later, before)
-    whole = PI * mean
-    return before, where(last <= most, whole, INFINITY)
-
-
-def times_of_swing(s: Lanes, e: S, back: S, end: V, peak: V, which: M) -> tuple[V, V]:
-    """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
-    if s.has.loss_rate:
-        return duration_of_softening(s, e, end, peak)
-    return durations_of_swing(s, e, back, end, peak, which)
+        find_waves(w, unsure, both, odd, 8, 1)
+        w[LONG] = where(unsure, 1.0, 0.0)
+        unsure = unsure and is_uneven(s, w, 16)
+    return where(unsure, INFINITY, PI * w[0])
 
 
 def rest(s: Lanes, here: M, back: S, f: S) -> None:
@@ -261,19 +285,83 @@ def rest(s: Lanes, here: M, back: S, f: S) -> None:
     stick(s, here)
 
 
-def finish(s: Lanes, here: M, e: S, end: V, duration: V, peak: V, before: V) -> None:
-    """Bring lanes to the end of their phase. They reach the greatest speed at ``peak``, after the time ``before``."""
+def pass_peak(s: Lanes, here: M, e: S, peak: V, before: V) -> None:
+    """Record the greatest speed, which lanes reach at the rotation ``peak``, after the time ``before``."""
     f = new_series()
     evaluate_at(s, e, f, peak)
     speed = sqrt(f[5])
     then = s.time + before
     keep_faster(s, here, speed, then, peak, 0.5 * f[6])
+
+
+def finish(s: Lanes, here: M, end: V, duration: V) -> None:
+    """Bring lanes to rest at the end of their phase."""
     s.x = end
     s.omega = 0.0
     s.time = s.time + duration
     s.steps = s.steps + 1.0
     s.passed = Passed.NOTHING
     on_standstill(s, here)
+
+
+def end_within(s: Lanes, here: M, e: S, back: S, w: S, end: V) -> None:
+    """End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time."""
+    time = s.end_time - s.time
+    u = 0.5 * time / w[0]
+    lag, versine = turned(2.0 * u)
+    asked = here
+    count: N = 0
+    while any_lane(asked) and count < MOST_CORRECTIONS:
+        then, slope = time_at(w, u, versine - 1.0, 2.0 * u - lag)
+        change = (time - then) / slope
+        u = where(asked, u + change, u)
+        asked = asked and abs(change) > LAST_OF_NEWTON * u
+        lag_there, versine_there = turned(2.0 * u)
+        lag = 1.0 * lag_there
+        versine = 1.0 * versine_there
+        count = count + 1
+    x = 0.5 * end * versine
+    f = new_series()
+    functions(f, x, e[4])
+    square = energy(e, f)
+    rate = 0.5 * slope_of(e, f)
+    functions(f, end - x, e[4])
+    reverse(f, e[4])
+    square = where(versine > 1.0, energy(back, f), square)
+    s.x = x
+    s.omega = sqrt(square)
+    s.time = s.end_time
+    s.steps = 0.0
+    keep_faster(s, here, s.omega, s.time, s.x, rate)
+    end_motion(s, here, rate, Status.ENDED)
+
+
+def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M:
+    """Complete phases under constant friction, up to rest or the end time, and return these lanes.
+
+    ``f`` has the functions of E at the end of the phase.
+    """
+    w = new_series()
+    duration = duration_of_swing(s, e, back, end, w, fits)
+    before = time_to(w, peak, end)
+    until = s.time + duration
+    rests = fits and until < s.end_time
+    ends = fits and until < INFINITY and until > s.end_time * (1.0 + CLOSE_TO_REST)
+    pass_peak(s, rests or (ends and s.time + before < s.end_time), e, peak, before)
+    finish(s, rests, end, duration)
+    rest(s, rests, back, f)
+    if any_lane(ends):
+        end_within(s, ends, e, back, w, end)
+    return rests or ends
+
+
+def complete_softening(s: Lanes, fits: M, e: S, end: V, peak: V) -> M:
+    """Complete phases under exponential softening, up to rest before the end time, and return these lanes."""
+    before, duration = duration_of_softening(s, e, end, peak)
+    fits = fits and s.time + duration < s.end_time
+    pass_peak(s, fits, e, peak, before)
+    finish(s, fits, end, duration)
+    return fits
 
 
 def swing(s: Lanes, which: M) -> M:
@@ -302,11 +390,9 @@ def swing(s: Lanes, which: M) -> M:
         peak = peak_of_cubic(e[0], back[0], end)
         fits = fits and back[0] > 0.0
     fits = fits and has_closed_form(s, f, q)
-    if any_lane(fits):
-        peak = peak_of_swing(s, e, peak, end, fits)
-        before, duration = times_of_swing(s, e, back, end, peak, fits)
-        fits = fits and s.time + duration < s.end_time
-        finish(s, fits, e, end, duration, peak, before)
-        if not softens:
-            rest(s, fits, back, f)
-    return fits
+    if not any_lane(fits):
+        return fits
+    peak = peak_of_swing(s, e, peak, end, fits)
+    if softens:
+        return complete_softening(s, fits, e, end, peak)
+    return complete_swing(s, fits, e, back, f, end, peak)

@@ -227,7 +227,7 @@ class Scene(Generic[Numbers]):
         effects: dict[str, Parameters] = self.effects  # type: ignore[assignment]
         return effects
 
-    @property
+    @cached_property
     def law(self) -> Any:
         """Friction of the scene, or of the soils of its mass, as a number, a law with parameters, or a function."""
         return self.friction if self.arc.friction is None else self.arc.friction
