@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "0fa80284c56fc2cf19f3c43a0f043bbedaeb4226e6bf45994cdd67c313e37b52"
+#define DIGEST "bf5b9e424b2b5c2849ac258538412d70c9bc25ce1684f30946fbacc348ebb5ed"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole;
 } Roles;
 
 typedef struct {
@@ -680,13 +680,25 @@ APART V by_lanes(double f(double), V x)
     return x;
 }
 
+/* log(1 + x): 1 + x = 2^k (1 + f) with |f| < 0.42, and twice the series of artanh(f / (2 + f)). */
+APART V log1p_of(V x)
+{
+    if (bits((x > -1.0) & (x < 0x1p1000)) != ALL) return by_lanes(log1p, x);
+    const V y = 1.0 + x;
+    const M n = ((M)y - INT64_C(0x3fe6a09e667f3bcd)) >> 52;
+    const V per = (V)((INT64_C(1023) - n) << 52), k = (V)(n + (M)broadcast(TO_INTEGER)) - TO_INTEGER;
+    const V f = (y * per - 1.0) + (x - (y - 1.0)) * per, s = f / (2.0 + f), z = s * s;
+    V p = broadcast(2 / 21.0);
+    for (int j = 19; j > 1; j -= 2) p = p * z + 2.0 / j;
+    return k * 0x1.62e42ffp-1 + (2.0 * s + (s * z * p - k * 0x1.718432a1b0e26p-35));
+}
+
 INLINE V sin_of(V x) { V s, c; sine_cosine(x, &s, &c); return s; }
 INLINE V cos_of(V x) { V s, c; sine_cosine(x, &s, &c); return c; }
 INLINE V tan_of(V x) { V s, c; sine_cosine(x, &s, &c); return s / c; }
 INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
-INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
 INLINE V sqrt_of(V x)
 {
 #if WIDE == 512
@@ -1425,14 +1437,10 @@ static const double COSINES[] = {0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.
 static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363};
 #define LAST_OF_ARCSINE 16
 #define SHORTEST 12
-static const double NODES[] = {0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107};
-static const double SHARES[] = {0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
-static const double LAST_SHARES[] = {-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794};
-static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834};
-static const double LONG_NODES[] = {0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
-static const double LONG_SHARES[] = {0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
-static const double LONG_LAST_SHARES[] = {-0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.711783956628457, -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685, 0.5256376989451522, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959};
-static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525, -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353, -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582, -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565, 0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744};
+static const double NODES[] = {0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
+static const double SHARES[] = {0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
+static const double LAST_SHARES[] = {-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794, -0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.711783956628457, -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685, 0.5256376989451522, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959};
+static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525, -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353, -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582, -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565, 0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define BEYOND 0x1.2000000000000p+0
@@ -1460,6 +1468,14 @@ static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.0534934727794
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
+#define HALF 12
+#define LEAST 0x1.bff2ee48e0530p-333
+#define SHIFT 5
+#define FIRST 6
+#define POLE 7
+#define POWER 8
+#define LOAD 33
+#define NET 36
 #define TERMS 8
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
@@ -1467,13 +1483,12 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define PER_STEP 0x1.0000000000000p+2
 #define PER_STEP_TO_ROUNDING 0x1.d8e64b8d4ddaep+2
 #define BENT 0x1.4cccccccccccdp-2
-#define SHIFT 5
-#define FIRST 6
+#define CLOSER_TO_POLE 0x1.8000000000000p+1
+#define LEAST_EXPONENT -0x1.0000000000000p-1
+#define COMPLETE 0x1.8000000000000p+2
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
-#define LOAD 33
-#define NET 36
 #define PI 0x1.921fb54442d18p+1
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
@@ -3715,6 +3730,63 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
+/* Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning. */
+INLINE void expand_right_side(Batch *b, V *e, V drive)
+{
+    V q = e[4];
+    V sine = e[NET + 1] + (e[FIRST] * e[LOAD + 1]);
+    V vers = e[NET + 2] + (e[FIRST] * e[LOAD + 2]);
+    V fading = broadcast(2.0);
+    V even = broadcast(2.0);
+    V odd = broadcast(0.0);
+    V before = broadcast(0.0);
+    for (int k = 0; k <= 2 * HALF; k++) {
+        V versine = fading - even;
+        V whole = (drive * fading) + ((sine * odd) + (vers * versine));
+        e[POWER + k] = (e[POLE] * whole) + before;
+        before = (e[NET] * fading) + ((e[NET + 1] * odd) + (e[NET + 2] * versine));
+        V of_sine = (odd * q) + even;
+        V of_cosine = (even * q) - odd;
+        fading = (fading * q) * b->inverse[k + 1];
+        even = of_cosine * b->inverse[k + 1];
+        odd = of_sine * b->inverse[k + 1];
+    }
+}
+
+/* Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning. */
+INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
+{
+    e[4] = q;
+    e[SHIFT] = pick(e[SHIFT] == 0.0, broadcast(LEAST), e[SHIFT]);
+    expand_right_side(b, e, drive);
+    V higher = broadcast(0.0);
+    for (int k = 2 * HALF; k >= 1; k--) {
+        V per = 1.0 / (e[SHIFT] + (double)k);
+        V shrink = ((double)(k + 1) * e[POLE]) * per;
+        higher = (e[POWER + k] * per) - (shrink * higher);
+        e[POWER + k] = higher;
+    }
+    V weight = e[POWER] - (e[POLE] * higher);
+    e[POWER] = (-weight) / e[SHIFT];
+}
+
+/* Return E, and compute x in place 0, where the logarithm of 1 + x/pole is ``passed``. */
+INLINE V hyperbolic_energy(V *e, V *f, V passed)
+{
+    V x = e[POLE] * expm1_of(passed);
+    f[0] = x;
+    V square = x * x;
+    V even = e[POWER + (2 * HALF)];
+    V odd = e[(POWER + (2 * HALF)) - 1];
+    for (int k = HALF - 1; k >= 1; k--) {
+        even = (even * square) + e[POWER + (2 * k)];
+        odd = (odd * square) + e[(POWER + (2 * k)) - 1];
+    }
+    V series = x * (odd + (x * even));
+    V singular = e[POWER] * expm1_of((-e[SHIFT]) * passed);
+    return (1.0 + expm1_of((-e[4]) * x)) * (series + singular);
+}
+
 /* Compute the factors of all terms from the numbers of the net moment without the load, and of the load. */
 INLINE void factors_of_terms(V *e, V q, V rate)
 {
@@ -3749,6 +3821,12 @@ INLINE void softening_factors(Batch *b, V *e)
     e[NET + 1] = c[job->role->net_sine] - c[job->role->net_loss_sine];
     e[NET + 2] = c[job->role->net_vers] - c[job->role->net_loss_vers];
     V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
+    if (job->role->per_pole >= 0) {
+        e[0] = 2.0 * e[NET];
+        e[POLE] = 1.0 / c[job->role->per_pole];
+        hyperbolic_factors(b, e, q, c[job->role->drive]);
+        return;
+    }
     factors_of_terms(e, q, c[job->role->loss_rate]);
 }
 
@@ -3762,6 +3840,12 @@ INLINE void factors_about_end(Batch *b, V *back, V *e, V *f)
     back[FIRST] = 1.0 + f[4];
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f);
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f);
+    if (job->role->per_pole >= 0) {
+        back[POLE] = (-e[POLE]) - f[0];
+        V drive = back[NET] + (back[FIRST] * back[LOAD]);
+        hyperbolic_factors(b, back, -e[4], drive);
+        return;
+    }
     factors_of_terms(back, -e[4], -c[job->role->loss_rate]);
 }
 
@@ -3771,17 +3855,25 @@ INLINE M series_suffices(Batch *b, V *e)
     const Job *const job = b->job;
     V *const c = b->c;
     M driven = magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]);
+    if (job->role->per_pole >= 0) {
+        return driven & (e[SHIFT] > LEAST_EXPONENT);
+    }
     M converges = magnitude(e[SHIFT]) <= GREATEST;
     M resonates = ((2.0 * e[4]) + c[job->role->loss_rate]) >= 0.0;
     return driven & converges & ~resonates;
 }
 
-/* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
+/* Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1. */
 INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     functions(f, x, magnitude(e[4]));
+    if (job->role->per_pole >= 0) {
+        V change = c[job->role->loss_rate] * x;
+        f[4] = change / (1.0 - change);
+        return;
+    }
     f[4] = expm1_of(c[job->role->loss_rate] * x);
 }
 
@@ -3824,13 +3916,29 @@ INLINE V softening_energy(V *e, V *f)
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
+/* Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole. */
+INLINE V passed_to(Batch *b, V x)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->per_pole >= 0) {
+        return log1p_of(c[job->role->per_pole] * x);
+    }
+    return x;
+}
+
 /* Compute E and its first two derivatives behind the functions of which it consists. */
 INLINE void soften(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     softening_functions(b, e, f, x);
-    V at = softening_energy(e, f);
+    V left = 1.0 + f[4];
+    V rate = c[job->role->loss_rate] * left;
+    if (job->role->per_pole >= 0) {
+        rate = rate * left;
+    }
+    V at = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
     V sine = f[0] - f[3];
     V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
     V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
@@ -3843,29 +3951,29 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
     f[5] = at;
     f[6] = slope;
-    V softens = (c[job->role->loss_rate] * (1.0 + f[4])) * loss;
-    f[7] = 2.0 * (turns + softens);
+    f[7] = 2.0 * (turns + (rate * loss));
 }
 
-/* Return E and the integrand at a node of `time_of_part`, with its arguments. */
-INLINE Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
+/* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
+INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
 {
-    V here = unit * (node * node);
-    V other = 1.0 + (bend * (1.0 - node));
-    V share = 1.0 / (here + (other * other));
-    V past = end * (here * share);
-    V f[STRIDE];
+    const Job *const job = b->job;
+    f[5] = broadcast(1.0);
+    if (job->role->per_pole >= 0) {
+        V at = hyperbolic_energy(e, f, part ? -past : past);
+        f[5] = magnitude(e[POLE] + f[0]);
+        return at;
+    }
     softening_functions(b, e, f, past);
     if (part) {
         count_from_end(b, e, f, end - past);
     }
-    V energy_there = softening_energy(e, f);
-    return (Pair){energy_there, (((share * share) * (other * node)) / sqrt_of(energy_there))};
+    return softening_energy(e, f);
 }
 
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
- * distances to both rests. E rises from node to node. */
+ * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node. */
 INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
     const Job *const job = b->job;
@@ -3873,21 +3981,22 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
     V lower = broadcast(0.0);
+    V f[STRIDE];
     int fine = job->order > FINEST;
-    int longest = fine && (part == 0);
-    int k_first = (fine == part) ? SHORTEST : 0;
-    int k_last = longest ? ((4 * SHORTEST) - 1) : (((2 * k_first) + SHORTEST) - 1);
-    for (int k = k_first; k <= k_last; k++) {
-        V node = broadcast(longest ? LONG_NODES[k] : NODES[k]);
-        V weight = broadcast(longest ? LONG_SHARES[k] : SHARES[k]);
-        V weight_of_last = broadcast(longest ? LONG_LAST_SHARES[k] : LAST_SHARES[k]);
-        V weight_of_next = broadcast(longest ? LONG_NEXT_SHARES[k] : NEXT_SHARES[k]);
-        const Pair at_slowness = at_node(b, e, end, unit, bend, node, part);
-        V at = at_slowness.one, slowness = at_slowness.other;
-        total = pick(at > lower, total + (weight * slowness), broadcast(INFINITY));
+    int times = fine ? 2 : 1;
+    times = part ? times : (2 * times);
+    int k_first = SHORTEST * (times - 1);
+    for (int k = k_first; k <= (k_first + (SHORTEST * times)) - 1; k++) {
+        V here = unit * (NODES[k] * NODES[k]);
+        V other = 1.0 + (bend * (1.0 - NODES[k]));
+        V share = 1.0 / (here + (other * other));
+        V past = end * (here * share);
+        V at = energy_past(b, e, f, past, end, part);
+        V slowness = (((share * share) * (other * NODES[k])) * f[5]) / sqrt_of(at);
+        total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
         lower = at;
-        last = last + (weight_of_last * slowness);
-        last_but_one = last_but_one + (weight_of_next * slowness);
+        last = last + (LAST_SHARES[k] * slowness);
+        last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
     V most = broadcast(fine ? CLOSER : ALIKE);
     V uneven = magnitude(last) + magnitude(last_but_one);
@@ -3902,17 +4011,25 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V unit = peak / (end - peak);
+    V to_peak = passed_to(b, peak);
+    V to_end = passed_to(b, end);
+    V unit = to_peak / (to_end - to_peak);
     V softened = 1.0 - (peak * c[job->role->loss_rate]);
     V unchanged = pick(c[FACTOR] < 0.2, broadcast(PER_STEP_TO_ROUNDING), broadcast(PER_STEP));
     V change = c[FACTOR] * unchanged;
     V bend = (change * BENT) * sqrt_of(softened);
-    V before = time_of_part(b, e, end, unit, bend, 0);
+    if (job->role->per_pole >= 0) {
+        bend = change * CLOSER_TO_POLE;
+        V reach = end + e[POLE];
+        M complete = ((1.0 + (e[4] * e[4])) * (reach * reach)) < COMPLETE;
+        to_end = pick(complete, to_end, broadcast(INFINITY));
+    }
+    V before = time_of_part(b, e, to_end, unit, bend, 0);
     V f[STRIDE];
     V back[STRIDE];
     softening_functions(b, e, f, end);
     factors_about_end(b, back, e, f);
-    V after = time_of_part(b, back, end, 1.0 / unit, change - 1.0, 1);
+    V after = time_of_part(b, back, to_end, 1.0 / unit, change - 1.0, 1);
     return (Pair){before, (before + after)};
 }
 

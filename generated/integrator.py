@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3830d0f6a1a93f5158e08eb9c4138576e6e60b0671578d47a342345041d2a1b6
+# sha256 of the text below: 90cc33ca4249231278f2fdebadb4b7e49e355d14ab0f8471df20f8d5d50b09ab
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -302,32 +302,7 @@ NODES = (0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.2063
     0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028,
     0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878,
     0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547,
-    0.9975936099985107)
-SHARES = (0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548,
-    0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622,
-    0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981,
-    0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563,
-    0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216,
-    0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388,
-    0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663,
-    0.0123412297999872)
-LAST_SHARES = (-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577,
-    1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439,
-    -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508,
-    0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468,
-    -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926,
-    0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875,
-    -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303,
-    0.03014884408621794)
-NEXT_SHARES = (0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606,
-    -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414,
-    -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787,
-    -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835,
-    0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703,
-    0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909,
-    -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246,
-    0.058702978041430834)
-LONG_NODES = (0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364,
+    0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364,
     0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326,
     0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432,
     0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965,
@@ -337,7 +312,14 @@ LONG_NODES = (0.0006144963737869658, 0.003234913866824618, 0.007937708138586574,
     0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213,
     0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155,
     0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213)
-LONG_SHARES = (0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849,
+SHARES = (0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548,
+    0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622,
+    0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981,
+    0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563,
+    0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216,
+    0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388,
+    0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663,
+    0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849,
     0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044,
     0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447,
     0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388,
@@ -347,7 +329,14 @@ LONG_SHARES = (0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454
     0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071,
     0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553,
     0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385)
-LONG_LAST_SHARES = (-0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915,
+LAST_SHARES = (-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577,
+    1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439,
+    -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508,
+    0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468,
+    -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926,
+    0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875,
+    -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303,
+    0.03014884408621794, -0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915,
     -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465,
     0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185,
     -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435,
@@ -357,7 +346,14 @@ LONG_LAST_SHARES = (-0.007790034178160955, 0.027210382191082905, -0.053218548447
     -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484,
     0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847,
     -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959)
-LONG_NEXT_SHARES = (0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088,
+NEXT_SHARES = (0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606,
+    -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414,
+    -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787,
+    -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835,
+    0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703,
+    0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909,
+    -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246,
+    0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088,
     0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525,
     -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808,
     0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353,
@@ -399,6 +395,14 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
     -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
     -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
     -7.647163731819816e-13, 4.779477332387385e-14)
+HALF = 12
+LEAST = 1e-100
+SHIFT = 5
+FIRST = 6
+POLE = 7
+POWER = 8
+LOAD = 33
+NET = 36
 TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
@@ -406,13 +410,12 @@ ALIKE = 3.814697265625e-06
 PER_STEP = 4.0
 PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325
-SHIFT = 5
-FIRST = 6
+CLOSER_TO_POLE = 3.0
+LEAST_EXPONENT = -0.5
+COMPLETE = 6.0
 CONSTANT = 8
 SINE = 16
 VERS = 24
-LOAD = 33
-NET = 36
 PI = 3.141592653589793
 FARTHEST = 3.14
 FADED = 2.0
@@ -2298,6 +2301,57 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = rest / faded_by
 
 
+def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
+    """Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning."""
+    q = e[4]
+    sine = e[NET + 1] + e[FIRST] * e[LOAD + 1]
+    vers = e[NET + 2] + e[FIRST] * e[LOAD + 2]
+    fading: Floats = 2.0
+    even: Floats = 2.0
+    odd: Floats = 0.0
+    before: Floats = 0.0
+    for k in range(2 * HALF + 1):
+        versine = fading - even
+        whole = drive * fading + (sine * odd + vers * versine)
+        e[POWER + k] = e[POLE] * whole + before
+        before = e[NET] * fading + (e[NET + 1] * odd + e[NET + 2] * versine)
+        of_sine = odd * q + even
+        of_cosine = even * q - odd
+        fading = fading * q * (1.0 / (k + 1))
+        even = of_cosine * (1.0 / (k + 1))
+        odd = of_sine * (1.0 / (k + 1))
+
+
+def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
+    """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[4] = q
+    e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
+    expand_right_side(s, e, drive)
+    higher: Floats = 0.0
+    for k in range(2 * HALF, 1 - 1, -1):
+        per = 1.0 / (e[SHIFT] + float(k))
+        shrink = float(k + 1) * e[POLE] * per
+        higher = e[POWER + k] * per - shrink * higher
+        e[POWER + k] = higher
+    weight = e[POWER] - e[POLE] * higher
+    e[POWER] = -weight / e[SHIFT]
+
+
+def hyperbolic_energy(e: Floats, f: Floats, passed: Floats) -> Floats:
+    """Return E, and compute x in place 0, where the logarithm of 1 + x/pole is ``passed``."""
+    x = e[POLE] * np.expm1(passed)
+    f[0] = x
+    square = x * x
+    even = e[POWER + 2 * HALF]
+    odd = e[POWER + 2 * HALF - 1]
+    for k in range(HALF - 1, 1 - 1, -1):
+        even = even * square + e[POWER + 2 * k]
+        odd = odd * square + e[POWER + 2 * k - 1]
+    series = x * (odd + x * even)
+    singular = e[POWER] * np.expm1(-e[SHIFT] * passed)
+    return (1.0 + np.expm1(-e[4] * x)) * (series + singular)
+
+
 def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
     """Compute the factors of all terms from the numbers of the net moment without the load, and of the load."""
     factors(e, e[NET], e[NET + 1], e[NET + 2], q)
@@ -2328,6 +2382,11 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     e[NET + 1] = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
     e[NET + 2] = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
+    if s.roles.per_pole >= 0:
+        e[0] = 2.0 * e[NET]
+        e[POLE] = 1.0 / c[s.roles.per_pole]
+        hyperbolic_factors(s, e, q, c[s.roles.drive])
+        return
     factors_of_terms(e, q, c[s.roles.loss_rate])
 
 
@@ -2338,6 +2397,11 @@ def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
     back[FIRST] = 1.0 + f[4]
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
+    if s.roles.per_pole >= 0:
+        back[POLE] = -e[POLE] - f[0]
+        drive = back[NET] + back[FIRST] * back[LOAD]
+        hyperbolic_factors(s, back, -e[4], drive)
+        return
     factors_of_terms(back, -e[4], -c[s.roles.loss_rate])
 
 
@@ -2345,15 +2409,21 @@ def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
     driven = np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive]
+    if s.roles.per_pole >= 0:
+        return driven & (e[SHIFT] > LEAST_EXPONENT)
     converges = np.abs(e[SHIFT]) <= GREATEST
     resonates = 2.0 * e[4] + c[s.roles.loss_rate] >= 0.0
     return driven & converges & np.logical_not(resonates)
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
+    """Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1."""
     c = s.cells
     functions(f, x, np.abs(e[4]))
+    if s.roles.per_pole >= 0:
+        change = c[s.roles.loss_rate] * x
+        f[4] = change / (1.0 - change)
+        return
     f[4] = np.expm1(c[s.roles.loss_rate] * x)
 
 
@@ -2391,11 +2461,23 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
     return grown * (energy(e, f) + (terms + faded_part))
 
 
+def passed_to(s: Lanes, x: Floats) -> Floats:
+    """Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole."""
+    c = s.cells
+    if s.roles.per_pole >= 0:
+        return np.log1p(c[s.roles.per_pole] * x)
+    return x
+
+
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
     c = s.cells
     softening_functions(s, e, f, x)
-    at = softening_energy(e, f)
+    left = 1.0 + f[4]
+    rate = c[s.roles.loss_rate] * left
+    if s.roles.per_pole >= 0:
+        rate = rate * left
+    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
     sine = f[0] - f[3]
     of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
     of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
@@ -2408,23 +2490,20 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
     f[6] = slope
-    softens = c[s.roles.loss_rate] * (1.0 + f[4]) * loss
-    f[7] = 2.0 * (turns + softens)
+    f[7] = 2.0 * (turns + rate * loss)
 
 
-def at_node(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, node: Floats, part: int) -> tuple[Floats,
-        Floats]:
-    """Return E and the integrand at a node of `time_of_part`, with its arguments."""
-    here = unit * (node * node)
-    other = 1.0 + bend * (1.0 - node)
-    share = 1.0 / (here + other * other)
-    past = end * (here * share)
-    f = np.zeros((ix.STRIDE, e.shape[1]))
+def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
+    """Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5."""
+    f[5] = 1.0
+    if s.roles.per_pole >= 0:
+        at = hyperbolic_energy(e, f, -past if part else past)
+        f[5] = np.abs(e[POLE] + f[0])
+        return at
     softening_functions(s, e, f, past)
     if part:
         count_from_end(s, e, f, end - past)
-    energy_there = softening_energy(e, f)
-    return (energy_there, share * share * (other * node) / np.sqrt(energy_there))
+    return softening_energy(e, f)
 
 
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
@@ -2433,20 +2512,22 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
     last: Floats = 0.0
     last_but_one: Floats = 0.0
     lower: Floats = 0.0
+    f = np.zeros((ix.STRIDE, e.shape[1]))
     fine = s.highest > FINEST
-    longest = fine and part == 0
-    k_first = SHORTEST if fine == part else 0
-    k_last = 4 * SHORTEST - 1 if longest else 2 * k_first + SHORTEST - 1
-    for k in range(k_first, k_last + 1):
-        node: Floats = LONG_NODES[k] if longest else NODES[k]
-        weight: Floats = LONG_SHARES[k] if longest else SHARES[k]
-        weight_of_last: Floats = LONG_LAST_SHARES[k] if longest else LAST_SHARES[k]
-        weight_of_next: Floats = LONG_NEXT_SHARES[k] if longest else NEXT_SHARES[k]
-        at, slowness = at_node(s, e, end, unit, bend, node, part)
-        total = np.where(at > lower, total + weight * slowness, INFINITY)
+    times = 2 if fine else 1
+    times = times if part else 2 * times
+    k_first = SHORTEST * (times - 1)
+    for k in range(k_first, k_first + SHORTEST * times - 1 + 1):
+        here = unit * (NODES[k] * NODES[k])
+        other = 1.0 + bend * (1.0 - NODES[k])
+        share = 1.0 / (here + other * other)
+        past = end * (here * share)
+        at = energy_past(s, e, f, past, end, part)
+        slowness = share * share * (other * NODES[k]) * f[5] / np.sqrt(at)
+        total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
-        last = last + weight_of_last * slowness
-        last_but_one = last_but_one + weight_of_next * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     most: Floats = CLOSER if fine else ALIKE
     uneven = np.abs(last) + np.abs(last_but_one)
     accurate = uneven <= most * total
@@ -2457,17 +2538,24 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
 def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     c = s.cells
-    unit = peak / (end - peak)
+    to_peak = passed_to(s, peak)
+    to_end = passed_to(s, end)
+    unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * c[s.roles.loss_rate]
     unchanged = np.where(c[ix.FACTOR] < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
     change = c[ix.FACTOR] * unchanged
     bend = change * BENT * np.sqrt(softened)
-    before = time_of_part(s, e, end, unit, bend, 0)
+    if s.roles.per_pole >= 0:
+        bend = change * CLOSER_TO_POLE
+        reach = end + e[POLE]
+        complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
+        to_end = np.where(complete, to_end, INFINITY)
+    before = time_of_part(s, e, to_end, unit, bend, 0)
     f = np.zeros((ix.STRIDE, e.shape[1]))
     back = np.zeros((ix.STRIDE, e.shape[1]))
     softening_functions(s, e, f, end)
     factors_about_end(s, back, e, f)
-    after = time_of_part(s, back, end, 1.0 / unit, change - 1.0, 1)
+    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1)
     return (before, before + after)
 
 
