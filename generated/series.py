@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 858405ce0218a6e7eb7fecba2a7d62ca874581ed2cb0f5ba2ff8c980bde06e33
+# sha256 of the text below: ed624cf5685c2b65fe5f639bd747b19f059f28fe3204625e61f4081ce7a8471e
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "875f429f7c71446cf2ba04b3ca8716e50ad31598e52ba3bf9bd173e2baead52c"  # of the compiled integrator's source
+DIGEST = "59ee3a930ae50c46ee2cb75cbfa4dfa8d3600fbcddc8c287bad71c24db105e08"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
