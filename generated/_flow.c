@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "59ee3a930ae50c46ee2cb75cbfa4dfa8d3600fbcddc8c287bad71c24db105e08"
+#define DIGEST "469783e994d36ca73654394927fa4d5520bd8068037480a1ce4cc31697f3b1c1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole;
 } Roles;
 
 typedef struct {
@@ -680,13 +680,25 @@ APART V by_lanes(double f(double), V x)
     return x;
 }
 
+/* log(1 + x): 1 + x = 2^k (1 + f) with |f| < 0.42, and twice the series of artanh(f / (2 + f)). */
+APART V log1p_of(V x)
+{
+    if (bits((x > -1.0) & (x < 0x1p1000)) != ALL) return by_lanes(log1p, x);
+    const V y = 1.0 + x;
+    const M n = ((M)y - INT64_C(0x3fe6a09e667f3bcd)) >> 52;
+    const V per = (V)((INT64_C(1023) - n) << 52), k = (V)(n + (M)broadcast(TO_INTEGER)) - TO_INTEGER;
+    const V f = (y * per - 1.0) + (x - (y - 1.0)) * per, s = f / (2.0 + f), z = s * s;
+    V p = broadcast(2 / 21.0);
+    for (int j = 19; j > 1; j -= 2) p = p * z + 2.0 / j;
+    return k * 0x1.62e42ffp-1 + (2.0 * s + (s * z * p - k * 0x1.718432a1b0e26p-35));
+}
+
 INLINE V sin_of(V x) { V s, c; sine_cosine(x, &s, &c); return s; }
 INLINE V cos_of(V x) { V s, c; sine_cosine(x, &s, &c); return c; }
 INLINE V tan_of(V x) { V s, c; sine_cosine(x, &s, &c); return s / c; }
 INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
-INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
 INLINE V sqrt_of(V x)
 {
 #if WIDE == 512
@@ -1456,6 +1468,14 @@ static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
+#define HALF 12
+#define LEAST 0x1.bff2ee48e0530p-333
+#define SHIFT 5
+#define FIRST 6
+#define POLE 7
+#define POWER 8
+#define LOAD 33
+#define NET 36
 #define TERMS 8
 #define GREATEST 0x1.0000000000000p-4
 #define DRIVEN 0x1.0000000000000p+10
@@ -1463,13 +1483,12 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define PER_STEP 0x1.0000000000000p+2
 #define PER_STEP_TO_ROUNDING 0x1.d8e64b8d4ddaep+2
 #define BENT 0x1.4cccccccccccdp-2
-#define SHIFT 5
-#define FIRST 6
+#define CLOSER_TO_POLE 0x1.8000000000000p+1
+#define LEAST_EXPONENT -0x1.0000000000000p-1
+#define COMPLETE 0x1.8000000000000p+2
 #define CONSTANT 8
 #define SINE 16
 #define VERS 24
-#define LOAD 33
-#define NET 36
 #define PI 0x1.921fb54442d18p+1
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
@@ -3711,6 +3730,63 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
+/* Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning. */
+INLINE void expand_right_side(Batch *b, V *e, V drive)
+{
+    V q = e[4];
+    V sine = e[NET + 1] + (e[FIRST] * e[LOAD + 1]);
+    V vers = e[NET + 2] + (e[FIRST] * e[LOAD + 2]);
+    V fading = broadcast(2.0);
+    V even = broadcast(2.0);
+    V odd = broadcast(0.0);
+    V before = broadcast(0.0);
+    for (int k = 0; k <= 2 * HALF; k++) {
+        V versine = fading - even;
+        V whole = (drive * fading) + ((sine * odd) + (vers * versine));
+        e[POWER + k] = (e[POLE] * whole) + before;
+        before = (e[NET] * fading) + ((e[NET + 1] * odd) + (e[NET + 2] * versine));
+        V of_sine = (odd * q) + even;
+        V of_cosine = (even * q) - odd;
+        fading = (fading * q) * b->inverse[k + 1];
+        even = of_cosine * b->inverse[k + 1];
+        odd = of_sine * b->inverse[k + 1];
+    }
+}
+
+/* Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning. */
+INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
+{
+    e[4] = q;
+    e[SHIFT] = pick(e[SHIFT] == 0.0, broadcast(LEAST), e[SHIFT]);
+    expand_right_side(b, e, drive);
+    V higher = broadcast(0.0);
+    for (int k = 2 * HALF; k >= 1; k--) {
+        V per = 1.0 / (e[SHIFT] + (double)k);
+        V shrink = ((double)(k + 1) * e[POLE]) * per;
+        higher = (e[POWER + k] * per) - (shrink * higher);
+        e[POWER + k] = higher;
+    }
+    V weight = e[POWER] - (e[POLE] * higher);
+    e[POWER] = (-weight) / e[SHIFT];
+}
+
+/* Return E, and compute x in place 0, where the logarithm of 1 + x/pole is ``passed``. */
+INLINE V hyperbolic_energy(V *e, V *f, V passed)
+{
+    V x = e[POLE] * expm1_of(passed);
+    f[0] = x;
+    V square = x * x;
+    V even = e[POWER + (2 * HALF)];
+    V odd = e[(POWER + (2 * HALF)) - 1];
+    for (int k = HALF - 1; k >= 1; k--) {
+        even = (even * square) + e[POWER + (2 * k)];
+        odd = (odd * square) + e[(POWER + (2 * k)) - 1];
+    }
+    V series = x * (odd + (x * even));
+    V singular = e[POWER] * expm1_of((-e[SHIFT]) * passed);
+    return (1.0 + expm1_of((-e[4]) * x)) * (series + singular);
+}
+
 /* Compute the factors of all terms from the numbers of the net moment without the load, and of the load. */
 INLINE void factors_of_terms(V *e, V q, V rate)
 {
@@ -3745,6 +3821,12 @@ INLINE void softening_factors(Batch *b, V *e)
     e[NET + 1] = c[job->role->net_sine] - c[job->role->net_loss_sine];
     e[NET + 2] = c[job->role->net_vers] - c[job->role->net_loss_vers];
     V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
+    if (job->role->per_pole >= 0) {
+        e[0] = 2.0 * e[NET];
+        e[POLE] = 1.0 / c[job->role->per_pole];
+        hyperbolic_factors(b, e, q, c[job->role->drive]);
+        return;
+    }
     factors_of_terms(e, q, c[job->role->loss_rate]);
 }
 
@@ -3758,6 +3840,12 @@ INLINE void factors_about_end(Batch *b, V *back, V *e, V *f)
     back[FIRST] = 1.0 + f[4];
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f);
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f);
+    if (job->role->per_pole >= 0) {
+        back[POLE] = (-e[POLE]) - f[0];
+        V drive = back[NET] + (back[FIRST] * back[LOAD]);
+        hyperbolic_factors(b, back, -e[4], drive);
+        return;
+    }
     factors_of_terms(back, -e[4], -c[job->role->loss_rate]);
 }
 
@@ -3767,17 +3855,25 @@ INLINE M series_suffices(Batch *b, V *e)
     const Job *const job = b->job;
     V *const c = b->c;
     M driven = magnitude(c[job->role->net_loss]) <= (DRIVEN * c[job->role->drive]);
+    if (job->role->per_pole >= 0) {
+        return driven & (e[SHIFT] > LEAST_EXPONENT);
+    }
     M converges = magnitude(e[SHIFT]) <= GREATEST;
     M resonates = ((2.0 * e[4]) + c[job->role->loss_rate]) >= 0.0;
     return driven & converges & ~resonates;
 }
 
-/* Compute the functions of which E consists, the last one exp(-slope x) - 1. */
+/* Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1. */
 INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     functions(f, x, magnitude(e[4]));
+    if (job->role->per_pole >= 0) {
+        V change = c[job->role->loss_rate] * x;
+        f[4] = change / (1.0 - change);
+        return;
+    }
     f[4] = expm1_of(c[job->role->loss_rate] * x);
 }
 
@@ -3820,13 +3916,29 @@ INLINE V softening_energy(V *e, V *f)
     return grown * (energy(e, f) + (terms + faded_part));
 }
 
+/* Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole. */
+INLINE V passed_to(Batch *b, V x)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->per_pole >= 0) {
+        return log1p_of(c[job->role->per_pole] * x);
+    }
+    return x;
+}
+
 /* Compute E and its first two derivatives behind the functions of which it consists. */
 INLINE void soften(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     softening_functions(b, e, f, x);
-    V at = softening_energy(e, f);
+    V left = 1.0 + f[4];
+    V rate = c[job->role->loss_rate] * left;
+    if (job->role->per_pole >= 0) {
+        rate = rate * left;
+    }
+    V at = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
     V sine = f[0] - f[3];
     V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
     V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
@@ -3839,13 +3951,29 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
     V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
     f[5] = at;
     f[6] = slope;
-    V softens = (c[job->role->loss_rate] * (1.0 + f[4])) * loss;
-    f[7] = 2.0 * (turns + softens);
+    f[7] = 2.0 * (turns + (rate * loss));
+}
+
+/* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
+INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
+{
+    const Job *const job = b->job;
+    f[5] = broadcast(1.0);
+    if (job->role->per_pole >= 0) {
+        V at = hyperbolic_energy(e, f, part ? -past : past);
+        f[5] = magnitude(e[POLE] + f[0]);
+        return at;
+    }
+    softening_functions(b, e, f, past);
+    if (part) {
+        count_from_end(b, e, f, end - past);
+    }
+    return softening_energy(e, f);
 }
 
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
- * distances to both rests. E rises from node to node. */
+ * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node. */
 INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
     const Job *const job = b->job;
@@ -3863,12 +3991,8 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         V other = 1.0 + (bend * (1.0 - NODES[k]));
         V share = 1.0 / (here + (other * other));
         V past = end * (here * share);
-        softening_functions(b, e, f, past);
-        if (part) {
-            count_from_end(b, e, f, end - past);
-        }
-        V at = softening_energy(e, f);
-        V slowness = ((share * share) * (other * NODES[k])) / sqrt_of(at);
+        V at = energy_past(b, e, f, past, end, part);
+        V slowness = (((share * share) * (other * NODES[k])) * f[5]) / sqrt_of(at);
         total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
         lower = at;
         last = last + (LAST_SHARES[k] * slowness);
@@ -3887,17 +4011,25 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V unit = peak / (end - peak);
+    V to_peak = passed_to(b, peak);
+    V to_end = passed_to(b, end);
+    V unit = to_peak / (to_end - to_peak);
     V softened = 1.0 - (peak * c[job->role->loss_rate]);
     V unchanged = pick(c[FACTOR] < 0.2, broadcast(PER_STEP_TO_ROUNDING), broadcast(PER_STEP));
     V change = c[FACTOR] * unchanged;
     V bend = (change * BENT) * sqrt_of(softened);
-    V before = time_of_part(b, e, end, unit, bend, 0);
+    if (job->role->per_pole >= 0) {
+        bend = change * CLOSER_TO_POLE;
+        V reach = end + e[POLE];
+        M complete = ((1.0 + (e[4] * e[4])) * (reach * reach)) < COMPLETE;
+        to_end = pick(complete, to_end, broadcast(INFINITY));
+    }
+    V before = time_of_part(b, e, to_end, unit, bend, 0);
     V f[STRIDE];
     V back[STRIDE];
     softening_functions(b, e, f, end);
     factors_about_end(b, back, e, f);
-    V after = time_of_part(b, back, end, 1.0 / unit, change - 1.0, 1);
+    V after = time_of_part(b, back, to_end, 1.0 / unit, change - 1.0, 1);
     return (Pair){before, (before + after)};
 }
 

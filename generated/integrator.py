@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8d64bf462211b367f9bfd9ef00cf50556b0c42bce9de831c664251c16b759271
+# sha256 of the text below: bef69e0b50b510fff0468c692ede92714f489d10677b8f12b9b5db1b016ccd0f
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -395,6 +395,14 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
     -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
     -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
     -7.647163731819816e-13, 4.779477332387385e-14)
+HALF = 12
+LEAST = 1e-100
+SHIFT = 5
+FIRST = 6
+POLE = 7
+POWER = 8
+LOAD = 33
+NET = 36
 TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
@@ -402,13 +410,12 @@ ALIKE = 3.814697265625e-06
 PER_STEP = 4.0
 PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325
-SHIFT = 5
-FIRST = 6
+CLOSER_TO_POLE = 3.0
+LEAST_EXPONENT = -0.5
+COMPLETE = 6.0
 CONSTANT = 8
 SINE = 16
 VERS = 24
-LOAD = 33
-NET = 36
 PI = 3.141592653589793
 FARTHEST = 3.14
 FADED = 2.0
@@ -2294,6 +2301,57 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = rest / faded_by
 
 
+def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
+    """Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning."""
+    q = e[4]
+    sine = e[NET + 1] + e[FIRST] * e[LOAD + 1]
+    vers = e[NET + 2] + e[FIRST] * e[LOAD + 2]
+    fading: Floats = 2.0
+    even: Floats = 2.0
+    odd: Floats = 0.0
+    before: Floats = 0.0
+    for k in range(2 * HALF + 1):
+        versine = fading - even
+        whole = drive * fading + (sine * odd + vers * versine)
+        e[POWER + k] = e[POLE] * whole + before
+        before = e[NET] * fading + (e[NET + 1] * odd + e[NET + 2] * versine)
+        of_sine = odd * q + even
+        of_cosine = even * q - odd
+        fading = fading * q * (1.0 / (k + 1))
+        even = of_cosine * (1.0 / (k + 1))
+        odd = of_sine * (1.0 / (k + 1))
+
+
+def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
+    """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[4] = q
+    e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
+    expand_right_side(s, e, drive)
+    higher: Floats = 0.0
+    for k in range(2 * HALF, 1 - 1, -1):
+        per = 1.0 / (e[SHIFT] + float(k))
+        shrink = float(k + 1) * e[POLE] * per
+        higher = e[POWER + k] * per - shrink * higher
+        e[POWER + k] = higher
+    weight = e[POWER] - e[POLE] * higher
+    e[POWER] = -weight / e[SHIFT]
+
+
+def hyperbolic_energy(e: Floats, f: Floats, passed: Floats) -> Floats:
+    """Return E, and compute x in place 0, where the logarithm of 1 + x/pole is ``passed``."""
+    x = e[POLE] * np.expm1(passed)
+    f[0] = x
+    square = x * x
+    even = e[POWER + 2 * HALF]
+    odd = e[POWER + 2 * HALF - 1]
+    for k in range(HALF - 1, 1 - 1, -1):
+        even = even * square + e[POWER + 2 * k]
+        odd = odd * square + e[POWER + 2 * k - 1]
+    series = x * (odd + x * even)
+    singular = e[POWER] * np.expm1(-e[SHIFT] * passed)
+    return (1.0 + np.expm1(-e[4] * x)) * (series + singular)
+
+
 def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
     """Compute the factors of all terms from the numbers of the net moment without the load, and of the load."""
     factors(e, e[NET], e[NET + 1], e[NET + 2], q)
@@ -2324,6 +2382,11 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     e[NET + 1] = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
     e[NET + 2] = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
+    if s.roles.per_pole >= 0:
+        e[0] = 2.0 * e[NET]
+        e[POLE] = 1.0 / c[s.roles.per_pole]
+        hyperbolic_factors(s, e, q, c[s.roles.drive])
+        return
     factors_of_terms(e, q, c[s.roles.loss_rate])
 
 
@@ -2334,6 +2397,11 @@ def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
     back[FIRST] = 1.0 + f[4]
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
+    if s.roles.per_pole >= 0:
+        back[POLE] = -e[POLE] - f[0]
+        drive = back[NET] + back[FIRST] * back[LOAD]
+        hyperbolic_factors(s, back, -e[4], drive)
+        return
     factors_of_terms(back, -e[4], -c[s.roles.loss_rate])
 
 
@@ -2341,15 +2409,21 @@ def series_suffices(s: Lanes, e: Floats) -> Mask:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     c = s.cells
     driven = np.abs(c[s.roles.net_loss]) <= DRIVEN * c[s.roles.drive]
+    if s.roles.per_pole >= 0:
+        return driven & (e[SHIFT] > LEAST_EXPONENT)
     converges = np.abs(e[SHIFT]) <= GREATEST
     resonates = 2.0 * e[4] + c[s.roles.loss_rate] >= 0.0
     return driven & converges & np.logical_not(resonates)
 
 
 def softening_functions(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
+    """Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1."""
     c = s.cells
     functions(f, x, np.abs(e[4]))
+    if s.roles.per_pole >= 0:
+        change = c[s.roles.loss_rate] * x
+        f[4] = change / (1.0 - change)
+        return
     f[4] = np.expm1(c[s.roles.loss_rate] * x)
 
 
@@ -2387,11 +2461,23 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
     return grown * (energy(e, f) + (terms + faded_part))
 
 
+def passed_to(s: Lanes, x: Floats) -> Floats:
+    """Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole."""
+    c = s.cells
+    if s.roles.per_pole >= 0:
+        return np.log1p(c[s.roles.per_pole] * x)
+    return x
+
+
 def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
     c = s.cells
     softening_functions(s, e, f, x)
-    at = softening_energy(e, f)
+    left = 1.0 + f[4]
+    rate = c[s.roles.loss_rate] * left
+    if s.roles.per_pole >= 0:
+        rate = rate * left
+    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
     sine = f[0] - f[3]
     of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
     of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
@@ -2404,8 +2490,20 @@ def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
     f[6] = slope
-    softens = c[s.roles.loss_rate] * (1.0 + f[4]) * loss
-    f[7] = 2.0 * (turns + softens)
+    f[7] = 2.0 * (turns + rate * loss)
+
+
+def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
+    """Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5."""
+    f[5] = 1.0
+    if s.roles.per_pole >= 0:
+        at = hyperbolic_energy(e, f, -past if part else past)
+        f[5] = np.abs(e[POLE] + f[0])
+        return at
+    softening_functions(s, e, f, past)
+    if part:
+        count_from_end(s, e, f, end - past)
+    return softening_energy(e, f)
 
 
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
@@ -2424,11 +2522,8 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        softening_functions(s, e, f, past)
-        if part:
-            count_from_end(s, e, f, end - past)
-        at = softening_energy(e, f)
-        slowness = share * share * (other * NODES[k]) / np.sqrt(at)
+        at = energy_past(s, e, f, past, end, part)
+        slowness = share * share * (other * NODES[k]) * f[5] / np.sqrt(at)
         total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
@@ -2443,17 +2538,24 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
 def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     c = s.cells
-    unit = peak / (end - peak)
+    to_peak = passed_to(s, peak)
+    to_end = passed_to(s, end)
+    unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * c[s.roles.loss_rate]
     unchanged = np.where(c[ix.FACTOR] < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
     change = c[ix.FACTOR] * unchanged
     bend = change * BENT * np.sqrt(softened)
-    before = time_of_part(s, e, end, unit, bend, 0)
+    if s.roles.per_pole >= 0:
+        bend = change * CLOSER_TO_POLE
+        reach = end + e[POLE]
+        complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
+        to_end = np.where(complete, to_end, INFINITY)
+    before = time_of_part(s, e, to_end, unit, bend, 0)
     f = np.zeros((ix.STRIDE, e.shape[1]))
     back = np.zeros((ix.STRIDE, e.shape[1]))
     softening_functions(s, e, f, end)
     factors_about_end(s, back, e, f)
-    after = time_of_part(s, back, end, 1.0 / unit, change - 1.0, 1)
+    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1)
     return (before, before + after)
 
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0eaf68a0692dc0319bc168474ae842a3b6cb78adac67f16f39e76dc92cc1cf4e
+# sha256 of the text below: 7f4d06af70eb31e757b362203b4615d7282d66b572b8da09622134dcac11e2b8
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -126,7 +126,7 @@ ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'square', 'cell_drive', 'cell
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu',
     'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers',
     'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine',
-    'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate')
+    'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate', 'cell_per_pole')
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

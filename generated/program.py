@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5078430d83e671d7310b7c26c189df4b7deb8aa15eab856807a5dd37e0556e88
+# sha256 of the text below: a1f5dde9ee6f8118afbd97a78c676427c33c520342a8f38b6ccbc9f348d472e1
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -414,17 +414,20 @@ class Linker:
     def closed_form(self, registers: Mapping[str, str | None], outputs: dict[str, str]) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
-        The net moment may also contain exp(rate x) - 1, called loss, and its products with these. There are no factors
-        if other registers or products occur in these sums, or no sine.
+        The net moment may also contain exp(a x) - 1 or 1/(1 + a x) - 1, called loss, and its products with these. There
+        are no factors if other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
         names = dict(FACTORS)
         for operation, results in self.series.items():
-            if operation.kind == "exp":
-                argument = self._made_by(operation.registers[1])
+            if operation.kind in ("exp", "rec"):
+                argument = self._made_by(operation.registers[-1])
                 if argument.registers == ("x",) and not cells:
                     names[results[1]] = "loss"
-                    cells["cell_loss_rate"] = argument.cells[1]
+                    rate = argument.cells[1]
+                    cells["cell_loss_rate"] = rate
+                    if operation.kind == "rec":
+                        cells = {"cell_loss_rate": self._result("neg", [rate]), "cell_per_pole": rate}
         for name, constant in CONSTANTS.items():
             factors = {role: ZERO for role in ROLES if role.startswith(f"cell_{name}")}
             for each, cell in self._products(str(registers[name])):

@@ -51,7 +51,7 @@ def agrees(number: int, motion: Any) -> None:
 # Steps of all scenes of a group together, and the operations on series in them.
 WORK = {
     "frozen": (210, 500), "constant": (273, 1523), "exponential": (299, 3373), "linear": (117, 946),
-    "hyperbolic": (442, 4501), "tabulated": (1315, 13207), "viscous": (53, 250), "pulse": (307, 3249),
+    "hyperbolic": (261, 2596), "tabulated": (1315, 13207), "viscous": (53, 250), "pulse": (307, 3249),
     "series": (328, 3800), "rate": (138, 1158), "rate table": (596, 7623), "prescribed": (67, 530),
     "product": (195, 2804), "heated": (122, 1598), "water": (54, 367), "all": (578, 13855),
     "sections": (324, 4100), "that ship": (323, 4357),

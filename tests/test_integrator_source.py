@@ -100,6 +100,7 @@ BAD = {
     "def f(x: V, m: M, n: N) -> V:\n    return where(m and n > 0, x, 0.0)\n": "joined with masks only",
     "def f(x: V) -> V:\n    return x if x > 0.0 else 0.0\n": "a choice by lane is `where`",
     "x: int\n": "a module has",
+    "X = 1\nX = 2\n": "one value",
 }
 
 

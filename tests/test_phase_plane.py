@@ -16,7 +16,7 @@ from derive.algebra import phase_plane
 from derive.algebra.phase_plane import drive, q, sine, vers, x
 from derive.check.proof import ProofError
 from derive.flow import closed
-from derive.flow.integrator import energy, one_lane, softening, swing
+from derive.flow.integrator import energy, hyperbolic, one_lane, softening, swing
 from derive.flow.layout import STRIDE
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
@@ -25,6 +25,7 @@ from tests.support import lanes, oracle, taylor
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 COUNT = 40
+SOFTENING_LAWS = ("exponential", "hyperbolic")
 DECIDED = [ix.STATUS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED]
 MEASURED = [ix.REST_SINCE, ix.PEAK_TIME, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.REACH_ROTATION, ix.REACH_TIME]
 AT_END = [ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE]
@@ -115,11 +116,12 @@ def test_estimates_see_the_error_of_series_in_the_rotation() -> None:
     assert all(case.error <= case.estimate for case in cases)
 
 
+@pytest.mark.parametrize("law", SOFTENING_LAWS)
 @pytest.mark.parametrize("name", EFFECTS)
-def test_softening_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
+def test_softening_phases_in_closed_form_are_those_integrated_in_time(name: str, law: str) -> None:
     """Compare all motions, and within 1e-11 the motions without steps in time."""
     for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
-        scene = random_scene(EFFECTS[name], end, softens="exponential")
+        scene = random_scene(EFFECTS[name], end, softens=law)
         expected = lanes.integrate(in_time(lanes.posed(scene, 1e-15)), which)
         steps = lanes.integrate(in_time(lanes.posed(scene, 1e-9)), which)[ix.STEPS]
         found = lanes.integrate(lanes.posed(scene, 1e-9), which, backend)
@@ -129,10 +131,11 @@ def test_softening_phases_in_closed_form_are_those_integrated_in_time(name: str)
         assert agree(found[:, at_once], expected[:, at_once], 1e-11)
 
 
+@pytest.mark.parametrize("law", SOFTENING_LAWS)
 @pytest.mark.parametrize("name", EFFECTS)
-def test_softening_phases_in_closed_form_are_accurate_to_rounding(name: str) -> None:
+def test_softening_phases_in_closed_form_are_accurate_to_rounding(name: str, law: str) -> None:
     """Single scenes, and ensembles of fine accuracy, have rules of more nodes."""
-    scene = random_scene(EFFECTS[name], None, softens="exponential")
+    scene = random_scene(EFFECTS[name], None, softens=law)
     problem = lanes.posed(scene, 1e-15)
     found, expected = lanes.integrate(problem), lanes.integrate(in_time(problem))
     at_once = found[ix.STEPS] < expected[ix.STEPS]
@@ -140,16 +143,17 @@ def test_softening_phases_in_closed_form_are_accurate_to_rounding(name: str) -> 
     assert agree(found[:, at_once], expected[:, at_once], 1e-14)
 
 
+@pytest.mark.parametrize("law", SOFTENING_LAWS)
 @pytest.mark.parametrize("length", [1.0, 20.0, 500.0])
-def test_softening_ensembles_have_the_digits_of_a_plain_integration(length: float) -> None:
+def test_softening_ensembles_have_the_digits_of_a_plain_integration(length: float, law: str) -> None:
     """Vaiont at three frictions, the last one near the limit, by Taylor series in time with twenty digits."""
     vaiont: Scene[Any] = load("vaiont")
     peaks = np.tan(np.radians([10.0, 19.5, 22.7]))
-    laws = [{"law": "exponential", "peak": peak, "residual": 0.14, "length": length} for peak in (peaks, *peaks)]
-    found = solve(replace(vaiont, friction=laws[0]), 1e-9).outcomes
-    for lane, law in enumerate(laws[1:]):
+    frictions = [{"law": law, "peak": peak, "residual": 0.14, "length": length} for peak in (peaks, *peaks)]
+    found = solve(replace(vaiont, friction=frictions[0]), 1e-9).outcomes
+    for lane, friction in enumerate(frictions[1:]):
         given = {"arc": oracle.plain(vaiont.arc), "effects": dict(vaiont.called), "initial_velocity": 0.0}
-        exact = taylor.solve(given | {"friction": law, "end_time": None}, digits=20)
+        exact = taylor.solve(given | {"friction": friction, "end_time": None}, digits=20)
         for name in ("run_out", "duration", "peak_velocity"):
             assert found[name][lane] == pytest.approx(float(exact[name]), rel=1e-10), name
 
@@ -185,15 +189,19 @@ def energy_at(at: Any, numbers: Sequence[Any], softens: Sequence[Any] = ()) -> A
     return mpmath.exp(softens[1] * fall / softens[0]) * total
 
 
-def by_quadrature(numbers: Any, at: Any, softens: Any = (1, 0, 0, 0, 0)) -> Any:
-    """E by the integrating factor of the linear equation, of exponential softening if there are numbers for it."""
+def by_quadrature(numbers: Any, at: Any, softens: Any = (1, 0, 0, 0, 0), law: str = "exponential") -> Any:
+    """E by the integrating factor of the linear equation, of a law of softening if there are numbers for it."""
     drive, sine, vers, q = map(mpmath.mpf, numbers)
     slope, brake, load, load_sine, load_vers = map(mpmath.mpf, softens)
 
+    def left(x: Any) -> Any:
+        return mpmath.exp(-slope * x) if law == "exponential" else 1 / (1 + slope * x)
+
     def weighted(x: Any) -> Any:
-        fall, s, v = mpmath.exp(-slope * x), mpmath.sin(x), 1 - mpmath.cos(x)
-        net = drive + sine * s + vers * v + fall * (load + load_sine * s + load_vers * v)
-        return 2 * net * mpmath.exp(q * (x - at) + brake / slope * (mpmath.exp(-slope * at) - fall))
+        s, v = mpmath.sin(x), 1 - mpmath.cos(x)
+        net = drive + sine * s + vers * v + left(x) * (load + load_sine * s + load_vers * v)
+        since = left(at) - left(x) if law == "exponential" else mpmath.log(left(at) / left(x))
+        return 2 * net * mpmath.exp(q * (x - at) + brake / slope * since)
 
     return mpmath.quad(weighted, [0, at])
 
@@ -228,44 +236,46 @@ def test_e_under_exponential_softening_passes_resonances(order: int, distance: f
 SOFTENING = (8.0, 0.1, -0.09, 0.2, -0.1)  # slope, brake, load, load_sine, load_vers
 
 
-def softening_lanes(numbers: Sequence[float], softens: Sequence[float]) -> Any:
-    """Return the cells of a lane with exponential softening, from the numbers of `energy_at`."""
+def softening_lanes(numbers: Sequence[float], softens: Sequence[float], law: str = "exponential") -> Any:
+    """Return the cells of a lane with a law of softening, from the numbers of `energy_at`."""
     (drive, sine, vers, q), (slope, brake, load, load_sine, load_vers) = numbers, softens
     return SimpleNamespace(
         drive=drive + load, net_sine=sine + load_sine, net_vers=vers + load_vers, net_square=-0.5 * (q + brake),
         net_loss=load, net_loss_sine=load_sine, net_loss_vers=load_vers, net_loss_square=-0.5 * brake,
-        loss_rate=-slope, has=SimpleNamespace(loss_rate=True),
+        loss_rate=-slope, per_pole=slope, has=SimpleNamespace(loss_rate=True, per_pole=law == "hyperbolic"),
+        inverse=[0.0, *(1.0 / k for k in range(1, STRIDE))],
     )  # fmt: skip
 
 
+@pytest.mark.parametrize("law", SOFTENING_LAWS)
 @pytest.mark.parametrize("softens", [SOFTENING, (8.0, 0.0, *SOFTENING[2:]), (1.0, 0.06, 0.02, -0.1, 0.1)])
-def test_e_under_exponential_softening_solves_the_equation(softens: Any) -> None:
+def test_e_under_softening_solves_the_equation(softens: Any, law: str) -> None:
     """E by quadrature of the definition, and its derivatives by differences with thirty digits."""
     numbers = (0.1, *CONSTANT[1:])
-    s, e, f = softening_lanes(numbers, softens), [0.0] * STRIDE, [0.0] * STRIDE
+    s, e, f = softening_lanes(numbers, softens, law), [0.0] * STRIDE, [0.0] * STRIDE
     softening.softening_factors(s, e)
     with mpmath.workdps(30):
         for at in (1e-4, 0.04, 0.3):
-            exact = partial(by_quadrature, numbers, softens=softens)
+            exact = partial(by_quadrature, numbers, softens=softens, law=law)
             softening.soften(s, e, f, at)
             expected = [exact(mpmath.mpf(at)), *(mpmath.diff(exact, at, order) for order in (1, 2))]
             assert f[5:8] == pytest.approx([float(x) for x in expected], rel=1e-12)
 
 
+@pytest.mark.parametrize("law", SOFTENING_LAWS)
 @pytest.mark.parametrize("distance", [1e-3, 1e-7, 1e-12])
-def test_e_near_the_end_of_a_phase_has_no_rounding_error(distance: float) -> None:
+def test_e_near_the_end_of_a_phase_has_no_rounding_error(distance: float, law: str) -> None:
     """Friction still softens at the end, which is the number next to the zero of E."""
     numbers = (0.1, *CONSTANT[1:])
-    s, e, back, f = softening_lanes(numbers, SOFTENING), *([0.0] * STRIDE for _ in range(3))
+    s, e, back, f = softening_lanes(numbers, SOFTENING, law), *([0.0] * STRIDE for _ in range(3))
     softening.softening_factors(s, e)
     with mpmath.workdps(40):
-        end = mpmath.findroot(lambda x: by_quadrature(numbers, x, SOFTENING), 0.2)
+        end = mpmath.findroot(lambda x: by_quadrature(numbers, x, SOFTENING, law), 0.2)
         softening.softening_functions(s, e, f, float(end))
         softening.factors_about_end(s, back, e, f)
-        softening.softening_functions(s, back, f, distance)
-        exact = by_quadrature(numbers, end - mpmath.mpf(distance), SOFTENING)
-    softening.count_from_end(s, back, f, float(end) - distance)
-    assert softening.softening_energy(back, f) == pytest.approx(float(exact), rel=1e-13)
+        exact = by_quadrature(numbers, end - mpmath.mpf(distance), SOFTENING, law)
+    past = -math.log1p(-distance / (float(end) + 1.0 / s.per_pole)) if s.has.per_pole else distance
+    assert softening.energy_past(s, back, f, past, float(end), 1) == pytest.approx(float(exact), rel=1e-13)
 
 
 @pytest.mark.parametrize("slope", [1 + 1e-12, 0.5 + 1e-12, 1.9, 2.1])
@@ -292,7 +302,8 @@ def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch:
         monkeypatch.setattr(softening, "softening_functions", lambda *_: None)
         monkeypatch.setattr(softening, "softening_energy", lambda *_, given=energies: next(given))
         monkeypatch.setattr(softening, "count_from_end", lambda *_: None)
-        time = softening.time_of_part(SimpleNamespace(highest=18), [], 1.0, unit, 0.0, 1)
+        lane = SimpleNamespace(highest=18, has=SimpleNamespace(per_pole=False))
+        time = softening.time_of_part(lane, [], 1.0, unit, 0.0, 1)
         assert time == (math.inf if uncertain else pytest.approx(2 * unit, rel=1e-6))
 
 
@@ -369,6 +380,15 @@ def test_a_fault_of_the_closed_form_is_not_proved(monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(softening, "softening_factors", wrong_term)
     with pytest.raises(ProofError, match="E under softening friction in the integrator"):
+        closed.prove()
+    monkeypatch.undo()
+
+    def wrong_series(s: Any, e: Any) -> None:
+        softens(s, e)
+        e[hyperbolic.POWER + 2 * hyperbolic.HALF] *= 1 + 1e-9
+
+    monkeypatch.setattr(softening, "softening_factors", wrong_series)
+    with pytest.raises(ProofError, match="E under hyperbolic friction in the integrator"):
         closed.prove()
     monkeypatch.setattr(phase_plane, "NET", phase_plane.NET + phase_plane.x)
     with pytest.raises(ProofError, match="term 0 under softening"):

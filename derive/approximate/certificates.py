@@ -156,11 +156,9 @@ def files(records: Iterable[Record]) -> TextDict:
         rows.append(f'    "operations": [\n{operations}\n    ]')
         block = ",\n".join(rows)
         blocks.setdefault(record["kernel"], []).append(f"  {{\n{block}\n  }}")
-    return {f"certificates/{kernel}.json": _file(kernel, of_kernel) for kernel, of_kernel in blocks.items()}
-
-
-def _file(kernel: str, blocks: Iterable[str]) -> str:
-    """Return the text of a kernel's certificate file from the texts of its records."""
-    certificates = ",\n".join(blocks)
-    head = f' "kernel": {json.dumps(kernel)},\n "read me": {json.dumps(README)},\n'
-    return f'{{\n{head} "certificates": [\n{certificates}\n ]\n}}\n'
+    texts = {}
+    for kernel, of_kernel in blocks.items():
+        certificates = ",\n".join(of_kernel)
+        head = f' "kernel": {json.dumps(kernel)},\n "read me": {json.dumps(README)},\n'
+        texts[f"certificates/{kernel}.json"] = f'{{\n{head} "certificates": [\n{certificates}\n ]\n}}\n'
+    return texts

@@ -117,18 +117,15 @@ def end(closed: Expr) -> End:
     for odd in (True, False):
         sign = 1 if odd else -1
         if all(expand(part + sign * part.subs(b, -b)) == 0 for part in (smooth, logs)):
-            return _expanded(smooth, logs, odd)
-    return End(False, 0.0, 0, serves=False)
-
-
-def _expanded(smooth: Expr, logs: Expr, odd: bool) -> End:
-    """Return the expansion from the Taylor series in b of ``smooth`` and of ``logs``, the factor of artanh(cos(b))."""
+            break
+    else:
+        return End(False, 0.0, 0, serves=False)
     log = 0
     with truth.working(GUARD):
-        b = fmpq_series([0, 1])
-        first = evaluate(smooth, b)[1 if odd else 2]
+        taylor = fmpq_series([0, 1])
+        first = evaluate(smooth, taylor)[1 if odd else 2]
         if logs != 0:
-            series = evaluate(logs, b)
+            series = evaluate(logs, taylor)
             while series[log] == 0:
                 log += 1
     return End(odd, float(first), log)

@@ -117,8 +117,7 @@ def slope_gap(statement: str) -> float:
             model = truth.kernel_model(statement, segment)
             for x in boxes(segment.lower, segment.upper):
                 s, c = x.sin_cos()
-                h = -((arb.pi() / 2 - x) / 2).tan().log()
-                slope = 2 * s * truth.folded(power, x, s, c, h)
+                slope = 2 * s * truth.folded(power, x, s, c, truth.artanh_of_sine(x))
                 steepness = x * slope / model(x - segment.centre)
                 worst = max(worst, above(steepness - 3 * x * c / s))
     return worst + 3 * cotangent_loss()

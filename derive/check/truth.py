@@ -90,10 +90,15 @@ def ball(lower: float | arb, upper: float | arb) -> arb:
     return arb((low + high) / 2, (high - low) / 2)
 
 
+def artanh_of_sine(alpha: Any) -> Any:
+    """Return artanh(sin(alpha)) of a ball as -ln(tan((pi/2 - alpha)/2))."""
+    return -((arb.pi() / 2 - alpha) / 2).tan().log()
+
+
 def enclosure(definition: Definition, alpha: arb) -> arb:
     """Return a definition on a ball 0 < alpha < pi/2 at the current precision. It cancels near 0."""
     s, c = alpha.sin_cos()
-    h = -((arb.pi() / 2 - alpha) / 2).tan().log()
+    h = artanh_of_sine(alpha)
     return reduce(truediv, (exactly(statement, alpha, s, c, h) for statement in definition))
 
 
@@ -108,8 +113,7 @@ def _taylor(statement: str, centre: arb) -> Balls:
     """Return Taylor coefficients of a base quantity for every point of the ball ``centre`` at once."""
     a = arb_series([centre, 1])
     s, c = a.sin_cos()
-    # artanh(sin a) = -ln tan((pi/2 - a)/2), and its derivative is 1/cos a.
-    h = (1 / c).integral() - ((arb.pi() / 2 - centre) / 2).tan().log()
+    h = (1 / c).integral() + artanh_of_sine(centre)  # the derivative of artanh(sin a) is 1/cos a
     return coefficients(exactly(statement, a, s, c, h))
 
 

@@ -1,17 +1,25 @@
 """Proof that the closed forms of a phase in the integrator are the derived ones."""
 
+from collections.abc import Mapping
 from itertools import islice
 from types import SimpleNamespace
 from typing import Any
 
-from sympy import Expr, Float, Rational, cos, exp, expand_trig, nsimplify, sin, symbols
+import mpmath
+from sympy import Expr, Float, Function, Rational, cos, exp, expand_trig, lambdify, nsimplify, sin, symbols
 
 from derive.algebra import phase_plane
 from derive.algebra.phase_plane import BASIS, NET, SOFTENING, drive, q, sine, vers, x
 from derive.algebra.prove import prove_zero
+from derive.check.proof import ProofError
 from derive.flow.integrator import energy, softening
-from derive.flow.integrator.softening import FIRST, SHIFT, TERMS
+from derive.flow.integrator.hyperbolic import FIRST, HALF, SHIFT, hyperbolic_energy
+from derive.flow.integrator.softening import TERMS
 from derive.flow.layout import STRIDE
+
+PROBLEM = (drive, sine, vers, q, *SOFTENING)
+NEAR_START = 2.0**-100
+DIGITS = 800  # more than terms of E have so close to its start
 
 
 def _factors(*problem: Any) -> list[Expr]:
@@ -50,25 +58,37 @@ def prove() -> str:
     energy.reverse(reversed_basis, q)
     claim(reversed_basis[1], BASIS[1].subs(q, -q), "w of -q")
     _prove_softening()
-    return f"E and {len(forms) - 1} derivatives, from both ends of a phase, and E under exponential softening"
+    _prove_hyperbolic()
+    return f"E and {len(forms) - 1} derivatives, from both ends of a phase, and E under softening"
 
 
-def _prove_softening() -> None:
-    """Prove E as a function of the rotation under exponential softening, for rational numbers."""
-    slope, brake, load, load_sine, load_vers = SOFTENING
-    lanes = SimpleNamespace(
-        drive=drive + load,
-        net_sine=sine + load_sine,
-        net_vers=vers + load_vers,
-        net_square=-(q + brake) / 2,
+def _lane(values: Mapping[Expr, Any], per_pole: Any = 0) -> Any:
+    """Return the cells of a lane with softening friction from the values of the symbols in `PROBLEM`.
+
+    ``per_pole`` is the slope if friction is hyperbolic.
+    """
+    of_drive, of_sine, of_vers, decay, slope, brake, load, load_sine, load_vers = (values[x] for x in PROBLEM)
+    return SimpleNamespace(
+        drive=of_drive + load,
+        net_sine=of_sine + load_sine,
+        net_vers=of_vers + load_vers,
+        net_square=-(decay + brake) / 2,
         net_loss=load,
         net_loss_sine=load_sine,
         net_loss_vers=load_vers,
         net_loss_square=-brake / 2,
         loss_rate=-slope,
+        per_pole=per_pole,
+        has=SimpleNamespace(per_pole=per_pole != 0),
+        inverse=[0, *(1 / mpmath.mpf(k) for k in range(1, STRIDE))],
     )
+
+
+def _prove_softening() -> None:
+    """Prove E as a function of the rotation under exponential softening, for rational numbers."""
+    slope = SOFTENING[0]
     e: list[Any] = [0] * STRIDE
-    softening.softening_factors(lanes, e)
+    softening.softening_factors(_lane({symbol: symbol for symbol in PROBLEM}), e)
     e[SHIFT] = 0  # without the factor exp(brake W/slope)
     first = symbols("first")
     e[FIRST] = first
@@ -76,5 +96,26 @@ def _prove_softening() -> None:
     found = softening.softening_energy(e, [*BASIS, fall - first])
     for j, problem in enumerate(islice(phase_plane.softening(), TERMS + 1)):
         found -= fall**j * phase_plane.energy_from_rest(problem)
-    numbers = {symbol: Rational(k, 7) for k, symbol in enumerate((drive, sine, vers, q, *SOFTENING, first), 2)}
+    numbers = {symbol: Rational(k, 7) for k, symbol in enumerate((*PROBLEM, first), 2)}
     prove_zero(_exact(found).xreplace(numbers), "E under softening friction in the integrator")
+
+
+def _prove_hyperbolic() -> None:
+    """Prove E under hyperbolic softening by substitution: near the start the equation misses the omitted terms only."""
+    energy_of_x = Function("E")(x)
+    unknown = symbols("E slope_of_E")
+    equation = phase_plane.hyperbolic().subs(energy_of_x.diff(x), unknown[1]).subs(energy_of_x, unknown[0])
+    missed = lambdify((*PROBLEM, x, *unknown), equation, "mpmath")
+    with mpmath.workdps(2 * DIGITS):
+        values = {symbol: mpmath.mpf(k) / 7 for k, symbol in enumerate(PROBLEM, 2)}
+        slope = values[SOFTENING[0]]
+        e: list[Any] = [mpmath.mpf(0)] * STRIDE
+        softening.softening_factors(_lane(values, slope), e)
+
+        def energy_at(place: Any) -> Any:
+            return hyperbolic_energy(e, [0], mpmath.log1p(slope * place))
+
+        place = mpmath.mpf(NEAR_START)
+        found = missed(*values.values(), place, energy_at(place), mpmath.diff(energy_at, place))
+        if abs(found) > place ** (2 * HALF):
+            raise ProofError("E under hyperbolic friction in the integrator", found)

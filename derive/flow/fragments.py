@@ -130,23 +130,24 @@ def quantities(effect: Effect) -> Forms:
 
 
 def odd(effect: Effect) -> set[Symbol]:
-    """Return the parameters that change sign in a mirror image in which only the drive does, or raise `ProofError`."""
+    """Return the parameters that change sign in a mirror image, in which only the driving moment of all terms does.
+
+    Raises
+    ------
+    ProofError
+        If the terms of the effect are not symmetric for any choice of parameters.
+    """
     symbols = effect.symbols.keys()
     free = sorted(symbols - ODD, key=str)
     for chosen in chain.from_iterable(combinations(free, n) for n in range(len(free) + 1)):
-        if _symmetric(effect, chosen):
+        mirror = {x: -x for x in ODD.union(chosen)}
+        for quantity, e in quantities(effect).items():
+            mirrored = -e if quantity == "driving" else e
+            if expand(e.xreplace(mirror) - mirrored) != 0:
+                break
+        else:
             return symbols & ODD | {*chosen}
     raise ProofError(f"{effect.name}: signs of its parameters", "none", "some that make its terms the same in a mirror")
-
-
-def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
-    """Return whether only the driving moment changes sign if the symbols ``chosen`` and `ODD` do."""
-    mirror = {x: -x for x in ODD.union(chosen)}
-    for quantity, e in quantities(effect).items():
-        mirrored = -e if quantity == "driving" else e
-        if expand(e.xreplace(mirror) - mirrored) != 0:
-            return False
-    return True
 
 
 def moving(effect: Effect | None = None) -> dict[Symbol, Split]:

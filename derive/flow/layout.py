@@ -112,7 +112,8 @@ PENDING = {
 NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
 KINDS = ("slip", "speed", "time", "rotation")  # arguments of tables
 # Registers and cells of a program that the integrator reads, the last ones where phases have a closed form: factors of
-# sin(x), 1 - cos(x) and omega^2, then of exp(rate x) - 1 and its products with these, and the rate.
+# sin(x), 1 - cos(x) and omega^2, then of exp(rate x) - 1 or 1/(1 + per_pole x) - 1 and its products with these, and
+# its derivative at the start.
 ROLES = (
     "x",
     "omega",
@@ -143,6 +144,7 @@ ROLES = (
     "cell_net_loss_vers",
     "cell_net_loss_square",
     "cell_loss_rate",
+    "cell_per_pole",
 )
 HIGHEST = 40  # order of a series
 STRIDE = HIGHEST + 2  # distance of registers: states have one more coefficient, followed by zero

@@ -2,7 +2,6 @@
 
 import ast
 import inspect
-from types import ModuleType
 
 from sympy import Float, sstr
 
@@ -67,11 +66,9 @@ def _fragment(f: Fragment) -> str:
 
 def linker_module() -> str:
     """Return the module `generated.program`: the linker's modules, with the imports of the template."""
-    return filled("_program.py.in", {"LINKER": "\n\n\n".join(map(_without_imports, LINKER))})
-
-
-def _without_imports(part: ModuleType) -> str:
-    """Return the source of a module after its last ``from`` import."""
-    source = inspect.getsource(part)
-    *_, last = (x for x in ast.parse(source).body if isinstance(x, ast.ImportFrom))
-    return "\n".join(source.splitlines()[last.end_lineno :]).strip("\n")
+    parts = []
+    for part in LINKER:  # each after its last ``from`` import
+        source = inspect.getsource(part)
+        *_, last = (x for x in ast.parse(source).body if isinstance(x, ast.ImportFrom))
+        parts.append("\n".join(source.splitlines()[last.end_lineno :]).strip("\n"))
+    return filled("_program.py.in", {"LINKER": "\n\n\n".join(parts)})

@@ -64,7 +64,9 @@ ENTRIES |= {
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
-    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "expm1", "sqrt", "number"), ""),
+    **dict.fromkeys(
+        ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt", "number"), ""
+    ),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at"), "V"),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
@@ -134,12 +136,12 @@ class Text:
                     parameters = {x.arg: annotation(x.annotation, path, node) for x in arguments}
                     result = annotation(returns, path, node)
                     self.functions[node.name] = RestrictedFunction(node.name, path, node, parameters, result)
-                case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                case ast.Assign(targets=[ast.Name(id=name)], value=value) if name not in self.constants:
                     self.constants[name] = eval(ast.unparse(value), {"factorial": factorial, **self.constants})
                 case ast.Expr(value=ast.Constant()) | ast.ImportFrom():
                     pass
                 case _:
-                    refuse_node(path, node, "a module has imports, constants and functions")
+                    refuse_node(path, node, "a module has imports, functions, and constants with one value each")
 
     def names_of(self, function: RestrictedFunction) -> set[str]:
         """Return the names of the functions of the text that a function calls."""

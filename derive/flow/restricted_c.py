@@ -74,6 +74,7 @@ FORMS = {
     "abs.V": "magnitude",
     "sqrt.V": "sqrt_of",
     "expm1.V": "expm1_of",
+    "log1p.V": "log1p_of",
     "minimum": "fmin",
     "minimum.V": "minimum",
     "minimum.I": "({a} < {b} ? {a} : {b})",

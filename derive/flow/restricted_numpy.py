@@ -78,6 +78,7 @@ FORMS = {
     "cos": "np.cos",
     "log": "np.log",
     "expm1": "np.expm1",
+    "log1p": "np.log1p",
     "sqrt": "np.sqrt",
     "number": "float",
     "number.F": "{a}",

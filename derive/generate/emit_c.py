@@ -177,20 +177,15 @@ def _bodies(form: str, variants: Sequence[Variant], words: Mapping[tuple[str, st
         c.parts.append(part)
     for v in variants:
         name = f"{identifier(v.kernel, v.tier)}_{form}"
-        comment = _comment(words.get((v.kernel, v.tier, form), ""))
+        comment = ""
+        if said := words.get((v.kernel, v.tier, form)):
+            comment = "/* " + "\n * ".join(textwrap.wrap(said.replace("*/", "* /"), 112)) + " */\n"
         if v.part:
             part = Part(f"{identifier(v.part.kernel, v.part.tier)}_{form}", v.part.program)
             text += f"\n{comment}{c.body(name, v.program, [part])}"
         else:
             text += f"\n{comment}{c.functions(name, v.program)}"
     return text
-
-
-def _comment(words: str) -> str:
-    """Return a comment in C with these words, empty without words."""
-    if words:
-        return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n"
-    return ""
 
 
 def _macro(name: str, lines: Sequence[str]) -> str:

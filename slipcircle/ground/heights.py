@@ -9,6 +9,7 @@ that a point of the arc is (sin, -cos). A line y = y_0 + s (x - x_0) is y_0 + s 
 half of the circle (cos > 0) and on the upper half.
 """
 
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -40,24 +41,29 @@ class HeightIntegrals(NamedTuple):
 
         ``first`` and ``last`` are angles in rad from straight below the centre, (..., n).
         """
-        # Both ends of arcs, (..., n, 1), shifted by whole turns so that the first is within a turn from -3 pi/2.
         turn = 2 * np.pi
         ahead = first + 1.5 * np.pi
         turns = turn * np.floor(ahead / turn)
-        new_first = first - turns
+        circles, count = self.slope.shape
+        new_first = first - turns  # within a turn from -3 pi/2
         new_last = last - turns
-        first_angle = new_first[..., None]
-        last_angle = new_last[..., None]
-        total = np.zeros(np.shape(first))
-        arcs = max(1, np.size(first))
-        together = max(1, _TOGETHER // arcs)
-        for k in range(0, self.slope.shape[1], together):
+        start = new_first.reshape(-1, circles, 1)
+        end = new_last.reshape(-1, circles, 1)
+        total = np.zeros(start.shape[:2])
+        rows = max(1, _TOGETHER // max(1, circles))
+        arcs = min(rows, len(total)) * circles
+        together = max(1, _TOGETHER // max(1, arcs))
+        first_rows = range(0, len(total), rows)
+        first_pieces = range(0, count, together)
+        for row, k in product(first_rows, first_pieces):
+            some = slice(row, row + rows)
             chosen = slice(k, k + together)
             pieces = self.pieces.only(chosen)
             slope = self.slope[:, chosen]
-            by_piece = _over_parts(pieces, slope, first_angle, last_angle)
-            total += by_piece.sum(axis=-1)
-        return total
+            by_piece = _over_parts(pieces, slope, start[some], end[some])
+            total[some] += by_piece.sum(axis=-1)
+        shape = np.shape(first)
+        return total.reshape(shape)
 
 
 def _over_parts(pieces: GroundPieces, slope: Floats, first: Floats, last: Floats) -> Any:
@@ -76,9 +82,10 @@ def _over_parts(pieces: GroundPieces, slope: Floats, first: Floats, last: Floats
     part = stop - start
     angle = np.where(is_whole, span, part)
     ahead = start - low
-    along = np.sin(ahead)
-    half_sine = np.sin(ahead / 2)
-    bent = 2 * half_sine**2  # 1 - cos(ahead)
+    tangent = np.tan(ahead / 2)
+    square = tangent**2
+    along = 2 * tangent / (1.0 + square)  # sin(ahead)
+    bent = along * tangent  # 1 - cos(ahead)
     more_sine = cosine * along - sine * bent
     fall = sine * along
     more_cosine = -fall - cosine * bent

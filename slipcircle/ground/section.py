@@ -28,7 +28,7 @@ from slipcircle.ground.plane import Vectors
 # Fields of the geometry, and cached properties that depend on them alone.
 _GEOMETRY = ("ground", "centre", "radius", "between", "level", "confined", "ponds")
 _OF_GEOMETRY = [name for name, value in vars(SectionGeometry).items() if isinstance(value, cached_property)]
-_OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "profile"]
+_OF_GEOMETRY += ["sagitta", "pressure_kinks", "_strips", "profile"]
 
 
 @dataclass(frozen=True)

@@ -34,11 +34,11 @@ from slipcircle.ground.section import Section, copy_computed
 from slipcircle.layers.depths import Depths, depths_below
 from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
-from slipcircle.layers.profile import MEASURED, Profile, columns_of, profile_of
+from slipcircle.layers.profile import MEASURED, Profile, profile_of
 from slipcircle.layers.soils import Layers, Soil, datum_mistakes, layer_mistakes, soil_mistakes, top_of
 from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
-from slipcircle.layers.strips import Strips, cut_into_strips
+from slipcircle.layers.strips import Strips, crossings_of_lines, cut_into_strips
 from slipcircle.tree import numbers
 
 
@@ -192,17 +192,6 @@ class LayeredSection(LayeredNumbers):
     # --- geometry ----------------------------------------------------------------------------------------------------
 
     @cached_property
-    def _lines_over_radius(self) -> list[Floats]:
-        """Ground, tops of the layers and water level relative to the centre, over R, (circles or 1, V, 2)."""
-        ground, centre, radius = self._circle
-        lines = [ground, *map(self._top_line, self.tops)]
-        if self.level is not None:
-            lines.append(self._level)
-        origin = centre[:, None]
-        size = radius[:, None, None]
-        return [(line - origin) / size for line in lines]
-
-    @cached_property
     def _saturated(self) -> bool:
         """Whether a soil is heavier below the water level."""
         if self.level is None:
@@ -216,18 +205,22 @@ class LayeredSection(LayeredNumbers):
         surfaces = [tuple(range(k + 1)) for k in range(count)]
         if self._saturated:
             surfaces += [(*lines, count) for lines in surfaces]
-        _, centre, radius = self._circle
-        centre_x = centre[:, :1]
+        ground, centre, radius = self._circle
+        lines = [ground, *map(self._top_line, self.tops)]
+        if self.level is not None:
+            lines.append(self._level)
         size = radius[:, None]
+        over_radius = [(line - centre[:, None]) / size[..., None] for line in lines]
+        apart = (centre - centre[:1])[:, :1]  # from the first circle, in whose place lines are crossed
+        far = np.max(np.abs(apart) + 2 * size, initial=0.0)
+        crossings = crossings_of_lines([line - centre[:1] for line in lines], far)
+        cuts = [(x - apart) / size for x in crossings]
         loads = []
-        cuts = []
         for x1, x2, _, _ in self.surcharge:
-            from_centre = (x1 - centre_x, x2 - centre_x)
-            load = [x / size for x in from_centre]
+            load = [(x - centre[:, :1]) / size for x in (x1, x2)]
             loads.append(load)
             cuts += load
-        extra = np.concatenate(cuts, axis=1) if cuts else None
-        return cut_into_strips(self._lines_over_radius, surfaces, count, self._ends, extra, loads)
+        return cut_into_strips(over_radius, surfaces, count, self._ends, cuts, loads)
 
     @cached_property
     def profile(self) -> Profile:
@@ -263,9 +256,16 @@ class LayeredSection(LayeredNumbers):
 
     @cached_property
     def _columns(self) -> ArrayPair:
-        """Surfaces summed in each column and weights of the columns, see `columns_of`."""
-        circles = math.prod(self.shape)
-        return columns_of(self.weight_steps, circles)
+        """Weights of the surfaces in columns, (columns, surfaces, circles), and of the columns, (columns, lanes).
+
+        If lanes of one circle differ in the steps of the unit weight, each column is a surface; otherwise the only
+        column contains all surfaces.
+        """
+        steps = self.weight_steps
+        of_circles = steps[:, : math.prod(self.shape)]
+        if np.any(steps != of_circles):
+            return np.eye(len(steps))[..., None], steps
+        return of_circles[None], np.ones((1, steps.shape[1]))
 
     @cached_property
     def _moments_of_weight(self) -> Floats:

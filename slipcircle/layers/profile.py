@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 
-from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Integers
+from slipcircle.base.kinds import ArrayTriple, Floats, Integers
 from slipcircle.ground.plane import sine_and_cosine
 from slipcircle.layers.strips import Strips
 from slipcircle.tables.interpolation import NODES, TERMS, TO_CHEBYSHEV, converged_pieces
@@ -51,8 +51,10 @@ def _gauss(count: int) -> Rule:
 GAUSS = _gauss(_COUNT)
 ROUGH = _gauss(2)  # for estimates
 _DEGREES = np.array([0, 1, _COUNT - 2, _COUNT - 1])  # of the Legendre polynomials whose coefficients are needed
-_POLYNOMIALS = legendre.legvander(GAUSS.nodes.ravel() - 1.0, _COUNT)[:, _DEGREES] * (_DEGREES + 0.5)
-_DEVELOPING = _POLYNOMIALS.T * GAUSS.weights
+_PLACES = GAUSS.nodes.ravel() - 1.0
+_POLYNOMIALS = legendre.legvander(_PLACES, _COUNT)[:, _DEGREES]
+_NORMED = _POLYNOMIALS * (_DEGREES + 0.5)
+_DEVELOPING = _NORMED.T * GAUSS.weights
 _INTEGRATED = chebyshev.chebint(np.eye(TERMS)) @ TO_CHEBYSHEV
 _AT_NODES = chebyshev.chebvander(NODES, TERMS) @ _INTEGRATED
 _UP_TO_NODES = np.hstack([GAUSS.weights.repeat(TERMS, 0), _AT_NODES - _AT_NODES[0]])  # up to the first one by Gauss
@@ -135,8 +137,11 @@ class Profile(NamedTuple):
         place = beta[:, 0]
         piece = self._piece(place)
         first = _of_piece(self.edges, piece)
-        halves = np.stack([(place - first) / 2, (beta[:, -1] - place) / (NODES[-1] - NODES[0])])
-        nodes = np.concatenate([first + halves[0] * GAUSS.nodes, beta.swapaxes(0, 1)])
+        to_first_node = (place - first) / 2
+        of_nodes = (beta[:, -1] - place) / (NODES[-1] - NODES[0])
+        halves = np.stack([to_first_node, of_nodes])
+        of_gauss = first + to_first_node * GAUSS.nodes
+        nodes = np.concatenate([of_gauss, beta.swapaxes(0, 1)])
         half = halves.repeat([_COUNT, TERMS], 0)
         within = _integrals(self.surfaces, self.strip[piece], nodes, half, _UP_TO_NODES, count)
         within += _of_piece(self.before[:count], piece)
@@ -156,18 +161,6 @@ def _of_piece(values: Floats, piece: Integers, some: slice = slice(None)) -> Flo
     return values.reshape(*axes, pieces * circles).take(number, axis=-1)
 
 
-def columns_of(steps: Floats, circles: int) -> ArrayPair:
-    """Return the surfaces summed in each column, (columns, surfaces, circles), and its weights, (columns, lanes).
-
-    ``steps`` are the steps of the unit weight below surfaces, (surfaces, lanes). If lanes of one circle differ in them,
-    each column is a surface; otherwise the only column contains all surfaces.
-    """
-    of_circles = steps[:, :circles]
-    if np.any(steps != of_circles):
-        return np.eye(len(steps))[..., None], steps
-    return of_circles[None], np.ones((1, steps.shape[1]))
-
-
 def profile_of(strips: Strips, weights: Floats) -> Profile:
     """Return the integrals along the arcs of masses in strips.
 
@@ -182,15 +175,18 @@ def profile_of(strips: Strips, weights: Floats) -> Profile:
     rows = np.concatenate([used, np.arange(count, len(strips.above))])
     weight = weights[:, rows, None] * strips.above[rows].swapaxes(1, 2)
     loads = np.reshape(strips.loads, (len(strips.loads), 2, len(strips.x)))
-    x, y, slope = (values.swapaxes(-2, -1) for values in (strips.x[:, :-1], strips.y[used], strips.slope[used]))
+    left = strips.x[:, :-1]
+    x, y, slope = (values.swapaxes(-2, -1) for values in (left, strips.y[used], strips.slope[used]))
     surfaces = _Surfaces(x, y, slope, weight, loads)
     develop = partial(_developed, surfaces)
     rounds = [*converged_pieces(edges[:-1], edges[1:], develop, _ACCURACY, _SHORTEST)]
-    number, first, last, each = (np.concatenate(column) for column in zip(*rounds, strict=True))
+    columns = zip(*rounds, strict=True)
+    number, first, last, each = map(np.concatenate, columns)
     in_order = np.argsort((first + last).sum(axis=1), kind="stable")  # from left to right
     by_piece = each[in_order].transpose(1, 2, 0, 3)
     before = np.cumsum(np.insert(by_piece, 0, 0.0, axis=2), axis=2)
-    return Profile(surfaces, number[in_order], np.concatenate([first[in_order], edges[-1:]]), before)
+    every_edge = np.concatenate([first[in_order], edges[-1:]])
+    return Profile(surfaces, number[in_order], every_edge, before)
 
 
 def _developed(surfaces: _Surfaces, strip: Integers, first: Floats, last: Floats) -> ArrayTriple:
@@ -205,7 +201,8 @@ def _developed(surfaces: _Surfaces, strip: Integers, first: Floats, last: Floats
     coefficients = _integrals(surfaces, strip[:, None], nodes, half[None], _DEVELOPING, _INTEGRALS)
     sizes = np.abs(coefficients).max(axis=(1, 2))
     whole = 2.0 * coefficients[0]
-    return whole.transpose(2, 0, 1, 3), sizes[:2].max(axis=0), sizes[2:].max(axis=0)
+    first_sizes, last_sizes = sizes.reshape(2, 2, *first.shape).max(axis=1)
+    return whole.transpose(2, 0, 1, 3), first_sizes, last_sizes
 
 
 def _integrals(surfaces: _Surfaces, strip: Integers, nodes: Floats, half: Floats, rule: Floats, count: int) -> Floats:
@@ -246,9 +243,10 @@ def _integrands(surfaces: _Surfaces, beta: Floats, half: Floats, count: int) -> 
         if used.size:
             some = slice(used[0], used[-1] + 1)  # pieces
             cosine = c[:, some]
-            height = np.maximum(y[some] + slope[some] * beyond[:, some] + cosine, 0.0)
-            _add(total[..., some, :], over_height(cosine, height), weight[..., some, :] * per_node[:, some])
-    _complete(total, x, c)
+            rise = slope[some] * beyond[:, some]
+            height = np.maximum(y[some] + rise + cosine, 0.0)
+            rows = over_height(x[:, some], cosine, height)
+            _add(total[..., some, :], rows, weight[..., some, :] * per_node[:, some])
     if len(surfaces.loads):
         ground = surfaces.y[0] + surfaces.slope[0] * beyond
         _add_loads(total, surfaces.loads, x, ground, weights[len(surfaces.y) :] * per_node)
@@ -282,38 +280,25 @@ def _add_loads(total: Floats, loads: Floats, x: Floats, y: Floats, weights: Floa
                 _add(total, _of_pressure(x, y), weight)
 
 
-def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
-    """Yield the integrals over y from the arc to a height h above it, by index, which `_complete` completes.
+def over_height(x: Floats, c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
+    """Yield the integrals over y from the arc to a height h above it, in order, by index.
 
-    `c` is the cosine of the direction, and lengths are over R.
+    `x` and `c` are sine and cosine of the direction, and lengths are over R.
     """
     chord = 2.0 * c - h
     gap = h * chord  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
-    ratio = (inward + h) / (rho + c - h)
     yield RADIAL_Y, -inward
-    yield RADIAL_X, np.log1p(ratio)
-    yield POLAR, h * rho
+    ratio = (inward + h) / (rho + c - h)
+    radial_x = x * np.log1p(ratio)
+    yield RADIAL_X, radial_x
+    yield POLAR, (h * rho + x * radial_x + c * inward) / 2
     yield HEAD, h / c
     yield AREA, h
     yield INERTIA, h * h * (h / 3 - c) + h
-    yield MOMENT_X, h
+    yield MOMENT_X, x * h
     yield MOMENT_Y, gap / -2
-
-
-def _complete(total: Floats, x: Floats, c: Floats) -> None:
-    """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once.
-
-    `total` has the first integrals, three at least, as first axis and is changed. `x` and `c` are sine and cosine of
-    the directions.
-    """
-    radial_y, radial_x, polar, *_ = total
-    radial_x *= x
-    polar += x * radial_x
-    polar -= c * radial_y
-    polar /= 2
-    total[MOMENT_X:MOMENT_Y] *= x
 
 
 def _of_pressure(x: Floats, y: Floats) -> Iterator[tuple[int, Floats]]:

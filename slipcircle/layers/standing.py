@@ -15,7 +15,7 @@ from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.ground.plane import Vectors
 from slipcircle.ground.water import turned_by
-from slipcircle.layers.profile import AREA, MOMENT_Y, RADIAL_X, RADIAL_Y, over_height
+from slipcircle.layers.profile import MOMENT_X, MOMENT_Y, RADIAL_X, RADIAL_Y, over_height
 
 _GAUSS = np.polynomial.legendre.leggauss(12)
 _NODES = _GAUSS[0][:, None, None]
@@ -130,10 +130,9 @@ class _Integrals:
         ground = np.interp(x, *surface.T)
         top = np.minimum(ground, level.at(x))
         height = np.maximum(top + arc, 0.0)
-        rows = over_height(arc, height)
+        rows = over_height(x, arc, height)
         self.rows = dict(rows)
         per_node = half * arc
-        self.x = x
         self.weight = per_node * _WEIGHTS
         middle = first + half
         self.middle = middle
@@ -143,7 +142,7 @@ class _Integrals:
         """Return the integral of the normal stress from the entry up to directions (J, M) in rad, of the same shape."""
         radial_y = self.rows[RADIAL_Y] * self.level.cosine
         radial_x = self.rows[RADIAL_X] * self.level.sine
-        radial = radial_y + self.x * radial_x
+        radial = radial_y + radial_x
         weighted = radial * self.weight
         in_intervals = weighted.sum(axis=0)
         limits = directions[:, None]
@@ -157,8 +156,8 @@ class _Integrals:
         """Moment of the displaced water about the centre, over R^3 and positive down-slope, (M,)."""
         level = self.level
         moment_y = self.rows[MOMENT_Y] * level.sine
-        moment_x = self.rows[AREA] * level.cosine
-        lever = moment_y - self.x * moment_x
+        moment_x = self.rows[MOMENT_X] * level.cosine
+        lever = moment_y - moment_x
         weighted = lever * self.weight
         moment = weighted.sum(axis=(0, 1))
         return moment

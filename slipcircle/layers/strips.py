@@ -11,7 +11,7 @@ below the centre, to the right. Arrays have the axes (surfaces, circles, strips)
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -66,7 +66,7 @@ def cut_into_strips(
     surfaces: Sequence[Sequence[int]],
     layers: int,
     ends: Sequence[Vectors],
-    extra: Floats | None = None,
+    extra: Sequence[Floats],
     loads: Sequence[Sequence[Floats]] = (),
 ) -> Strips:
     """Divide masses into strips, and return them.
@@ -82,8 +82,8 @@ def cut_into_strips(
         Number of lines, from the first on, that are tops of layers.
     ends : pair of Vectors
         Both ends of the arcs, (circles,).
-    extra : ndarray, optional
-        Further x of edges, (circles or 1, M).
+    extra : sequence of ndarray
+        Further x of edges, (circles, M), at crossings of lines among them.
     loads : sequence
         Value of `Strips.loads`.
     """
@@ -165,7 +165,7 @@ def _layer_at_end(tops: Sequence[Floats], end: Vectors, inward: float) -> Intege
     return _base(np.stack(heights), just_below)
 
 
-def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats | None) -> Floats:
+def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Sequence[Floats]) -> Floats:
     """Return the sorted edges of the strips, (circles, strips + 1).
 
     `first` and `last` are x of the left and of the right end of the arcs, (circles,), and `extra` are x of further
@@ -173,13 +173,9 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     """
     left = first[:, None]
     right = last[:, None]
-    cuts = []
+    cuts = [*extra]
     for line in lines:
         cuts += [line[..., 0], meets_circle(line)]
-    for one, other in combinations(lines, 2):
-        cuts.append(line_crossings(one, other))
-    if extra is not None:
-        cuts.append(extra)
     circles = len(first)
     of_circles = [np.broadcast_to(x, (circles, x.shape[-1])) for x in cuts]
     every = np.concatenate(of_circles, axis=1)
@@ -188,6 +184,13 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     within_mass = np.clip(every[:, of_any_circle], left, right)
     edges = np.concatenate([left, np.sort(within_mass), right], axis=1)
     return distinct(edges.T, _THIN).T
+
+
+def crossings_of_lines(lines: Sequence[Floats], far: float) -> Iterator[Floats]:
+    """Yield x at crossings of each two lines (n or 1, V, 2), continued horizontally up to -far and far, (n or 1, M)."""
+    longer = [continued(line, -far, far) for line in lines]
+    for one, other in combinations(longer, 2):
+        yield line_crossings(one, other)
 
 
 def meets_circle(line: Floats) -> Floats:

@@ -136,14 +136,12 @@ class _Implicit(integrator.Lanes):
         program = self.program
         next_break = integrator.next_break(self)
         end_time = self.cells[ix.END_TIME]
-        limit = np.minimum(next_break, end_time)
-        self.limit = float(limit[0])
+        self.limit = float(np.minimum(next_break, end_time)[0])
         self.state_cells = [cell for cell, _, _ in program.states]
         self.rates = [rate for _, _, rate in program.states]
         # The step that explicit integration would take.
         endless = np.full(1, np.inf)
-        top = integrator.expand(self, endless, _HERE, 0, False)
-        integrator.choose_step(self, _HERE, top)
+        integrator.choose_step(self, _HERE, integrator.expand(self, endless, _HERE, 0, False))
         step = float(self.cells[ix.STEP, 0])
         self.explicit = min(step, 1e3)
         self.events = self._events()
@@ -161,19 +159,15 @@ class _Implicit(integrator.Lanes):
             upper = min(cells[first + ix.UPPER], integrator.FAR)
             lower = cells[first + ix.LOWER]
             if table.kind == ix.OF_SPEED:
-                passes_upper = Event(kind, roles.omega, -1.0, upper)
-                events.append(passes_upper)
+                events.append(Event(kind, roles.omega, -1.0, upper))
                 if lower > 0.0:
-                    passes_lower = Event(kind + 1, roles.omega, 1.0, lower)
-                    events.append(passes_lower)
+                    events.append(Event(kind + 1, roles.omega, 1.0, lower))
             elif table.kind != ix.OF_TIME:
-                passes_edge = Event(kind, roles.x, -1.0, upper)
-                events.append(passes_edge)
+                events.append(Event(kind, roles.x, -1.0, upper))
         if roles.normal >= 0:
             is_lifted = cells[ix.LIFTED] > 0.0
             sign = -1.0 if is_lifted else 1.0
-            contact_changes = Event(ix.EVENT_LIFT_OFF, roles.normal, sign)
-            events.append(contact_changes)
+            events.append(Event(ix.EVENT_LIFT_OFF, roles.normal, sign))
         return events
 
     def _follow(self, now: Present) -> tuple[Present, int]:
@@ -349,8 +343,7 @@ class _Implicit(integrator.Lanes):
         peak = Event(ix.EVENT_NONE, self.roles.net)
         time = self._first_time(peak, step, now)
         if time <= end:
-            there = self._within(step, now, time)
-            x, omega, *_ = there.states
+            x, omega, *_ = self._within(step, now, time).states
             zero = np.zeros(1)
             integrator.keep_faster(self, _HERE, omega, zero + time, x, zero)
 

@@ -35,8 +35,7 @@ def _radau(count: int) -> ArrayTriple:
     polynomials = np.eye(count)  # P_0 to P_(s-1)
     integrals = legendre.legint(polynomials, lbnd=-1, axis=1)
     at_points = legendre.legval(points, integrals.T).T
-    values = legendre.legvander(points, count - 1)
-    weights = at_points @ np.linalg.inv(values)
+    weights = at_points @ np.linalg.inv(legendre.legvander(points, count - 1))
     with_start = np.array([-1.0, *points])
     values_with_start = legendre.legvander(with_start, count)
     to_legendre = np.linalg.inv(values_with_start)
@@ -90,8 +89,7 @@ def step_through(
     size += rounding_of_time * largest_rate + rounding / TOLERANCE
     tail = np.abs(coefficients[-2:]).max(axis=0)
     error = np.max(tail / size)
-    times = start.time + AT * h
-    return ImplicitStep(h, coefficients, times, registers, float(error))
+    return ImplicitStep(h, coefficients, start.time + AT * h, registers, float(error))
 
 
 def step_factor(error: float) -> float:
@@ -99,8 +97,7 @@ def step_factor(error: float) -> float:
 
     The error is `ImplicitStep.error`.
     """
-    ratio = TOLERANCE / max(error, LEAST_SIZE)
-    return float(SAFETY * ratio ** (1 / POINTS))
+    return float(SAFETY * (TOLERANCE / max(error, LEAST_SIZE)) ** (1 / POINTS))
 
 
 def newton_correction(jacobian: Floats, h: float, residual: Floats, size: Floats) -> Floats | None:

@@ -613,13 +613,25 @@ APART V by_lanes(double f(double), V x)
     return x;
 }
 
+/* log(1 + x): 1 + x = 2^k (1 + f) with |f| < 0.42, and twice the series of artanh(f / (2 + f)). */
+APART V log1p_of(V x)
+{
+    if (bits((x > -1.0) & (x < 0x1p1000)) != ALL) return by_lanes(log1p, x);
+    const V y = 1.0 + x;
+    const M n = ((M)y - INT64_C(0x3fe6a09e667f3bcd)) >> 52;
+    const V per = (V)((INT64_C(1023) - n) << 52), k = (V)(n + (M)broadcast(TO_INTEGER)) - TO_INTEGER;
+    const V f = (y * per - 1.0) + (x - (y - 1.0)) * per, s = f / (2.0 + f), z = s * s;
+    V p = broadcast(2 / 21.0);
+    for (int j = 19; j > 1; j -= 2) p = p * z + 2.0 / j;
+    return k * 0x1.62e42ffp-1 + (2.0 * s + (s * z * p - k * 0x1.718432a1b0e26p-35));
+}
+
 INLINE V sin_of(V x) { V s, c; sine_cosine(x, &s, &c); return s; }
 INLINE V cos_of(V x) { V s, c; sine_cosine(x, &s, &c); return c; }
 INLINE V tan_of(V x) { V s, c; sine_cosine(x, &s, &c); return s / c; }
 INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
-INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
 INLINE V sqrt_of(V x)
 {
 #if WIDE == 512

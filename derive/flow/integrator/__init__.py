@@ -20,7 +20,8 @@ step       steps of moving lanes to the first event, and the consequences of eve
            lift-off and landing, edges of tables, the end time
 rotation   steps in powers of the rotation, with omega^2 as the state
 energy     closed form of omega^2 in the rotation
-softening  the same under exponentially softening friction
+hyperbolic  the same under hyperbolically softening friction
+softening  the same under exponentially softening friction, and the duration of both
 swing      phases from rest that have a closed form
 rest       lanes at rest, until the next break of a function of time or the root of the net moment
 phases     stick or slip at a standstill; the numbers of the phase that begins; greatest speed and rotation
@@ -37,4 +38,5 @@ to cells apply to these lanes.
 """
 
 # Modules, each uses only earlier modules.
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "rotation", "energy", "softening", "swing", "rest")
+FROM_REST = ("energy", "hyperbolic", "softening", "swing")
+TEXT = ("roots", "tables", "series", "phases", "records", "step", "rotation", *FROM_REST, "rest")

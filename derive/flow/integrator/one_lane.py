@@ -90,6 +90,11 @@ def sqrt(x: V) -> V:
     return x**0.5
 
 
+def expm1(x: V) -> V:
+    """Return exp(x) - 1, with many digits if x has."""
+    return math.expm1(x) if isinstance(x, float) else mpmath.expm1(x)
+
+
 def new_series() -> list[Any]:
     """Return a series of zeros."""
     return [0.0] * layout.STRIDE
@@ -104,7 +109,7 @@ any_lane: Any = bool
 number: Any = float
 minimum: Any = min
 maximum: Any = max
-expm1 = math.expm1
+log1p = math.log1p
 numbers = tail = generated
 greatest = least = integer = generated
 all_lanes = none_of = lanes_in = generated

@@ -1,9 +1,10 @@
-"""E = omega^2 of a phase from rest under exponentially softening friction, by a series of closed forms.
+"""E = omega^2 of a phase from rest under softening friction in closed form, and the duration of the phase.
 
-With W = exp(-slope x), E' + (q + brake W) E = 2 (net moment + W load) without the parts that E causes. E is
-exp(brake W/slope) times the sum over j of W^j E_j, where E_j is E under constant friction with q - j slope for q, and
-t_j times the net moment plus t_(j-1) times the load, t_j = (-brake/slope)^j/j!. `derive.algebra.phase_plane` derives
-this series. The parts of the terms j > 0 that decay like exp(-(q - j slope) x) make one multiple of exp(-q x):
+`derive.flow.integrator.hyperbolic` has E under hyperbolic friction. Under exponential friction, with W = exp(-slope x),
+E' + (q + brake W) E = 2 (net moment + W load) without the parts that E causes. E is exp(brake W/slope) times
+the sum over j of W^j E_j, where E_j is E under constant friction with q - j slope for q, and t_j times the net moment
+plus t_(j-1) times the load, t_j = (-brake/slope)^j/j!. `derive.algebra.phase_plane` derives this series. The parts of
+the terms j > 0 that decay like exp(-(q - j slope) x) make one multiple of exp(-q x):
 
     W^j E_j = constant_j (W^j - exp(-q x)) + W^j (vers_j (1 - cos(x)) - sine_j sin(x))
 
@@ -14,6 +15,7 @@ which is about their square. Rules have twice as many nodes if a series in time 
 """
 
 from derive.flow.integrator.energy import FADING, LAST, energy, factors, functions, look_back, reverse
+from derive.flow.integrator.hyperbolic import FIRST, LOAD, NET, POLE, SHIFT, hyperbolic_energy, hyperbolic_factors
 from derive.flow.integrator.one_lane import (
     INFINITY,
     LAST_SHARES,
@@ -28,6 +30,7 @@ from derive.flow.integrator.one_lane import (
     V,
     down,
     expm1,
+    log1p,
     new_series,
     number,
     sqrt,
@@ -44,15 +47,14 @@ ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral i
 PER_STEP = 4.0
 PER_STEP_TO_ROUNDING = 7.38905609893065
 BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
-# Places of further factors of E: brake/slope, W at the beginning, the factors of the terms from the first on, and
-# drive, sine and vers of the load, and of the net moment without the load.
-SHIFT = 5
-FIRST = 6
+CLOSER_TO_POLE = 3.0  # of nodes in the logarithm of the distance from the pole
+LEAST_EXPONENT = -0.5  # p of hyperbolic friction
+COMPLETE = 6.0  # square of the distance of the end from this pole, times 1 + q^2, up to which the series suffices
+# Places of the factors of the terms from the first on, beside those for hyperbolic friction: `SHIFT` has brake/slope,
+# `FIRST` W at the beginning.
 CONSTANT = 8
 SINE = 16
 VERS = 24
-LOAD = 33
-NET = 36
 
 
 def factors_of_terms(e: S, q: V, rate: V) -> None:
@@ -84,6 +86,11 @@ def softening_factors(s: Lanes, e: S) -> None:
     e[NET + 1] = s.net_sine - s.net_loss_sine
     e[NET + 2] = s.net_vers - s.net_loss_vers
     q = 2.0 * (s.net_loss_square - s.net_square)
+    if s.has.per_pole:
+        e[0] = 2.0 * e[NET]
+        e[POLE] = 1.0 / s.per_pole
+        hyperbolic_factors(s, e, q, s.drive)
+        return
     factors_of_terms(e, q, s.loss_rate)
 
 
@@ -96,20 +103,31 @@ def factors_about_end(s: Lanes, back: S, e: S, f: S) -> None:
     back[FIRST] = 1.0 + f[4]
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
+    if s.has.per_pole:
+        back[POLE] = -e[POLE] - f[0]
+        drive = back[NET] + back[FIRST] * back[LOAD]
+        hyperbolic_factors(s, back, -e[4], drive)
+        return
     factors_of_terms(back, -e[4], -s.loss_rate)
 
 
 def series_suffices(s: Lanes, e: S) -> M:
     """Return whether the series is as accurate as the order of a lane requires, and no term is in resonance."""
     driven = abs(s.net_loss) <= DRIVEN * s.drive
+    if s.has.per_pole:
+        return driven and e[SHIFT] > LEAST_EXPONENT
     converges = abs(e[SHIFT]) <= GREATEST
     resonates = 2.0 * e[4] + s.loss_rate >= 0.0
     return driven and converges and not resonates
 
 
 def softening_functions(s: Lanes, e: S, f: S, x: V) -> None:
-    """Compute the functions of which E consists, the last one exp(-slope x) - 1."""
+    """Compute the functions of which E consists, the last one what friction has lost, such as exp(-slope x) - 1."""
     functions(f, x, abs(e[4]))
+    if s.has.per_pole:
+        change = s.loss_rate * x
+        f[4] = change / (1.0 - change)
+        return
     f[4] = expm1(s.loss_rate * x)
 
 
@@ -146,10 +164,21 @@ def softening_energy(e: S, f: S) -> V:
     return grown * (energy(e, f) + (terms + faded_part))
 
 
+def passed_to(s: Lanes, x: V) -> V:
+    """Return the variable of the rules: the rotation, or under hyperbolic friction the logarithm from its pole."""
+    if s.has.per_pole:
+        return log1p(s.per_pole * x)
+    return x
+
+
 def soften(s: Lanes, e: S, f: S, x: V) -> None:
     """Compute E and its first two derivatives behind the functions of which it consists."""
     softening_functions(s, e, f, x)
-    at = softening_energy(e, f)
+    left = 1.0 + f[4]
+    rate = s.loss_rate * left
+    if s.has.per_pole:
+        rate = rate * left
+    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.has.per_pole else softening_energy(e, f)
     sine = f[0] - f[3]
     of_sine = s.net_sine + f[4] * s.net_loss_sine
     of_vers = s.net_vers + f[4] * s.net_loss_vers
@@ -162,15 +191,27 @@ def soften(s: Lanes, e: S, f: S, x: V) -> None:
     turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
     f[5] = at
     f[6] = slope
-    softens = s.loss_rate * (1.0 + f[4]) * loss
-    f[7] = 2.0 * (turns + softens)
+    f[7] = 2.0 * (turns + rate * loss)
+
+
+def energy_past(s: Lanes, e: S, f: S, past: V, end: V, part: N) -> V:
+    """Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5."""
+    f[5] = 1.0
+    if s.has.per_pole:
+        at = hyperbolic_energy(e, f, -past if part else past)
+        f[5] = abs(e[POLE] + f[0])
+        return at
+    softening_functions(s, e, f, past)
+    if part:
+        count_from_end(s, e, f, end - past)
+    return softening_energy(e, f)
 
 
 def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain.
 
     The variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
-    distances to both rests. E rises from node to node.
+    distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node.
     """
     total: V = 0.0
     last: V = 0.0
@@ -186,11 +227,8 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
         other = 1.0 + bend * (1.0 - NODES[k])
         share = 1.0 / (here + other * other)
         past = end * (here * share)
-        softening_functions(s, e, f, past)
-        if part:
-            count_from_end(s, e, f, end - past)
-        at = softening_energy(e, f)
-        slowness = share * share * (other * NODES[k]) / sqrt(at)
+        at = energy_past(s, e, f, past, end, part)
+        slowness = share * share * (other * NODES[k]) * f[5] / sqrt(at)
         total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
@@ -207,15 +245,22 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
 
     Error estimates change the step over the radius of convergence, and with it the rules, which they so compare.
     """
-    unit = peak / (end - peak)
+    to_peak = passed_to(s, peak)
+    to_end = passed_to(s, end)
+    unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * s.loss_rate
     unchanged = where(s.factor < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
     change = s.factor * unchanged
     bend = change * BENT * sqrt(softened)
-    before = time_of_part(s, e, end, unit, bend, 0)
+    if s.has.per_pole:
+        bend = change * CLOSER_TO_POLE
+        reach = end + e[POLE]
+        complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
+        to_end = where(complete, to_end, INFINITY)
+    before = time_of_part(s, e, to_end, unit, bend, 0)
     f = new_series()
     back = new_series()
     softening_functions(s, e, f, end)
     factors_about_end(s, back, e, f)
-    after = time_of_part(s, back, end, 1.0 / unit, change - 1.0, 1)
+    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1)
     return before, before + after

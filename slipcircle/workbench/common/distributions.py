@@ -62,8 +62,7 @@ class Triangle(NamedTuple):
         low, high, mode = self
         if mode is None:
             return (low + high) / 2, (high - low) / math.sqrt(12.0)
-        variance = ((high - low) ** 2 + (mode - low) * (mode - high)) / 18
-        return (low + mode + high) / 3, math.sqrt(variance)
+        return (low + mode + high) / 3, math.sqrt(((high - low) ** 2 + (mode - low) * (mode - high)) / 18)
 
     def ppf(self, p: Any) -> Any:
         """Return the quantiles at probabilities ``p``."""

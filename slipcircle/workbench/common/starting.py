@@ -65,8 +65,7 @@ def _start(motion: Motion | None, scene: SlopeScene) -> Start:
 
 def start_words(motion: Motion, of_methods: tuple[Start, ...]) -> str:
     """Return in words the run-out from the factor of safety of each start; ``motion`` is that of the scene."""
-    symbol = "k_y" if "shaking" in motion.plan.scene.called else "F"
-    return "; ".join(_words(symbol, of_methods))
+    return "; ".join(_words("k_y" if "shaking" in motion.plan.scene.called else "F", of_methods))
 
 
 def _words(symbol: str, both: tuple[Start, ...]) -> Iterator[str]:

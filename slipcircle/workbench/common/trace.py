@@ -78,8 +78,7 @@ def toe_height(motion: Motion) -> float:
         return np.nan
     toe = motion.journey
     ground_x, ground_y = np.asarray(section.ground, float).T
-    below = np.interp(float(toe.toe_x), ground_x, ground_y, left=np.nan, right=np.nan)
-    return float(toe.toe_y - below)
+    return float(toe.toe_y - np.interp(float(toe.toe_x), ground_x, ground_y, left=np.nan, right=np.nan))
 
 
 def toe_words(motion: Motion) -> str:

@@ -124,8 +124,7 @@ def _sheet(text: str) -> tuple[Points, str]:
     rows, separator = _rows(text)
     either = "|".join(_COLUMNS.values())
     named = (k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row))
-    no_numbers = rows and not any(_NUMBER.match(cell) for cell in rows[0][1])
-    head = next(named, 0 if no_numbers else -1)
+    head = next(named, 0 if rows and not any(_NUMBER.match(cell) for cell in rows[0][1]) else -1)
     columns = (0, 1)
     unit = ""
     if head >= 0:

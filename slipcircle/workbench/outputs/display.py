@@ -60,8 +60,7 @@ def plot(result: Any, what: PathName, ax: Any) -> Any:
 
 def text(table: Sensitivity) -> str:
     """Return the most important derivatives of a motion as a table of text."""
-    part = sensitivity_part(table, important_standstills(table))
-    return "\n".join(table_lines(*part))
+    return "\n".join(table_lines(*sensitivity_part(table, important_standstills(table))))
 
 
 def html(motion: Motion) -> str:

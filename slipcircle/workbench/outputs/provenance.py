@@ -63,8 +63,7 @@ def _of_table(tables: Values, sources: TextMap, path: str, content: Values) -> I
             key = keys[published(name)[0]].spelt(name)
             source = sources.get(where) or sources.get(path, "")
             of_gravity = "g" if name.endswith("_g") else ""
-            unit = _unit(key) or of_gravity
-            yield Input(where, _shown(value), unit, key.help, source)
+            yield Input(where, _shown(value), _unit(key) or of_gravity, key.help, source)
     spelt = {published(name)[0] for name in content}
     for name, key in keys.items():
         title, _, default = key.help.partition(", by default ")

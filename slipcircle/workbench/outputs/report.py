@@ -206,10 +206,9 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[ResultTable | Raw]:
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
-    error = motion.error_estimate
     method = [
         ["requested relative error", _number(plan.accuracy)],
-        ["relative error estimated, of peak, run-out and duration", _number(error)],
+        ["relative error estimated, of peak, run-out and duration", _number(motion.error_estimate)],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],
     ]
     yield ResultTable([], method, "Method and accuracy")

@@ -308,8 +308,7 @@ def table_lines(head: Sequence[str], rows: Rows, title: str, note: str, width: i
         rest = rest[count:]
         wraps = range(width, _LEAST, -1)
         most = next((most for most in wraps if _total(beside, most) <= room), _LEAST)
-        widths = [lead, *_widths(beside, most)]
-        yield from _lines([first, *beside], widths, bool(head))
+        yield from _lines([first, *beside], [lead, *_widths(beside, most)], bool(head))
         yield ""
     yield from wrap(clean(note), width, break_on_hyphens=False)
 
@@ -375,8 +374,7 @@ def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
     for column in columns:
         words = " ".join(column).split()
         longest_word = max(map(len, words), default=0)
-        longest_cell = max(map(len, column))
-        widths.append(min(longest_cell, max(most, longest_word)))
+        widths.append(min(max(map(len, column)), max(most, longest_word)))
     return widths
 
 
@@ -388,8 +386,7 @@ def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool
             continue
         cells = [wrap(cell, width, break_on_hyphens=False) or [""] for cell, width in zip(row, widths, strict=True)]
         for parts in zip_longest(*cells, fillvalue=""):
-            padded = map(str.ljust, parts, widths)
-            yield gap.join(padded).rstrip()
+            yield gap.join(map(str.ljust, parts, widths)).rstrip()
         if headed and number == 0:
             gaps = _GAP * (len(widths) - 1)
             yield "-" * (sum(widths) + gaps)

@@ -68,8 +68,7 @@ def _pore_pressure(settings: Values, remarks: Texts) -> ValueDict:
     if other is not None:
         raise InputError("", [f"{{{other}}} and {{record}} exclude each other; remove one"])
     of_record = {"record", *Options._fields}
-    others = {k: v for k, v in settings.items() if k not in of_record}
-    return others | series
+    return {k: v for k, v in settings.items() if k not in of_record} | series
 
 
 def _shaking(settings: Values, gravity: float, remarks: Texts) -> ValueDict:

@@ -98,8 +98,7 @@ def contents(quantity: RecordedQuantity, name: str, path: Path, options: Options
     headers = list(map(header_of, names, parts)) if quantity is ACCELERATION else [None]
     if headers[0] is None:
         return _of_table(quantity, name, text, options)
-    components = {k: header.component for k, header in enumerate(headers, 1) if header}
-    chosen = _chosen(name, components, options.column)
+    chosen = _chosen(name, {k: header.component for k, header in enumerate(headers, 1) if header}, options.column)
     return [
         Channel(k, header.component, samples=_of_format(names[k - 1], parts[k - 1], header))
         for k, header in enumerate(headers, 1)

@@ -183,8 +183,7 @@ class Suite:
     @property
     def warnings(self) -> Texts:
         """Warnings about unused files and columns, and about each record whose velocity does not end near 0."""
-        drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
-        return self.not_used + drifts
+        return self.not_used + [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
 
     def to_dict(self) -> ValueDict:
         """Return records with their intensity measures, vertical components, pairs and unused files, for JSON."""
@@ -268,8 +267,7 @@ def read_suite(
         raise ValueError(f"records: step = {step!r}: must be a positive time in s")
     options = Options(columns, None, step, units, 0.0, gaps, of_all=False)
     options.roles(ACCELERATION)
-    reading = {"options": options, "holds": holds, "gravity": gravity}
-    entries, unread = _read_all(files_in(paths), vertical, reading)
+    entries, unread = _read_all(files_in(paths), vertical, {"options": options, "holds": holds, "gravity": gravity})
     suite = Suite.without_repeated([entry for entry in entries if not entry.is_vertical])
     verticals = tuple(entry for entry in entries if entry.is_vertical)
     suite = replace(suite, verticals=verticals, unread=(*unread, *suite.unread))
@@ -327,8 +325,7 @@ def _entries(file: Path, vertical: str | None, reading: Values) -> Iterator[Entr
     `vertical` is the pattern of `read_suite`, and `reading` are the arguments of `_shaking`.
     """
     channels = contents(ACCELERATION, str(file), file, reading["options"])
-    read = [channel for channel in channels if channel.samples]
-    several = len(read) > 1
+    several = len([channel for channel in channels if channel.samples]) > 1
     for k, channel in enumerate(channels):
         if channel.samples is None:
             yield Unread(str(file), str(channel))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import ArrayPair, Floats
-from slipcircle.ground import Ponds
+from slipcircle.ground import Ponds, sine_and_cosine
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 
 _TOUCH = 1e-12  # over R: as near to the arc, a boundary touches it
@@ -74,9 +74,8 @@ class Bases:
         self.is_shared = len(arcs.radius) == 1 and max(slopes, np.size(slope.pressure)) > 1
         self.scale = arcs.radius[arc]
         self.centre_x, self.centre_y = arcs.centre[arc].T
-        self.sine = np.sin(inside)
+        self.sine, self.depth = sine_and_cosine(inside)
         self.x = self.centre_x + self.scale * self.sine
-        self.depth = np.cos(inside)
         self.column = slope.columns.at(arc, self.x)
         self._look_up_soil()
 

@@ -9,6 +9,7 @@ import numpy as np
 from generated import slopes
 from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats
+from slipcircle.ground import sine_and_cosine
 from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.bases import Arcs, angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
@@ -253,8 +254,9 @@ def lever_range(slices: Slices) -> ArrayPair:
     greatest = 1.0 / _LEAST_FACTOR
     friction = slices.friction * slices.way
     ends = slices.ends.reshape(2, *(1,) * (friction.ndim - 1), -1)
-    sine = friction * np.sin(ends)
-    room = np.cos(ends) - LEAST_LEVER
+    of_ends, cosine = sine_and_cosine(ends)
+    sine = friction * of_ends
+    room = cosine - LEAST_LEVER
     above = np.where(sine > 0.0, np.maximum(room, 0.0) / sine, greatest)
     above = above.min(axis=0)
     below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)

@@ -147,8 +147,7 @@ class Design:
             earlier = (self.piece(block - k)[2] for k in range(1, replicate + 1))
             start = turn * self.size * self.replicates + sum(earlier)
         else:
-            before = sum(self.piece(k)[2] for k in range(self.sample_blocks, block))
-            start = self.n + before * self.base_scenes
+            start = self.n + sum(self.piece(k)[2] for k in range(self.sample_blocks, block)) * self.base_scenes
             length *= self.base_scenes
         lanes = slice(start, start + length)
         if self.records is None:

@@ -166,8 +166,7 @@ def _correlation(drawn: Mapping[str, Uncertain], by_pair: Mapping[TextPair, floa
             one, other = places
             matrix[one, other] = matrix[other, one] = value
     raise_all("ensemble", mistakes)
-    least_eigenvalue = np.linalg.eigvalsh(matrix).min(initial=1.0)
-    if least_eigenvalue <= 1e-12:
+    if np.linalg.eigvalsh(matrix).min(initial=1.0) <= 1e-12:
         raise ValueError("ensemble: correlation: these are inconsistent: no numbers can have all of them")
     return matrix
 

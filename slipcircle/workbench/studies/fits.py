@@ -40,8 +40,7 @@ def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
         for other in different:
             step = fit.shares - other.shares
             length = np.max(np.abs(step))
-            change = np.max(np.abs(result.jac @ step))
-            is_new &= bool(length >= 1e-5 and change >= same_below)
+            is_new &= bool(length >= 1e-5 and np.max(np.abs(result.jac @ step)) >= same_below)
         if is_new:
             different.append(fit)
     return [fit for fit in different if fit.is_settled] or different

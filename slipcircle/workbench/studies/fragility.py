@@ -177,8 +177,7 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
         return "every motion exceeds it; give smaller scales"
     if np.ptp(log_pga) <= _SAME:
         return "all motions have one peak acceleration; give several scales"
-    off_share = share - share.mean()
-    if off_share @ (log_pga - log_pga.mean()) <= 0.0:
+    if (share - share.mean()) @ (log_pga - log_pga.mean()) <= 0.0:
         return "it is not exceeded more often at larger peak accelerations"
     lowest = log_pga[exceeds].min()
     highest = log_pga[stays].max()
@@ -219,8 +218,7 @@ def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantil
     ``derivative`` is the gradient of the logarithm by the coefficients, (2,), ``covariance`` theirs, and ``quantile``
     half the interval in standard errors.
     """
-    variance = np.maximum(derivative @ covariance @ derivative, 0.0)  # not below it by rounding
-    half = quantile * math.sqrt(variance)
+    half = quantile * math.sqrt(np.maximum(derivative @ covariance @ derivative, 0.0))  # not below it by rounding
     value = math.exp(log_value)
     with np.errstate(over="ignore"):  # to an interval without an end
         factor = float(np.exp(half))

@@ -162,8 +162,7 @@ def observations(entered: Mapping[str, Observed]) -> tuple[dict[str, tuple[float
             mistakes.append(f"{name} = {abridged(value)}: must be {allowed}, {also}")
     if not observed and not mistakes:
         mistakes.append(f"no observation: give one of {', '.join(OBSERVABLE)}")
-    has_errors = {sigma is not None for _, sigma in observed.values()}
-    if len(has_errors) > 1:
+    if len({sigma is not None for _, sigma in observed.values()}) > 1:
         mistakes.append("standard errors: give them for all observations, or for none")
     raise_all("backanalyse", mistakes)
     return observed, {name: value for name, value in of_outcomes.items() if isinstance(value, Interval)}
@@ -300,8 +299,7 @@ def _between(name: str, low: float, high: float) -> Floats:
 def _range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     """Return increasing values of a field to search without bounds, in its unit; more if it is alone."""
     is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
-    is_friction = is_coefficient and (field.tangent or not field.written)
-    if is_friction:
+    if is_coefficient and (field.tangent or not field.written):
         return np.unique(field.from_si(_friction_range(scene, field, is_alone)))
     values = _usual_range(scene, field.name)
     if values is None:
@@ -352,13 +350,11 @@ def _friction_range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     next_to_one = 1.0 - 10.0 ** -np.arange(3.0, 13.0)
     shares = [np.geomspace(least, 1.0, 129), np.linspace(least, 1.0, 129), next_to_one]
     is_constant = field.name == "friction"
-    turns = any(EFFECTS[effect].turns for effect in scene.called)
-    if is_constant and scene.end_time is None and not turns:
+    if is_constant and scene.end_time is None and not any(EFFECTS[effect].turns for effect in scene.called):
         shares = [np.ones(1)]  # with less friction the mass never rests
     laws = tuple(name for name, _ in law_parts(scene.friction))
     creeps = "speed" in depends_on(laws)  # with more friction the mass creeps, which takes long to solve
-    has_speed = float_or_array(scene.initial_velocity) != 0.0
-    if is_alone and not creeps and (has_speed or not is_constant):
+    if is_alone and not creeps and (float_or_array(scene.initial_velocity) != 0.0 or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))
     if "shaking" in scene.called or not is_alone:  # shaking moves a mass that would stay at rest
         highest = max(3.0 / limit, 2.0)

@@ -79,8 +79,7 @@ def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) 
         ("mean", linear.mean, sampled.mean, sampled.mean_error, _MEAN),
         ("standard deviation", linear.std, sampled.std, sampled.std_error, _STD),
     ):
-        numerical = accuracy * abs(sampled.mean)
-        if abs(one - other) > max(share * sampled.std, _ERRORS * error, numerical):
+        if abs(one - other) > max(share * sampled.std, _ERRORS * error, accuracy * abs(sampled.mean)):
             differences.append(f"a {name} of {one:.4g} {unit}, the samples {other:.4g} +- {error:.2g}")
     if not differences:
         return ""

@@ -126,8 +126,7 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     sections = np.nonzero(passes)
     dips = np.nonzero(turns_back)
     rows, starts = np.hstack([sections, dips])
-    lengths = np.repeat([1, 2], [len(sections[0]), len(dips[0])])
-    return (rows, starts), (rows, starts + lengths)
+    return (rows, starts), (rows, starts + np.repeat([1, 2], [len(sections[0]), len(dips[0])]))
 
 
 def extreme(problem: SearchProblem, sign: float) -> float:

@@ -300,8 +300,7 @@ def distribution(displacement: Floats, scale: int) -> Displacements:
     logs = np.log(values[moving & (values < np.inf)])
     geometric_mean = math.exp(logs.mean()) if logs.size else math.nan
     std_ln = float(logs.std(ddof=1)) if logs.size > 1 else math.nan
-    mean = float(values.mean())
-    return Displacements(float(moving.mean()), mean, median, p16, p84, geometric_mean, std_ln)
+    return Displacements(float(moving.mean()), float(values.mean()), median, p16, p84, geometric_mean, std_ln)
 
 
 def _valid(displacement: Floats, scale: int) -> Floats:

@@ -266,8 +266,7 @@ class Study(Shaken, Pictured):
             unknown = valid & np.isnan(factor)
             estimate = self._single_probability(failing)
             if unknown.any():
-                at_most = self._single_probability(failing | unknown)
-                estimate = Estimate(math.nan, estimate.low, at_most.high)
+                estimate = Estimate(math.nan, estimate.low, self._single_probability(failing | unknown).high)
             probabilities[method] = estimate
         return probabilities
 

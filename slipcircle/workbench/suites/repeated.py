@@ -24,8 +24,7 @@ def repeated(measures: Sequence[tuple[int, float, float]], values: Callable[[int
     for k, (samples, step, peak) in enumerate(measures):
         alike = different.setdefault((samples, f"{step:.6g}"), [])
         near = (other for other in alike if abs(measures[other][2] - peak) <= _TOLERANCE * peak)
-        same = (other for other in near if _are_equal(values(k), values(other), _TOLERANCE * peak))
-        first = next(same, None)
+        first = next((other for other in near if _are_equal(values(k), values(other), _TOLERANCE * peak)), None)
         if first is None:
             alike.append(k)
         else:

@@ -67,8 +67,7 @@ def synthetic_records(
     """
     arguments = {"count": count, "arias": arias, "duration": duration, "gravity": gravity, "seed": seed}
     raise_all("synthetic records", mistakes(arguments, _ALLOWED))
-    streams = np.random.SeedSequence(seed).spawn(count)
-    noises = [_noise(np.random.default_rng(stream), duration) for stream in streams]
+    noises = [_noise(np.random.default_rng(stream), duration) for stream in np.random.SeedSequence(seed).spawn(count)]
     scales = [math.sqrt(arias / intensities(noise, gravity).arias) for noise in noises]
     return {f"synthetic {k}": noises[k - 1].scaled(scales[k - 1]) for k in range(1, len(noises) + 1)}
 

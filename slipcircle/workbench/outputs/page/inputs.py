@@ -269,8 +269,7 @@ def _share(slider: Slider, scene: Scene) -> float:
     """Return the place of the scene's own value in the range of a slider, from -1 to 1."""
     low, high = slider.ends.tolist()
     value = float(parameter_value(scene, slider.number.name) or 0.0)
-    share = (2 * value - low - high) / (high - low)
-    return min(max(share, -1.0), 1.0)
+    return min(max((2 * value - low - high) / (high - low), -1.0), 1.0)
 
 
 def greatest_error(inputs: PageInputs, fits: Sequence[Interpolant]) -> float:

@@ -104,7 +104,6 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
     drawn = drawn_section(motion, frame, magnification, name)
     why_not = unsolvable(motion)
     first = _first(motion)
-    data = _data(motion, drawn, sliders, why_not) | {"first": first}
     texts = {
         "name": name,
         "height": f"{frame.height:.1f}",
@@ -120,7 +119,7 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
         "length": output_unit("m")[1],
         "velocity": output_unit("m/s")[1],
         "caption": escaped(" ".join(_caption(motion, magnification, why_not))),
-        "data": _as_script_data(data),
+        "data": _as_script_data(_data(motion, drawn, sliders, why_not) | {"first": first}),
     }
     return Raw(Template(page_file("live.html")).substitute(texts))
 
@@ -253,8 +252,7 @@ def _compact(data: Values) -> str:
 
 def _packed(data: Values) -> str:
     """Return data as compressed JSON in base64, which the script unpacks."""
-    content = gzip.compress(_compact(data).encode(), mtime=0)
-    return base64.b64encode(content).decode()
+    return base64.b64encode(gzip.compress(_compact(data).encode(), mtime=0)).decode()
 
 
 def _as_script_data(data: Values) -> str:

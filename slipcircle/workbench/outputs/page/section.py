@@ -111,8 +111,7 @@ def drawn_section(motion: Motion, frame: Frame, magnification: float, name: str)
         *_names(around, float(soil.facing) > 0.0, frame),
     ]
     x, y = frame.points(mass.centre).tolist()
-    turn = -math.degrees(magnification * float(soil.facing) / mass.radius)
-    return DrawnSection("".join(parts), (x, y), turn)
+    return DrawnSection("".join(parts), (x, y), -math.degrees(magnification * float(soil.facing) / mass.radius))
 
 
 def _mass(mass: MassShape, frame: Frame, bands: str, name: str, behind: Iterable[str]) -> Iterator[str]:

@@ -17,8 +17,7 @@ def frontier(rows: Sequence[CostRow], ax: Any = None) -> Any:
 
     A line connects the ways on the frontier, and a bar extends from each error to its bound.
     """
-    up = "largest relative error; bar: up to the bound"
-    axes = panel(ax, "", ("processor time of one (s)",), (up,), size=SIZE)
+    axes = panel(ax, "", ("processor time of one (s)",), ("largest relative error; bar: up to the bound",), size=SIZE)
     axes.set(xscale="log", yscale="log")
     for group, style in zip(dict.fromkeys(row.group for row in rows), SERIES, strict=False):
         _group([row for row in rows if row.group == group], style, axes)

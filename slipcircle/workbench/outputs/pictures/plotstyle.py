@@ -180,8 +180,7 @@ def add_label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: 
 def anchors_along(x: Any, y: Any, count: int = 12) -> Any:
     """Return about ``count`` points of the curve y over x, (points, 2), as anchors of its label."""
     points = np.column_stack(np.broadcast_arrays(x, y))
-    apart = max(1, len(points) // count)
-    return points[::apart]
+    return points[:: max(1, len(points) // count)]
 
 
 def add_note(ax: Any, words: Iterable[str]) -> None:
@@ -218,8 +217,7 @@ def quantity_words(quantity: Key) -> str:
 
 def key_unit(quantity: Key) -> str:
     """Return the unit of a number's key as a picture shows it."""
-    unit = quantity.written or ("$g$" if quantity.key.endswith("_g") else "")
-    return unit.replace("m3", "m³").replace("^2", "²")
+    return (quantity.written or ("$g$" if quantity.key.endswith("_g") else "")).replace("m3", "m³").replace("^2", "²")
 
 
 def axis_words(quantity: Key) -> str:

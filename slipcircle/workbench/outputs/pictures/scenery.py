@@ -173,8 +173,7 @@ def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Float
     lines = [ground, *(top if top.ndim == 2 else np.array([[left, top]]) for top in lower_tops)]  # or a height
     vertices = np.concatenate([line[:, 0] for line in lines])
     x = np.union1d(np.linspace(left, right, _ACROSS), np.clip(vertices, left, right))
-    tops = np.minimum.accumulate([np.interp(x, *line.T) for line in lines])
-    return x, [*tops]
+    return x, [*np.minimum.accumulate([np.interp(x, *line.T) for line in lines])]
 
 
 def soil_numbers(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:

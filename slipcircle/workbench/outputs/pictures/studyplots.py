@@ -68,8 +68,7 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
         return empty(_nothing_to_draw(study), ax, "x")
     # Every sample that moves has a run-out, a velocity and a duration above 0.
     at = np.concatenate([[0.0], curve.at])
-    first = moving.value, moving.low, moving.high
-    values = np.column_stack([first, (curve.probability, curve.low, curve.high)])
+    values = np.column_stack([(moving.value, moving.low, moving.high), (curve.probability, curve.low, curve.high)])
     ax.fill_between(at, *values[1:], **AREAS["band"])
     ax.plot(at, values[0], **LINES["main"])
     ax.set_xlim(*_limits(at, values[0]))
@@ -222,8 +221,7 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Key], values: Any, qu
         ticks = MaxNLocator(5).tick_values(low, high)
         between = ticks[(low < ticks) & (ticks < high)]
         colours = np.where(between > (low + high) / 2, "white", "black")
-        contours = ax.contour(across, up, seen, between, colors=colours, linewidths=0.8)
-        ax.clabel(contours, fontsize="small")
+        ax.clabel(ax.contour(across, up, seen, between, colors=colours, linewidths=0.8), fontsize="small")
     return ax
 
 

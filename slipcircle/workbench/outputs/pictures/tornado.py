@@ -112,8 +112,7 @@ def _steps(table: "Sensitivity", changes: NumberMap | None) -> tuple[dict[str, t
     relative = {}
     for name, key in keys.items():
         if name != "gravity":
-            value = float(key.from_si(table.at[name]))
-            relative[name] = key, float(_SHARE * size_of(table, name) / key.slope(value))
+            relative[name] = key, float(_SHARE * size_of(table, name) / key.slope(float(key.from_si(table.at[name]))))
     return relative, ", by the changes on the left"
 
 
