@@ -78,7 +78,7 @@ def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
 
 def test_an_end_time_just_before_rest_keeps_the_digits_of_the_speed() -> None:
     """Near rest the speed is the net moment times the time that is left."""
-    scene = Scene(Arc(1000.0, 4.0, 5.0, 20e3), 0.2, TURNING)
+    scene: Scene[Any] = Scene(Arc(1000.0, 4.0, 5.0, 20e3), 0.2, TURNING)
     left = 1e-6
     duration = solve(scene).duration
     problem = lanes.posed(replace(scene, end_time=np.repeat(duration - left, 2)), 1e-9)
