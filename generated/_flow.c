@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "bf5b9e424b2b5c2849ac258538412d70c9bc25ce1684f30946fbacc348ebb5ed"
+#define DIGEST "7098da3b10c6a58c629d763a7c03f3952e5e2260ab5b8944899c2f8cf29cf340"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3756,6 +3756,7 @@ INLINE void expand_right_side(Batch *b, V *e, V drive)
 /* Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning. */
 INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
 {
+    e[0] = 2.0 * e[NET];
     e[4] = q;
     e[SHIFT] = pick(e[SHIFT] == 0.0, broadcast(LEAST), e[SHIFT]);
     expand_right_side(b, e, drive);
@@ -3807,6 +3808,17 @@ INLINE void factors_of_terms(V *e, V q, V rate)
     }
 }
 
+/* Compute the factors of E from the numbers of the net moment and of the load. ``drive`` is their sum. */
+INLINE void factors_of_law(Batch *b, V *e, V q, V rate, V drive)
+{
+    const Job *const job = b->job;
+    if (job->role->per_pole >= 0) {
+        hyperbolic_factors(b, e, q, drive);
+        return;
+    }
+    factors_of_terms(e, q, rate);
+}
+
 /* Compute the factors of E. */
 INLINE void softening_factors(Batch *b, V *e)
 {
@@ -3820,14 +3832,9 @@ INLINE void softening_factors(Batch *b, V *e)
     e[NET] = c[job->role->drive] - c[job->role->net_loss];
     e[NET + 1] = c[job->role->net_sine] - c[job->role->net_loss_sine];
     e[NET + 2] = c[job->role->net_vers] - c[job->role->net_loss_vers];
+    e[POLE] = (-1.0) / c[job->role->loss_rate];
     V q = 2.0 * (c[job->role->net_loss_square] - c[job->role->net_square]);
-    if (job->role->per_pole >= 0) {
-        e[0] = 2.0 * e[NET];
-        e[POLE] = 1.0 / c[job->role->per_pole];
-        hyperbolic_factors(b, e, q, c[job->role->drive]);
-        return;
-    }
-    factors_of_terms(e, q, c[job->role->loss_rate]);
+    factors_of_law(b, e, q, c[job->role->loss_rate], c[job->role->drive]);
 }
 
 /* Compute the factors of E as a function of the distance from the end of a phase, from the functions there. Near
@@ -3840,13 +3847,9 @@ INLINE void factors_about_end(Batch *b, V *back, V *e, V *f)
     back[FIRST] = 1.0 + f[4];
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f);
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f);
-    if (job->role->per_pole >= 0) {
-        back[POLE] = (-e[POLE]) - f[0];
-        V drive = back[NET] + (back[FIRST] * back[LOAD]);
-        hyperbolic_factors(b, back, -e[4], drive);
-        return;
-    }
-    factors_of_terms(back, -e[4], -c[job->role->loss_rate]);
+    back[POLE] = (-e[POLE]) - f[0];
+    V drive = back[NET] + (back[FIRST] * back[LOAD]);
+    factors_of_law(b, back, -e[4], -c[job->role->loss_rate], drive);
 }
 
 /* Return whether the series is as accurate as the order of a lane requires, and no term is in resonance. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 90cc33ca4249231278f2fdebadb4b7e49e355d14ab0f8471df20f8d5d50b09ab
+# sha256 of the text below: 285483aaed139a1079e651d398fe716006597db75262e0818e94bf15c62c2d86
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2324,6 +2324,7 @@ def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
 
 def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
     """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[0] = 2.0 * e[NET]
     e[4] = q
     e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
     expand_right_side(s, e, drive)
@@ -2370,6 +2371,14 @@ def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
         e[VERS + j] = part[2]
 
 
+def factors_of_law(s: Lanes, e: Floats, q: Floats, rate: Floats, drive: Floats) -> None:
+    """Compute the factors of E from the numbers of the net moment and of the load. ``drive`` is their sum."""
+    if s.roles.per_pole >= 0:
+        hyperbolic_factors(s, e, q, drive)
+        return
+    factors_of_terms(e, q, rate)
+
+
 def softening_factors(s: Lanes, e: Floats) -> None:
     """Compute the factors of E."""
     c = s.cells
@@ -2381,13 +2390,9 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     e[NET] = c[s.roles.drive] - c[s.roles.net_loss]
     e[NET + 1] = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
     e[NET + 2] = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
+    e[POLE] = -1.0 / c[s.roles.loss_rate]
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
-    if s.roles.per_pole >= 0:
-        e[0] = 2.0 * e[NET]
-        e[POLE] = 1.0 / c[s.roles.per_pole]
-        hyperbolic_factors(s, e, q, c[s.roles.drive])
-        return
-    factors_of_terms(e, q, c[s.roles.loss_rate])
+    factors_of_law(s, e, q, c[s.roles.loss_rate], c[s.roles.drive])
 
 
 def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
@@ -2397,12 +2402,9 @@ def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
     back[FIRST] = 1.0 + f[4]
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
-    if s.roles.per_pole >= 0:
-        back[POLE] = -e[POLE] - f[0]
-        drive = back[NET] + back[FIRST] * back[LOAD]
-        hyperbolic_factors(s, back, -e[4], drive)
-        return
-    factors_of_terms(back, -e[4], -c[s.roles.loss_rate])
+    back[POLE] = -e[POLE] - f[0]
+    drive = back[NET] + back[FIRST] * back[LOAD]
+    factors_of_law(s, back, -e[4], -c[s.roles.loss_rate], drive)
 
 
 def series_suffices(s: Lanes, e: Floats) -> Mask:
