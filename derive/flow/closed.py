@@ -115,4 +115,4 @@ def _prove_hyperbolic() -> None:
         place = mpmath.mpf(NEAR_START)
         found = missed(*values.values(), place, energy_at(place), mpmath.diff(energy_at, place))
         if abs(found) > place ** (2 * HALF):
-            raise ProofError("E under hyperbolic friction in the integrator", found)
+            raise ProofError("E under hyperbolic friction in the integrator", mpmath.nstr(found))
