@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f23126f425f72c9b9810f7ccd7583eb7f5525f02901721985576fae055b54bf2
+# sha256 of the text below: 88ee6e407570b8ccde79cd57f9aa039d5d87d53abb4dac36144c3f9b1728d170
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "469783e994d36ca73654394927fa4d5520bd8068037480a1ce4cc31697f3b1c1"  # of the compiled integrator's source
+DIGEST = "7098da3b10c6a58c629d763a7c03f3952e5e2260ab5b8944899c2f8cf29cf340"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
