@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4ebd03007626954f1b236b6614972a5ead31cfab6c4da1408d11e705e0a77367
+# sha256 of the text below: e326475f36c69d982c62930f72da98f6f9406c4b66236d74a135e9a3a5155899
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -292,8 +292,8 @@ COSINES = (0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304,
 ARCSINE = (1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092,
     0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815,
     0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096,
-    0.004240907093679363)
-LAST_OF_ARCSINE = 16
+    0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306)
+LAST_OF_ARCSINE = 20
 SHORTEST = 12
 NODES = (0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994,
     0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523,
@@ -302,32 +302,7 @@ NODES = (0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.2063
     0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028,
     0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878,
     0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547,
-    0.9975936099985107)
-SHARES = (0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548,
-    0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622,
-    0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981,
-    0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563,
-    0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216,
-    0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388,
-    0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663,
-    0.0123412297999872)
-LAST_SHARES = (-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577,
-    1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439,
-    -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508,
-    0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468,
-    -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926,
-    0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875,
-    -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303,
-    0.03014884408621794)
-NEXT_SHARES = (0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606,
-    -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414,
-    -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787,
-    -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835,
-    0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703,
-    0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909,
-    -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246,
-    0.058702978041430834)
-LONG_NODES = (0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364,
+    0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364,
     0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326,
     0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432,
     0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965,
@@ -337,7 +312,14 @@ LONG_NODES = (0.0006144963737869658, 0.003234913866824618, 0.007937708138586574,
     0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213,
     0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155,
     0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213)
-LONG_SHARES = (0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849,
+SHARES = (0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548,
+    0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622,
+    0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981,
+    0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563,
+    0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216,
+    0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388,
+    0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663,
+    0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849,
     0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044,
     0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447,
     0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388,
@@ -347,7 +329,14 @@ LONG_SHARES = (0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454
     0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071,
     0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553,
     0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385)
-LONG_LAST_SHARES = (-0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915,
+LAST_SHARES = (-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577,
+    1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439,
+    -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508,
+    0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468,
+    -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926,
+    0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875,
+    -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303,
+    0.03014884408621794, -0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915,
     -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465,
     0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185,
     -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435,
@@ -357,7 +346,14 @@ LONG_LAST_SHARES = (-0.007790034178160955, 0.027210382191082905, -0.053218548447
     -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484,
     0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847,
     -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959)
-LONG_NEXT_SHARES = (0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088,
+NEXT_SHARES = (0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606,
+    -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414,
+    -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787,
+    -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835,
+    0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703,
+    0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909,
+    -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246,
+    0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088,
     0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525,
     -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808,
     0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353,
@@ -430,7 +426,7 @@ LAST_OF_NEWTON = 1.4901161193847656e-08
 CLOSE_TO_REST = 9.094947017729282e-13
 PAIRS = 8
 LONG = 17
-NEAR_MIDDLE = 0.4
+NEAR_MIDDLE = 0.85
 QUARTER = 0.7853981633974483
 LAST_OF_COARSE = 4.656612873077393e-10
 LAST_OF_FINE = 2.2737367544323206e-13
@@ -2328,6 +2324,7 @@ def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
 
 def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
     """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[0] = 2.0 * e[NET]
     e[4] = q
     e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
     expand_right_side(s, e, drive)
@@ -2374,6 +2371,14 @@ def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
         e[VERS + j] = part[2]
 
 
+def factors_of_law(s: Lanes, e: Floats, q: Floats, rate: Floats, drive: Floats) -> None:
+    """Compute the factors of E from the numbers of the net moment and of the load. ``drive`` is their sum."""
+    if s.roles.per_pole >= 0:
+        hyperbolic_factors(s, e, q, drive)
+        return
+    factors_of_terms(e, q, rate)
+
+
 def softening_factors(s: Lanes, e: Floats) -> None:
     """Compute the factors of E."""
     c = s.cells
@@ -2385,13 +2390,9 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     e[NET] = c[s.roles.drive] - c[s.roles.net_loss]
     e[NET + 1] = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
     e[NET + 2] = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
+    e[POLE] = -1.0 / c[s.roles.loss_rate]
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
-    if s.roles.per_pole >= 0:
-        e[0] = 2.0 * e[NET]
-        e[POLE] = 1.0 / c[s.roles.per_pole]
-        hyperbolic_factors(s, e, q, c[s.roles.drive])
-        return
-    factors_of_terms(e, q, c[s.roles.loss_rate])
+    factors_of_law(s, e, q, c[s.roles.loss_rate], c[s.roles.drive])
 
 
 def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
@@ -2401,12 +2402,9 @@ def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
     back[FIRST] = 1.0 + f[4]
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
-    if s.roles.per_pole >= 0:
-        back[POLE] = -e[POLE] - f[0]
-        drive = back[NET] + back[FIRST] * back[LOAD]
-        hyperbolic_factors(s, back, -e[4], drive)
-        return
-    factors_of_terms(back, -e[4], -c[s.roles.loss_rate])
+    back[POLE] = -e[POLE] - f[0]
+    drive = back[NET] + back[FIRST] * back[LOAD]
+    factors_of_law(s, back, -e[4], -c[s.roles.loss_rate], drive)
 
 
 def series_suffices(s: Lanes, e: Floats) -> Mask:
@@ -2510,38 +2508,28 @@ def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part:
     return softening_energy(e, f)
 
 
-def at_node(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, node: Floats, part: int) -> tuple[Floats,
-        Floats]:
-    """Return E and the integrand at a node of `time_of_part`, with its arguments."""
-    here = unit * (node * node)
-    other = 1.0 + bend * (1.0 - node)
-    share = 1.0 / (here + other * other)
-    past = end * (here * share)
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    energy_there = energy_past(s, e, f, past, end, part)
-    return (energy_there, share * share * (other * node) * f[5] / np.sqrt(energy_there))
-
-
 def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain."""
     total: Floats = 0.0
     last: Floats = 0.0
     last_but_one: Floats = 0.0
     lower: Floats = 0.0
+    f = np.zeros((ix.STRIDE, e.shape[1]))
     fine = s.highest > FINEST
-    longest = fine and part == 0
-    k_first = SHORTEST if fine == part else 0
-    k_last = 4 * SHORTEST - 1 if longest else 2 * k_first + SHORTEST - 1
-    for k in range(k_first, k_last + 1):
-        node: Floats = LONG_NODES[k] if longest else NODES[k]
-        weight: Floats = LONG_SHARES[k] if longest else SHARES[k]
-        weight_of_last: Floats = LONG_LAST_SHARES[k] if longest else LAST_SHARES[k]
-        weight_of_next: Floats = LONG_NEXT_SHARES[k] if longest else NEXT_SHARES[k]
-        at, slowness = at_node(s, e, end, unit, bend, node, part)
-        total = np.where(at > lower, total + weight * slowness, INFINITY)
+    times = 2 if fine else 1
+    times = times if part else 2 * times
+    k_first = SHORTEST * (times - 1)
+    for k in range(k_first, k_first + SHORTEST * times - 1 + 1):
+        here = unit * (NODES[k] * NODES[k])
+        other = 1.0 + bend * (1.0 - NODES[k])
+        share = 1.0 / (here + other * other)
+        past = end * (here * share)
+        at = energy_past(s, e, f, past, end, part)
+        slowness = share * share * (other * NODES[k]) * f[5] / np.sqrt(at)
+        total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
-        last = last + weight_of_last * slowness
-        last_but_one = last_but_one + weight_of_next * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     most: Floats = CLOSER if fine else ALIKE
     uneven = np.abs(last) + np.abs(last_but_one)
     accurate = uneven <= most * total
@@ -2719,29 +2707,17 @@ def time_at(w: Floats, u: Floats, place: Floats, sine: Floats) -> tuple[Floats, 
     return (time, slope)
 
 
-def angle_of(place: Floats, sine: Floats) -> Floats:
-    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine, and a correction where it is incomplete."""
+def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
+    """Return the time from rest to a rotation, with u from the series of the arcsine."""
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * np.sqrt(x * left) / end
     z = place / np.sqrt(2.0 + 2.0 * sine)
     square = z * z
     total: Floats = 0.0
     for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
         total = total * square + ARCSINE[k]
-    u = QUARTER + z * total
-    far = np.abs(z) > NEAR_MIDDLE
-    if np.any(far):
-        lag, versine = turned(2.0 * u)
-        excess = place * (2.0 * u - lag) + sine * (1.0 - versine)
-        u = np.where(far, u + 0.5 * excess, u)
-    return u
-
-
-def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
-    """Return the time from rest to a rotation."""
-    left = end - x
-    place = (x - left) / end
-    sine = 2.0 * np.sqrt(x * left) / end
-    u = angle_of(place, sine)
-    time, _ = time_at(w, u, place, sine)
+    time, _ = time_at(w, QUARTER + z * total, place, sine)
     return time
 
 
@@ -2835,7 +2811,8 @@ def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Fl
     functions(f, x, e[4])
     square = energy(e, f)
     rate = 0.5 * slope_of(e, f)
-    functions(f, end - x, e[4])
+    _, versine_back = turned(PI - 2.0 * u)
+    functions(f, 0.5 * end * versine_back, e[4])
     reverse(f, e[4])
     square = np.where(versine > 1.0, energy(back, f), square)
     c[ix.X] = np.where(here, x, c[ix.X])
@@ -2850,6 +2827,8 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     """Complete phases under constant friction, up to rest or the end time, and return these lanes."""
     c = s.cells
     w = np.zeros((ix.STRIDE, e.shape[1]))
+    off_middle = np.abs(2.0 * peak - end)
+    fits = fits & (off_middle < NEAR_MIDDLE * end)
     duration = duration_of_swing(s, e, back, end, w, fits)
     before = time_to(w, peak, end)
     until = c[ix.TIME] + duration
