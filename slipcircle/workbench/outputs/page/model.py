@@ -168,9 +168,12 @@ def _runs(inputs: PageInputs) -> ValueDict:
     factors: dict[int, Any] = {}
     for row, name in enumerate(inputs.names):
         place = program.places.get(name, -1)
-        moved = place >= 0 and math.isfinite(cells[place, 0]) and np.ptp(runs[place]) > 0.0
-        if moved:
-            factors[row] = (runs[place] / cells[place]).tolist()
+        if place < 0:
+            continue
+        start = cells[place, 0]
+        varies = np.ptp(runs[place]) > 0.0
+        if varies and math.isfinite(start):
+            factors[row] = (runs[place] / start).tolist()
     return {"count": RUNS, "factors": factors}
 
 
