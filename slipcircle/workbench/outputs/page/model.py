@@ -168,12 +168,12 @@ def _runs(inputs: PageInputs) -> ValueDict:
     factors: dict[int, Any] = {}
     for row, name in enumerate(inputs.names):
         place = program.places.get(name, -1)
-        if place < 0:
-            continue
         start = cells[place, 0]
-        varies = np.ptp(runs[place]) > 0.0
-        if varies and math.isfinite(start):
-            factors[row] = (runs[place] / start).tolist()
+        if place < 0 or not math.isfinite(start):
+            continue
+        of_runs = runs[place]
+        if np.ptp(of_runs) > 0.0:
+            factors[row] = (of_runs / start).tolist()
     return {"count": RUNS, "factors": factors}
 
 
