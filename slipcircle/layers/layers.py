@@ -217,7 +217,8 @@ class LayeredSection(LayeredNumbers):
         cuts = [(x - apart) / size for x in crossings]
         loads = []
         for x1, x2, _, _ in self.surcharge:
-            load = [(x - centre[:, :1]) / size for x in (x1, x2)]
+            from_centre = (x1 - centre[:, :1], x2 - centre[:, :1])
+            load = [x / size for x in from_centre]
             loads.append(load)
             cuts += load
         return cut_into_strips(over_radius, surfaces, count, self._ends, cuts, loads)
