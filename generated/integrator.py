@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 90cc33ca4249231278f2fdebadb4b7e49e355d14ab0f8471df20f8d5d50b09ab
+# sha256 of the text below: e326475f36c69d982c62930f72da98f6f9406c4b66236d74a135e9a3a5155899
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -292,8 +292,8 @@ COSINES = (0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304,
 ARCSINE = (1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092,
     0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815,
     0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096,
-    0.004240907093679363)
-LAST_OF_ARCSINE = 16
+    0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306)
+LAST_OF_ARCSINE = 20
 SHORTEST = 12
 NODES = (0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994,
     0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523,
@@ -426,7 +426,7 @@ LAST_OF_NEWTON = 1.4901161193847656e-08
 CLOSE_TO_REST = 9.094947017729282e-13
 PAIRS = 8
 LONG = 17
-NEAR_MIDDLE = 0.4
+NEAR_MIDDLE = 0.85
 QUARTER = 0.7853981633974483
 LAST_OF_COARSE = 4.656612873077393e-10
 LAST_OF_FINE = 2.2737367544323206e-13
@@ -2324,6 +2324,7 @@ def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
 
 def hyperbolic_factors(s: Lanes, e: Floats, q: Floats, drive: Floats) -> None:
     """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[0] = 2.0 * e[NET]
     e[4] = q
     e[SHIFT] = np.where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
     expand_right_side(s, e, drive)
@@ -2370,6 +2371,14 @@ def factors_of_terms(e: Floats, q: Floats, rate: Floats) -> None:
         e[VERS + j] = part[2]
 
 
+def factors_of_law(s: Lanes, e: Floats, q: Floats, rate: Floats, drive: Floats) -> None:
+    """Compute the factors of E from the numbers of the net moment and of the load. ``drive`` is their sum."""
+    if s.roles.per_pole >= 0:
+        hyperbolic_factors(s, e, q, drive)
+        return
+    factors_of_terms(e, q, rate)
+
+
 def softening_factors(s: Lanes, e: Floats) -> None:
     """Compute the factors of E."""
     c = s.cells
@@ -2381,13 +2390,9 @@ def softening_factors(s: Lanes, e: Floats) -> None:
     e[NET] = c[s.roles.drive] - c[s.roles.net_loss]
     e[NET + 1] = c[s.roles.net_sine] - c[s.roles.net_loss_sine]
     e[NET + 2] = c[s.roles.net_vers] - c[s.roles.net_loss_vers]
+    e[POLE] = -1.0 / c[s.roles.loss_rate]
     q = 2.0 * (c[s.roles.net_loss_square] - c[s.roles.net_square])
-    if s.roles.per_pole >= 0:
-        e[0] = 2.0 * e[NET]
-        e[POLE] = 1.0 / c[s.roles.per_pole]
-        hyperbolic_factors(s, e, q, c[s.roles.drive])
-        return
-    factors_of_terms(e, q, c[s.roles.loss_rate])
+    factors_of_law(s, e, q, c[s.roles.loss_rate], c[s.roles.drive])
 
 
 def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
@@ -2397,12 +2402,9 @@ def factors_about_end(s: Lanes, back: Floats, e: Floats, f: Floats) -> None:
     back[FIRST] = 1.0 + f[4]
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
-    if s.roles.per_pole >= 0:
-        back[POLE] = -e[POLE] - f[0]
-        drive = back[NET] + back[FIRST] * back[LOAD]
-        hyperbolic_factors(s, back, -e[4], drive)
-        return
-    factors_of_terms(back, -e[4], -c[s.roles.loss_rate])
+    back[POLE] = -e[POLE] - f[0]
+    drive = back[NET] + back[FIRST] * back[LOAD]
+    factors_of_law(s, back, -e[4], -c[s.roles.loss_rate], drive)
 
 
 def series_suffices(s: Lanes, e: Floats) -> Mask:
@@ -2705,29 +2707,17 @@ def time_at(w: Floats, u: Floats, place: Floats, sine: Floats) -> tuple[Floats, 
     return (time, slope)
 
 
-def angle_of(place: Floats, sine: Floats) -> Floats:
-    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine, and a correction where it is incomplete."""
+def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
+    """Return the time from rest to a rotation, with u from the series of the arcsine."""
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * np.sqrt(x * left) / end
     z = place / np.sqrt(2.0 + 2.0 * sine)
     square = z * z
     total: Floats = 0.0
     for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
         total = total * square + ARCSINE[k]
-    u = QUARTER + z * total
-    far = np.abs(z) > NEAR_MIDDLE
-    if np.any(far):
-        lag, versine = turned(2.0 * u)
-        excess = place * (2.0 * u - lag) + sine * (1.0 - versine)
-        u = np.where(far, u + 0.5 * excess, u)
-    return u
-
-
-def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
-    """Return the time from rest to a rotation."""
-    left = end - x
-    place = (x - left) / end
-    sine = 2.0 * np.sqrt(x * left) / end
-    u = angle_of(place, sine)
-    time, _ = time_at(w, u, place, sine)
+    time, _ = time_at(w, QUARTER + z * total, place, sine)
     return time
 
 
@@ -2821,7 +2811,8 @@ def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Fl
     functions(f, x, e[4])
     square = energy(e, f)
     rate = 0.5 * slope_of(e, f)
-    functions(f, end - x, e[4])
+    _, versine_back = turned(PI - 2.0 * u)
+    functions(f, 0.5 * end * versine_back, e[4])
     reverse(f, e[4])
     square = np.where(versine > 1.0, energy(back, f), square)
     c[ix.X] = np.where(here, x, c[ix.X])
@@ -2836,6 +2827,8 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     """Complete phases under constant friction, up to rest or the end time, and return these lanes."""
     c = s.cells
     w = np.zeros((ix.STRIDE, e.shape[1]))
+    off_middle = np.abs(2.0 * peak - end)
+    fits = fits & (off_middle < NEAR_MIDDLE * end)
     duration = duration_of_swing(s, e, back, end, w, fits)
     before = time_to(w, peak, end)
     until = c[ix.TIME] + duration

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fc64b4835897a36fb81fd111ffce0b744d5cd1139b3fc1c6881489c99d30f9fd
+# sha256 of the text below: d8fa2d50708a8110dd48146a2a848c75b225a9fb74224b0bc1f7ed2307b815be
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "bf5b9e424b2b5c2849ac258538412d70c9bc25ce1684f30946fbacc348ebb5ed"  # of the compiled integrator's source
+DIGEST = "d9434464c199b81dd3dd44b07883541090334b2264779b1e0bd5e4eeb3a05787"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

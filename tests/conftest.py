@@ -22,7 +22,7 @@ LONGEST = (
     "1_derivation",
     "3_what_accuracy",
     "fresh_run",
-    "test_ctrl_c",
+    "test_engines",
     "test_it_builds",
     "test_jax",
 )

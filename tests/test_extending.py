@@ -81,12 +81,12 @@ build.build = partial(build.build, flags=("-O0", *build.FLAGS[1:]))
 halve = certify.halve
 certify.halve = lambda *given, **more: halve(*given, **more | {"halvings": 100} if "halvings" in more else more)
 midpoints.hard = lambda record: []
-from derive.algebra import phase_plane, pieces
+from derive.algebra import dynamics, phase_plane, pieces
 from derive.declare.effects import EFFECTS, LAWS
 from derive.flow import closed, linked, recurrences, sliding
 few = *(effect for effect in EFFECTS if not effect.parameters), *EFFECTS[-2:]
 linked.prove = partial(linked.prove, few, (LAWS[0], next(law for law in LAWS if law.kinks), *LAWS[-2:]))
-for part in (phase_plane, pieces, closed, recurrences, sliding):
+for part in (dynamics, phase_plane, pieces, closed, recurrences, sliding):
     part.prove = list
 from derive.approximate import search
 search.TRIALS = 4

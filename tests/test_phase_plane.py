@@ -76,6 +76,18 @@ def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
         assert end or found[ix.STEPS].sum() < expected[ix.STEPS].sum()
 
 
+def test_an_end_time_just_before_rest_keeps_the_digits_of_the_speed() -> None:
+    """Near rest the speed is the net moment times the time that is left."""
+    scene: Scene[Any] = Scene(Arc(1000.0, 4.0, 5.0, 20e3), 0.2, TURNING)
+    left = 1e-6
+    duration = solve(scene).duration
+    problem = lanes.posed(replace(scene, end_time=np.repeat(duration - left, 2)), 1e-9)
+    found = lanes.integrate(problem)[:, 0]
+    per_second = scene.arc.time_scale
+    assert found[ix.STATUS] == ix.ENDED
+    assert found[ix.END_OMEGA] == pytest.approx(-found[ix.END_RATE] * (left / per_second), rel=1e-7)
+
+
 @pytest.mark.parametrize("name", EFFECTS)
 def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str) -> None:
     """Friction softens linearly; a third of the masses are pushed, in both directions."""

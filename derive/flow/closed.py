@@ -6,10 +6,10 @@ from types import SimpleNamespace
 from typing import Any
 
 import mpmath
-from sympy import Expr, Float, Function, Rational, cos, exp, expand_trig, lambdify, nsimplify, sin, symbols
+from sympy import Expr, Float, Rational, cos, exp, expand_trig, lambdify, nsimplify, sin, symbols
 
 from derive.algebra import phase_plane
-from derive.algebra.phase_plane import BASIS, NET, SOFTENING, drive, q, sine, vers, x
+from derive.algebra.phase_plane import BASIS, E_AT, HYPERBOLIC, NET, SLOPE_OF_E, SOFTENING, drive, q, sine, vers, x
 from derive.algebra.prove import prove_zero
 from derive.check.proof import ProofError
 from derive.flow.integrator import energy, softening
@@ -102,10 +102,7 @@ def _prove_softening() -> None:
 
 def _prove_hyperbolic() -> None:
     """Prove E under hyperbolic softening by substitution: near the start the equation misses the omitted terms only."""
-    energy_of_x = Function("E")(x)
-    unknown = symbols("E slope_of_E")
-    equation = phase_plane.hyperbolic().subs(energy_of_x.diff(x), unknown[1]).subs(energy_of_x, unknown[0])
-    missed = lambdify((*PROBLEM, x, *unknown), equation, "mpmath")
+    missed = lambdify((*PROBLEM, x, E_AT, SLOPE_OF_E), HYPERBOLIC, "mpmath")
     with mpmath.workdps(2 * DIGITS):
         values = {symbol: mpmath.mpf(k) / 7 for k, symbol in enumerate(PROBLEM, 2)}
         slope = values[SOFTENING[0]]
@@ -118,4 +115,4 @@ def _prove_hyperbolic() -> None:
         place = mpmath.mpf(NEAR_START)
         found = missed(*values.values(), place, energy_at(place), mpmath.diff(energy_at, place))
         if abs(found) > place ** (2 * HALF):
-            raise ProofError("E under hyperbolic friction in the integrator", found)
+            raise ProofError("E under hyperbolic friction in the integrator", mpmath.nstr(found))

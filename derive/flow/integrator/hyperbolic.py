@@ -10,7 +10,7 @@ for w is singular at the pole of friction, behind the start:
 
     E = exp(-q x) (P_1 x + P_2 x^2 + ... + w (1 - (1 + x/pole)^-p)/p)
 
-`derive.algebra.phase_plane` derives this solution. As a function of the distance from the end of a phase E has the same
+`derive.flow.closed` proves it by substitution. As a function of the distance from the end of a phase E has the same
 form with a negative pole.
 """
 
@@ -52,6 +52,7 @@ def expand_right_side(s: Lanes, e: S, drive: V) -> None:
 
 def hyperbolic_factors(s: Lanes, e: S, q: V, drive: V) -> None:
     """Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning."""
+    e[0] = 2.0 * e[NET]
     e[4] = q
     e[SHIFT] = where(e[SHIFT] == 0.0, LEAST, e[SHIFT])
     expand_right_side(s, e, drive)

@@ -34,7 +34,7 @@ COSINES = tuple(
     for k, times in enumerate(_MIRRORED)
 )
 # Coefficients of the arcsine of z over z in powers of z^2.
-LAST_OF_ARCSINE = 16
+LAST_OF_ARCSINE = 20
 ARCSINE = tuple(math.comb(2 * k, k) / 4**k / (2 * k + 1) for k in range(LAST_OF_ARCSINE + 1))
 _gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
 # Gauss's rules in `derive.flow.integrator.softening`, one after the other: nodes on [0, 1], weights on [-1, 1], and

@@ -75,6 +75,14 @@ def factors_of_terms(e: S, q: V, rate: V) -> None:
         e[VERS + j] = part[2]
 
 
+def factors_of_law(s: Lanes, e: S, q: V, rate: V, drive: V) -> None:
+    """Compute the factors of E from the numbers of the net moment and of the load. ``drive`` is their sum."""
+    if s.has.per_pole:
+        hyperbolic_factors(s, e, q, drive)
+        return
+    factors_of_terms(e, q, rate)
+
+
 def softening_factors(s: Lanes, e: S) -> None:
     """Compute the factors of E."""
     e[SHIFT] = 2.0 * s.net_loss_square / s.loss_rate
@@ -85,13 +93,9 @@ def softening_factors(s: Lanes, e: S) -> None:
     e[NET] = s.drive - s.net_loss
     e[NET + 1] = s.net_sine - s.net_loss_sine
     e[NET + 2] = s.net_vers - s.net_loss_vers
+    e[POLE] = -1.0 / s.loss_rate
     q = 2.0 * (s.net_loss_square - s.net_square)
-    if s.has.per_pole:
-        e[0] = 2.0 * e[NET]
-        e[POLE] = 1.0 / s.per_pole
-        hyperbolic_factors(s, e, q, s.drive)
-        return
-    factors_of_terms(e, q, s.loss_rate)
+    factors_of_law(s, e, q, s.loss_rate, s.drive)
 
 
 def factors_about_end(s: Lanes, back: S, e: S, f: S) -> None:
@@ -103,12 +107,9 @@ def factors_about_end(s: Lanes, back: S, e: S, f: S) -> None:
     back[FIRST] = 1.0 + f[4]
     look_back(back, LOAD, e[LOAD], e[LOAD + 1], e[LOAD + 2], f)
     look_back(back, NET, e[NET], e[NET + 1], e[NET + 2], f)
-    if s.has.per_pole:
-        back[POLE] = -e[POLE] - f[0]
-        drive = back[NET] + back[FIRST] * back[LOAD]
-        hyperbolic_factors(s, back, -e[4], drive)
-        return
-    factors_of_terms(back, -e[4], -s.loss_rate)
+    back[POLE] = -e[POLE] - f[0]
+    drive = back[NET] + back[FIRST] * back[LOAD]
+    factors_of_law(s, back, -e[4], -s.loss_rate, drive)
 
 
 def series_suffices(s: Lanes, e: S) -> M:

@@ -48,7 +48,7 @@ LAST_OF_NEWTON = 2.0**-26  # the same for Newton's method
 CLOSE_TO_REST = 2.0**-40  # an end time that is closer to the standstill, relatively, is left to the integration in time
 PAIRS = 8  # of nodes at most
 LONG = 2 * PAIRS + 1  # place behind the coefficients of the time: 1 if those beyond PAIRS are not 0
-NEAR_MIDDLE = 0.4  # argument of the arcsine up to which its series is complete
+NEAR_MIDDLE = 0.85  # distance of the peak from the middle over half of the way, for which the arcsine is complete
 QUARTER = PI / 4.0
 # Greatest last coefficients of the series of the time over the first one, for all orders and for those above `FINEST`.
 LAST_OF_COARSE = 2.0**-31
@@ -210,29 +210,17 @@ def time_at(w: S, u: V, place: V, sine: V) -> tuple[V, V]:
     return time, slope
 
 
-def angle_of(place: V, sine: V) -> V:
-    """Return u from -cos(2 u) and sin(2 u), by the series of the arcsine, and a correction where it is incomplete."""
+def time_to(w: S, x: V, end: V) -> V:
+    """Return the time from rest to a rotation, with u from the series of the arcsine."""
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * sqrt(x * left) / end
     z = place / sqrt(2.0 + 2.0 * sine)
     square = z * z
     total: V = 0.0
     for k in down(LAST_OF_ARCSINE, 0):
         total = total * square + ARCSINE[k]
-    u = QUARTER + z * total
-    far = abs(z) > NEAR_MIDDLE
-    if any_lane(far):
-        lag, versine = turned(2.0 * u)
-        excess = place * (2.0 * u - lag) + sine * (1.0 - versine)
-        u = where(far, u + 0.5 * excess, u)
-    return u
-
-
-def time_to(w: S, x: V, end: V) -> V:
-    """Return the time from rest to a rotation."""
-    left = end - x
-    place = (x - left) / end
-    sine = 2.0 * sqrt(x * left) / end
-    u = angle_of(place, sine)
-    time, _ = time_at(w, u, place, sine)
+    time, _ = time_at(w, QUARTER + z * total, place, sine)
     return time
 
 
@@ -325,7 +313,8 @@ def end_within(s: Lanes, here: M, e: S, back: S, w: S, end: V) -> None:
     functions(f, x, e[4])
     square = energy(e, f)
     rate = 0.5 * slope_of(e, f)
-    functions(f, end - x, e[4])
+    _, versine_back = turned(PI - 2.0 * u)
+    functions(f, 0.5 * end * versine_back, e[4])
     reverse(f, e[4])
     square = where(versine > 1.0, energy(back, f), square)
     s.x = x
@@ -342,6 +331,8 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M
     ``f`` has the functions of E at the end of the phase.
     """
     w = new_series()
+    off_middle = abs(2.0 * peak - end)
+    fits = fits and off_middle < NEAR_MIDDLE * end
     duration = duration_of_swing(s, e, back, end, w, fits)
     before = time_to(w, peak, end)
     until = s.time + duration
