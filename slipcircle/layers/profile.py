@@ -204,7 +204,8 @@ def _developed(surfaces: _Surfaces, strip: Integers, first: Floats, last: Floats
     sizes = np.abs(coefficients).max(axis=(1, 2))
     whole = 2.0 * coefficients[0]
     first_sizes, last_sizes = sizes.reshape(2, 2, *first.shape).max(axis=1)
-    return whole.transpose(2, 0, 1, 3), first_sizes, last_sizes
+    by_piece = whole.transpose(2, 0, 1, 3)
+    return by_piece, first_sizes, last_sizes
 
 
 def _integrals(surfaces: _Surfaces, strip: Integers, nodes: Floats, half: Floats, rule: Floats, count: int) -> Floats:
