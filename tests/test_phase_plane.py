@@ -238,13 +238,8 @@ SOFTENING = (8.0, 0.1, -0.09, 0.2, -0.1)  # slope, brake, load, load_sine, load_
 
 def softening_lanes(numbers: Sequence[float], softens: Sequence[float], law: str = "exponential") -> Any:
     """Return the cells of a lane with a law of softening, from the numbers of `energy_at`."""
-    (drive, sine, vers, q), (slope, brake, load, load_sine, load_vers) = numbers, softens
-    return SimpleNamespace(
-        drive=drive + load, net_sine=sine + load_sine, net_vers=vers + load_vers, net_square=-0.5 * (q + brake),
-        net_loss=load, net_loss_sine=load_sine, net_loss_vers=load_vers, net_loss_square=-0.5 * brake,
-        loss_rate=-slope, per_pole=slope, has=SimpleNamespace(loss_rate=True, per_pole=law == "hyperbolic"),
-        inverse=[0.0, *(1.0 / k for k in range(1, STRIDE))],
-    )  # fmt: skip
+    values = dict(zip(closed.PROBLEM, (*numbers, *softens), strict=True))
+    return closed.lane(values, softens[0] if law == "hyperbolic" else 0)
 
 
 @pytest.mark.parametrize("law", SOFTENING_LAWS)

@@ -62,12 +62,13 @@ def prove() -> str:
     return f"E and {len(forms) - 1} derivatives, from both ends of a phase, and E under softening"
 
 
-def _lane(values: Mapping[Expr, Any], per_pole: Any = 0) -> Any:
+def lane(values: Mapping[Expr, Any], per_pole: Any = 0) -> Any:
     """Return the cells of a lane with softening friction from the values of the symbols in `PROBLEM`.
 
     ``per_pole`` is the slope if friction is hyperbolic.
     """
     of_drive, of_sine, of_vers, decay, slope, brake, load, load_sine, load_vers = (values[x] for x in PROBLEM)
+    one = slope / slope
     return SimpleNamespace(
         drive=of_drive + load,
         net_sine=of_sine + load_sine,
@@ -80,7 +81,7 @@ def _lane(values: Mapping[Expr, Any], per_pole: Any = 0) -> Any:
         loss_rate=-slope,
         per_pole=per_pole,
         has=SimpleNamespace(per_pole=per_pole != 0),
-        inverse=[0, *(1 / mpmath.mpf(k) for k in range(1, STRIDE))],
+        inverse=[0, *(one / k for k in range(1, STRIDE))],
     )
 
 
@@ -88,7 +89,7 @@ def _prove_softening() -> None:
     """Prove E as a function of the rotation under exponential softening, for rational numbers."""
     slope = SOFTENING[0]
     e: list[Any] = [0] * STRIDE
-    softening.softening_factors(_lane({symbol: symbol for symbol in PROBLEM}), e)
+    softening.softening_factors(lane({symbol: symbol for symbol in PROBLEM}), e)
     e[SHIFT] = 0  # without the factor exp(brake W/slope)
     first = symbols("first")
     e[FIRST] = first
@@ -107,7 +108,7 @@ def _prove_hyperbolic() -> None:
         values = {symbol: mpmath.mpf(k) / 7 for k, symbol in enumerate(PROBLEM, 2)}
         slope = values[SOFTENING[0]]
         e: list[Any] = [mpmath.mpf(0)] * STRIDE
-        softening.softening_factors(_lane(values, slope), e)
+        softening.softening_factors(lane(values, slope), e)
 
         def energy_at(place: Any) -> Any:
             return hyperbolic_energy(e, [0], mpmath.log1p(slope * place))

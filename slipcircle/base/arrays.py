@@ -1,8 +1,7 @@
 """Conversions of inputs to numbers, arrays and read-only mappings, and arithmetic that needs care."""
 
 import math
-from collections.abc import Iterable, Mapping
-from contextlib import nullcontext
+from collections.abc import Callable, Iterable, Mapping
 from operator import is_
 from typing import Any
 
@@ -14,7 +13,6 @@ from slipcircle.base.kinds import Shape
 EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 FLOATS = frozenset((float, np.float64))
-_WITHOUT_WARNING: Any = nullcontext()
 
 
 def float_or_array(value: Any) -> Any:
@@ -26,14 +24,15 @@ def float_or_array(value: Any) -> Any:
     return float(value)
 
 
-def may_overflow(shape: Shape) -> Any:
-    """Return a context that silences overflow warnings of arrays.
+def may_overflow(shape: Shape, function: Callable[[], Any]) -> Any:
+    """Return the result of a function of lanes, without overflow warnings of arrays.
 
     The overflow itself is reported when the result is read.
     """
     if not shape:
-        return _WITHOUT_WARNING
-    return np.errstate(over="ignore")
+        return function()
+    with np.errstate(over="ignore"):
+        return function()
 
 
 def quiet() -> Any:

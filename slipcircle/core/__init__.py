@@ -7,6 +7,7 @@ only some scenes need are imported lazily. `slipcircle.core.lazy` lists them.
 """
 
 from slipcircle.core.integrator.compiled import numpy_only
+from slipcircle.core.integrator.neighbours import ROUNDED, RUNS, perturbed_runs
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
@@ -23,6 +24,8 @@ __all__ = [
     "ANSWERED",
     "AS_ENTERED",
     "DIP",
+    "ROUNDED",
+    "RUNS",
     "STATUS_OF_END",
     "STORED",
     "Arc",
@@ -39,6 +42,7 @@ __all__ = [
     "lazy_import",
     "number",
     "numpy_only",
+    "perturbed_runs",
     "plan",
     "problem_of",
     "solve",

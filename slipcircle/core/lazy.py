@@ -31,7 +31,7 @@ MODULES = {
     "stiff": "slipcircle.stiff.implicit",  # explicit steps are too many
     "plan": "slipcircle.messages.choice",  # the description of a plan is requested
     "equation": "slipcircle.messages.equation",  # the equation of motion is requested
-    "estimate": "slipcircle.messages.accuracy",  # the error estimate is requested
+    "estimate": "slipcircle.core.integrator.estimate",  # the error estimate is requested
     "warnings": "slipcircle.messages.warnings",  # warnings are requested
     "plausible": "slipcircle.messages.plausible",  # a scene has an unusual number
     "summary": "slipcircle.messages.summary",  # the one-line summary is requested

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose, float_or_array, may_overflow
+from slipcircle.base.arrays import choose, float_or_array
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.state import State
 from slipcircle.core.scene.scene import Scene
@@ -72,7 +72,7 @@ def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stre
     axes = getattr(time, "ndim", 0) - len(scene.shape)
     scale = before(scene.arc.time_scale, axes)
     radius = before(float_or_array(scene.arc.radius), axes)
-    with may_overflow(scene.shape):
+    with np.errstate(over="ignore"):
         angular_velocity = omega / scale
         velocity = radius * angular_velocity
         acceleration = radius * rate / scale**2

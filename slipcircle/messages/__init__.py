@@ -1,19 +1,7 @@
-"""Texts about a scene and its motion: equation, warnings, summary and error estimate."""
+"""Texts about a scene and its motion: equation, warnings and summary."""
 
-from slipcircle.core.integrator.neighbours import RUNS, perturbed_runs
-from slipcircle.messages.accuracy import ROUNDED
 from slipcircle.messages.choice import describe_integrator
 from slipcircle.messages.summary import OUTSIDE, range_words, standing, swings_back
 from slipcircle.messages.velocity import VelocityTimes
 
-__all__ = [
-    "OUTSIDE",
-    "ROUNDED",
-    "RUNS",
-    "VelocityTimes",
-    "describe_integrator",
-    "perturbed_runs",
-    "range_words",
-    "standing",
-    "swings_back",
-]
+__all__ = ["OUTSIDE", "VelocityTimes", "describe_integrator", "range_words", "standing", "swings_back"]

@@ -37,8 +37,8 @@ COSINES = tuple(
 LAST_OF_ARCSINE = 20
 ARCSINE = tuple(math.comb(2 * k, k) / 4**k / (2 * k + 1) for k in range(LAST_OF_ARCSINE + 1))
 _gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
-# Gauss's rules in `derive.flow.integrator.softening`, one after the other: nodes on [0, 1], weights on [-1, 1], and
-# weights of the last two coefficients of Legendre's series. The first has SHORTEST nodes, each other one twice as many.
+# Gauss's rules in `derive.flow.integrator.softening`: nodes on [0, 1], weights on [-1, 1], and weights of the last two
+# coefficients of Legendre's series. The rule of SHORTEST nodes is followed by one of twice as many.
 SHORTEST = 12
 
 
@@ -50,13 +50,13 @@ def _rule(count: int, degree: int) -> list[list[Any]]:
         for n in (count - 1, count - 2):
             size = (2 * n + 1) * weight
             row.append(size * mpmath.legendre(n, x))
-        rows.append(row)
+        rows.append([float(number) for number in row])
     return rows
 
 
-_RULES = _rule(SHORTEST, 3) + _rule(2 * SHORTEST, 4) + _rule(4 * SHORTEST, 5)
-_COLUMNS = [tuple(map(float, column)) for column in zip(*_RULES, strict=True)]
-NODES, SHARES, LAST_SHARES, NEXT_SHARES = _COLUMNS
+_RULES = _rule(SHORTEST, 3) + _rule(2 * SHORTEST, 4)
+NODES, SHARES, LAST_SHARES, NEXT_SHARES = map(tuple, zip(*_RULES, strict=True))
+LONG_NODES, LONG_SHARES, LONG_LAST_SHARES, LONG_NEXT_SHARES = map(tuple, zip(*_rule(4 * SHORTEST, 5), strict=True))
 
 
 def _codes(name: str) -> Any:

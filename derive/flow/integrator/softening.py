@@ -19,6 +19,10 @@ from derive.flow.integrator.hyperbolic import FIRST, LOAD, NET, POLE, SHIFT, hyp
 from derive.flow.integrator.one_lane import (
     INFINITY,
     LAST_SHARES,
+    LONG_LAST_SHARES,
+    LONG_NEXT_SHARES,
+    LONG_NODES,
+    LONG_SHARES,
     NEXT_SHARES,
     NODES,
     SHARES,
@@ -208,6 +212,17 @@ def energy_past(s: Lanes, e: S, f: S, past: V, end: V, part: N) -> V:
     return softening_energy(e, f)
 
 
+def at_node(s: Lanes, e: S, end: V, unit: V, bend: V, node: V, part: N) -> tuple[V, V]:
+    """Return E and the integrand at a node of `time_of_part`, with its arguments."""
+    here = unit * (node * node)
+    other = 1.0 + bend * (1.0 - node)
+    share = 1.0 / (here + other * other)
+    past = end * (here * share)
+    f = new_series()
+    energy_there = energy_past(s, e, f, past, end, part)
+    return energy_there, share * share * (other * node) * f[5] / sqrt(energy_there)
+
+
 def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain.
 
@@ -218,22 +233,20 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
     last: V = 0.0
     last_but_one: V = 0.0
     lower: V = 0.0
-    f = new_series()
     fine: N = s.highest > FINEST
-    times: N = 2 if fine else 1
-    times = times if part else 2 * times
-    k_first: N = SHORTEST * (times - 1)
-    for k in up(k_first, k_first + SHORTEST * times - 1):
-        here = unit * (NODES[k] * NODES[k])
-        other = 1.0 + bend * (1.0 - NODES[k])
-        share = 1.0 / (here + other * other)
-        past = end * (here * share)
-        at = energy_past(s, e, f, past, end, part)
-        slowness = share * share * (other * NODES[k]) * f[5] / sqrt(at)
-        total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
+    longest: N = fine and part == 0
+    k_first: N = SHORTEST if fine == part else 0
+    k_last: N = 4 * SHORTEST - 1 if longest else 2 * k_first + SHORTEST - 1
+    for k in up(k_first, k_last):
+        node: V = LONG_NODES[k] if longest else NODES[k]
+        weight: V = LONG_SHARES[k] if longest else SHARES[k]
+        weight_of_last: V = LONG_LAST_SHARES[k] if longest else LAST_SHARES[k]
+        weight_of_next: V = LONG_NEXT_SHARES[k] if longest else NEXT_SHARES[k]
+        at, slowness = at_node(s, e, end, unit, bend, node, part)
+        total = where(at > lower, total + weight * slowness, INFINITY)
         lower = at
-        last = last + LAST_SHARES[k] * slowness
-        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+        last = last + weight_of_last * slowness
+        last_but_one = last_but_one + weight_of_next * slowness
     most: V = CLOSER if fine else ALIKE
     uneven = abs(last) + abs(last_but_one)
     accurate = uneven <= most * total

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose, float_or_array
+from slipcircle.base.arrays import choose, float_or_array, may_overflow
 from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.neighbours import integrate_single
@@ -143,10 +143,7 @@ class Motion(Conversions, Generic[Numbers]):
     @cached_property
     def outcomes(self) -> Mapping[str, Numbers]:
         """Run-out, peak velocity and duration by name (`run_out`, `peak_velocity`, `duration`), in SI units."""
-        if self.shape:
-            with np.errstate(over="ignore"):  # reported when a result is read
-                return self._outcomes()
-        return self._outcomes()
+        return may_overflow(self.shape, self._outcomes)
 
     def _outcomes(self) -> Mapping[str, Numbers]:
         final = self._final

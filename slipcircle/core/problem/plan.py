@@ -28,7 +28,7 @@ def build_program(recipe: Recipe, outputs: Names = ()) -> Program:
     return build(recipe, partial(fragments_of, FRAGMENTS), registers, further)
 
 
-@dataclass(frozen=True)
+@dataclass
 class Plan:
     """Method of solution of a scene.
 

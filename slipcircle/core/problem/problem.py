@@ -138,6 +138,13 @@ class Problem:
         """
         return self.farther is not None and self.farther(self.data, rotation, lane)
 
+    def _start_and_end(self) -> tuple[Any, Any]:
+        """Return the initial angular velocity and the end time, dimensionless."""
+        scene = self.plan.scene
+        time_scale = scene.arc.time_scale
+        velocity = float_or_array(scene.initial_velocity)
+        return velocity / scene.arc.units["m"] * time_scale, scene.until / time_scale
+
     def _add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
         """Add a piecewise function by its name in the program.
 
@@ -190,27 +197,35 @@ class Problem:
 
         ``name`` may contain the number of a soil, and ``parameters`` are in SI units by name.
         """
-        scene = self.plan.scene
-        units = {**scene.arc.units, "": 1.0 / strength}
+        units = self.plan.scene.arc.units
+        numbers = _numbers_of_law(name)
+        for cell, parameter, unit in numbers:
+            scale = units[unit] if unit else 1.0 / strength
+            self.start[cell] = float_or_array(parameters[parameter]) / scale
+        if not numbers:
+            self._add_table_of_law(name, parameters, strength)
+
+    def _add_table_of_law(self, name: str, parameters: Parameters, strength: Any) -> None:
+        """Add a law that is a table, with the arguments of `_add_law`."""
         law = without_soil(name)
+        units = self.plan.scene.arc.units
         if law == "callable":
             radius = units["m"]
             self.functions[name] = parameters["function"]
             table = lazy_import("functions").first_table(parameters["function"], radius)
             self._add_table(name, table, radius, strength)
-        elif FRAGMENTS[law].tables:
-            table, scale, unit = lazy_import("tables").of_law(law, parameters, scene.shape)
-            self._add_table(name, table, units[unit] / scale, strength)
         else:
-            for cell, parameter, unit in _numbers_of_law(name):
-                self.start[cell] = float_or_array(parameters[parameter]) / units[unit]
+            table, scale, unit = lazy_import("tables").of_law(law, parameters, self.plan.scene.shape)
+            self._add_table(name, table, units[unit] / scale, strength)
 
 
 @lru_cache(maxsize=256)
 def _numbers_of_law(name: str) -> tuple[Names, ...]:
-    """Return the cell, the name and the unit of each parameter of a law that is not a table."""
-    parameters = LAWS[without_soil(name)].parameters
-    return tuple((f"{name}.{p.name}", p.name, p.unit) for p in parameters)
+    """Return the cell, the name and the unit of each parameter of a law; nothing for a law that is a table."""
+    law = without_soil(name)
+    if law == "callable" or FRAGMENTS[law].tables:
+        return ()
+    return tuple((f"{name}.{p.name}", p.name, p.unit) for p in LAWS[law].parameters)
 
 
 @lru_cache(maxsize=256)
@@ -239,9 +254,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     for k, (name, parameters) in enumerate(scene.laws):
         is_rate = k > 0 and OF_SOIL not in name  # which multiplies the law before it
         problem._add_law(name, parameters, 1.0 if is_rate or OF_COHESION in name else strength)
-    with may_overflow(scene.shape):
-        start["omega"] = float_or_array(scene.initial_velocity) / mass.units["m"] * mass.time_scale
-        start["END_TIME"] = scene.until / mass.time_scale
+    start["omega"], start["END_TIME"] = may_overflow(scene.shape, problem._start_and_end)
     is_unknown = strength != strength
     if invalid is not False or is_unknown is not False:
         start["STATUS"] = _first_status(np.logical_or(invalid, is_unknown))

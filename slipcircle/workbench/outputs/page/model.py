@@ -12,10 +12,9 @@ import numpy as np
 from generated import layout as ix
 from generated.program import integers_of
 from slipcircle.base.kinds import Names, ValueDict
-from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, solve
+from slipcircle.core import ROUNDED, RUNS, STATUS_OF_END, Motion, Problem, Scene, Status, perturbed_runs, plan, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays
 from slipcircle.history import OUTPUTS, of_means
-from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
 from slipcircle.stiff import may_creep
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Key, by_name, in_output_unit
@@ -169,9 +168,12 @@ def _runs(inputs: PageInputs) -> ValueDict:
     factors: dict[int, Any] = {}
     for row, name in enumerate(inputs.names):
         place = program.places.get(name, -1)
-        moved = place >= 0 and math.isfinite(cells[place, 0]) and np.ptp(runs[place]) > 0.0
-        if moved:
-            factors[row] = (runs[place] / cells[place]).tolist()
+        start = cells[place, 0]
+        if place < 0 or not math.isfinite(start):
+            continue
+        of_runs = runs[place]
+        if np.ptp(of_runs) > 0.0:
+            factors[row] = (of_runs / start).tolist()
     return {"count": RUNS, "factors": factors}
 
 
