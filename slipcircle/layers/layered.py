@@ -152,7 +152,9 @@ class RotationTables(NamedTuple):
         cosine = np.cos(rotation)
         sine = np.sin(rotation)
         normal = turned_load * cosine - turned_slope * sine
-        friction_moment = of_sample(least) * (normal + terms.get("normal", 0.0) - terms.get("lift", 0.0))
+        beyond_mean = terms.get("normal", 0.0)
+        effective = normal + beyond_mean - terms.get("lift", 0.0)
+        friction_moment = of_sample(least) * effective
         resisting = np.maximum(friction_moment, 0.0)
         return drive * cosine - drive_slope * sine - resisting - terms.get("strength", 0.0)
 

@@ -211,13 +211,15 @@ class LayeredSection(LayeredNumbers):
             lines.append(self._level)
         size = radius[:, None]
         over_radius = [(line - centre[:, None]) / size[..., None] for line in lines]
-        apart = (centre - centre[:1])[:, :1]  # from the first circle, in whose place lines are crossed
+        from_first = centre - centre[:1]
+        apart = from_first[:, :1]  # from the first circle, in whose place lines are crossed
         far = np.max(np.abs(apart) + 2 * size, initial=0.0)
         crossings = crossings_of_lines([line - centre[:1] for line in lines], far)
         cuts = [(x - apart) / size for x in crossings]
         loads = []
         for x1, x2, _, _ in self.surcharge:
-            load = [(x - centre[:, :1]) / size for x in (x1, x2)]
+            from_centre = (x1 - centre[:, :1], x2 - centre[:, :1])
+            load = [x / size for x in from_centre]
             loads.append(load)
             cuts += load
         return cut_into_strips(over_radius, surfaces, count, self._ends, cuts, loads)

@@ -158,7 +158,8 @@ def _of_piece(values: Floats, piece: Integers, some: slice = slice(None)) -> Flo
         return values.take(piece[:, 0], axis=-2)
     *axes, pieces, circles = values.shape
     number = piece[:, some] * circles + np.arange(circles)
-    return values.reshape(*axes, pieces * circles).take(number, axis=-1)
+    in_a_row = values.reshape(*axes, pieces * circles)
+    return in_a_row.take(number, axis=-1)
 
 
 def profile_of(strips: Strips, weights: Floats) -> Profile:
@@ -184,7 +185,8 @@ def profile_of(strips: Strips, weights: Floats) -> Profile:
     number, first, last, each = map(np.concatenate, columns)
     in_order = np.argsort((first + last).sum(axis=1), kind="stable")  # from left to right
     by_piece = each[in_order].transpose(1, 2, 0, 3)
-    before = np.cumsum(np.insert(by_piece, 0, 0.0, axis=2), axis=2)
+    from_start = np.insert(by_piece, 0, 0.0, axis=2)
+    before = np.cumsum(from_start, axis=2)
     every_edge = np.concatenate([first[in_order], edges[-1:]])
     return Profile(surfaces, number[in_order], every_edge, before)
 
@@ -202,7 +204,8 @@ def _developed(surfaces: _Surfaces, strip: Integers, first: Floats, last: Floats
     sizes = np.abs(coefficients).max(axis=(1, 2))
     whole = 2.0 * coefficients[0]
     first_sizes, last_sizes = sizes.reshape(2, 2, *first.shape).max(axis=1)
-    return whole.transpose(2, 0, 1, 3), first_sizes, last_sizes
+    by_piece = whole.transpose(2, 0, 1, 3)
+    return by_piece, first_sizes, last_sizes
 
 
 def _integrals(surfaces: _Surfaces, strip: Integers, nodes: Floats, half: Floats, rule: Floats, count: int) -> Floats:
@@ -236,7 +239,8 @@ def _integrands(surfaces: _Surfaces, beta: Floats, half: Floats, count: int) -> 
     x, c = sine_and_cosine(beta)
     per_node = half * c
     beyond = x - surfaces.x
-    weights = surfaces.weight.swapaxes(0, 1)[:, :, None]  # of each surface
+    by_surface = surfaces.weight.swapaxes(0, 1)
+    weights = by_surface[:, :, None]
     total = np.zeros((count, weights.shape[1], *beta.shape))
     for weight, y, slope in zip(weights, surfaces.y, surfaces.slope, strict=False):
         used = np.flatnonzero(weight.any(axis=(0, 1, 3)))

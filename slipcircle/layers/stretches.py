@@ -7,7 +7,6 @@ The sum over the stretches of a quantity q of the soils, with a cumulative integ
 so that only C at the joints depends on the rotation, and only the differences depend on the numbers of the soils.
 """
 
-import math
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
@@ -103,14 +102,12 @@ class StretchIntegrals:
         as the mass moves.
         """
         first, last = self.span
-        moved = np.zeros_like(rotation)
-        if self._base_stays:
-            moved = rotation
+        moved = rotation if self._base_stays else np.zeros_like(rotation)
         in_mass = self._joints[:, None] - moved
         return np.clip(in_mass, first, last)
 
     def _pressing(self, rotation: Floats, count: int, rule: Rule) -> Floats:
-        """Return integrals of unit weights below surfaces up to the joints met, (count, J + 1, surfaces, M, circles).
+        """Return integrals of unit weights below surfaces up to the J joints met, (count, (J + 1) columns, M, circles).
 
         The integrals are the first ones of a `Profile`. They begin at the entry, with x down-slope. Rotations (pieces,
         nodes, circles) are the Chebyshev nodes of pieces; for others the `rule` is used.
@@ -132,7 +129,7 @@ class StretchIntegrals:
         if np.any(facing < 0.0):
             np.subtract(whole[:, None, :, None], to_joints, out=to_joints, where=facing < 0.0)
             every[RADIAL_X] *= facing
-        return every
+        return every.reshape(count, (joints + 1) * surfaces, moments, circles)
 
     def parts(self, rotation: Floats, names: Collection[str], rule: Rule = GAUSS) -> ArrayDict:
         """Return parts by name, each (parts, M, circles), after rotations (M, circles) in rad.
@@ -146,9 +143,7 @@ class StretchIntegrals:
         if len(every) < len(names):
             # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
             count = PRESSING if "overburden" in names else PRESSING - 1
-            pressing = self._pressing(by_piece, count, rule)
-            by_joint = pressing.reshape(count, math.prod(pressing.shape[1:3]), *rotation.shape)
-            radial_y, radial_x, polar, *cover = by_joint
+            radial_y, radial_x, polar, *cover = self._pressing(by_piece, count, rule)
             sine, cosine = sine_and_cosine(rotation)
             slope = radial_x * sine
             normal = -radial_y * cosine - slope

@@ -52,7 +52,7 @@ class Strips:
     slope: Floats
     above: Flags
     base: Integers
-    loads: Sequence[Sequence[Floats]] = ()
+    loads: Sequence[Sequence[Floats]]
 
     @property
     def beta(self) -> Floats:
@@ -67,7 +67,7 @@ def cut_into_strips(
     layers: int,
     ends: Sequence[Vectors],
     extra: Sequence[Floats],
-    loads: Sequence[Sequence[Floats]] = (),
+    loads: Sequence[Sequence[Floats]],
 ) -> Strips:
     """Divide masses into strips, and return them.
 
