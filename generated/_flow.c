@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9648893f722f96121b2918126f47a2a80fa1e8cca74949a66618750e7bcbf03b"
+#define DIGEST "5a6b3aeb3231b4223c103c637fffc305ce218927a1c959a2c7f0b1920a4cac55"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1505,8 +1505,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define LONG 17
 #define NEAR_MIDDLE 0x1.b333333333333p-1
 #define QUARTER 0x1.921fb54442d18p-1
-#define LAST_OF_COARSE 0x1.0000000000000p-31
-#define LAST_OF_FINE 0x1.0000000000000p-42
+#define LAST_WAVE 0x1.0000000000000p-44
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -4238,17 +4237,15 @@ INLINE V time_to(V *w, V x, V end)
     return time;
 }
 
-/* Return whether the last two coefficients of the series of the time are too large for the accuracy of lanes. */
-INLINE M is_uneven(Batch *b, V *w, int n)
+/* Return whether the last two coefficients of the series of the time are not negligible. */
+INLINE M is_uneven(V *w, int n)
 {
-    const Job *const job = b->job;
-    V most = broadcast((job->order > FINEST) ? LAST_OF_FINE : LAST_OF_COARSE);
     V last = magnitude(w[n - 1]) + magnitude(w[n]);
-    return ~(last <= (most * w[0]));
+    return ~(last <= (LAST_WAVE * w[0]));
 }
 
 /* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
-INLINE V duration_of_swing(Batch *b, V *e, V *back, V end, V *w, M which)
+INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
 {
     V both[STRIDE];
     V odd[STRIDE];
@@ -4263,14 +4260,14 @@ INLINE V duration_of_swing(Batch *b, V *e, V *back, V end, V *w, M which)
         w[m] = broadcast(0.0);
     }
     find_waves(w, which, both, odd, 4, 2);
-    M unsure = which & is_uneven(b, w, 8);
+    M unsure = which & is_uneven(w, 8);
     if (bits(unsure)) {
         for (int k = 1; k <= 4; k++) {
             add_node(e, back, end, both, odd, (2 * k) - 1);
         }
         find_waves(w, unsure, both, odd, 8, 1);
         w[LONG] = pick(unsure, broadcast(1.0), broadcast(0.0));
-        unsure = unsure & is_uneven(b, w, 16);
+        unsure = unsure & is_uneven(w, 16);
     }
     return pick(unsure, broadcast(INFINITY), PI * w[0]);
 }
@@ -4366,7 +4363,7 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     V w[STRIDE];
     V off_middle = magnitude((2.0 * peak) - end);
     fits = fits & (off_middle < (NEAR_MIDDLE * end));
-    V duration = duration_of_swing(b, e, back, end, w, fits);
+    V duration = duration_of_swing(e, back, end, w, fits);
     V before = time_to(w, peak, end);
     V until = c[TIME] + duration;
     M rests = fits & (until < c[END_TIME]);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0d6e866b6c49a0557cc0da68d0b5058e0439dceecc01a8f0c4fe28b5a04f9a6a
+# sha256 of the text below: d037006dc0a1d0735d7c52e354b9d2735f57efaad8bf078340e14647a9fa1b87
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -432,8 +432,7 @@ PAIRS = 8
 LONG = 17
 NEAR_MIDDLE = 0.85
 QUARTER = 0.7853981633974483
-LAST_OF_COARSE = 4.656612873077393e-10
-LAST_OF_FINE = 2.2737367544323206e-13
+LAST_WAVE = 5.684341886080802e-14
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -2735,14 +2734,13 @@ def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
     return time
 
 
-def is_uneven(s: Lanes, w: Floats, n: int) -> Mask:
-    """Return whether the last two coefficients of the series of the time are too large for the accuracy of lanes."""
-    most: Floats = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
+def is_uneven(w: Floats, n: int) -> Mask:
+    """Return whether the last two coefficients of the series of the time are not negligible."""
     last = np.abs(w[n - 1]) + np.abs(w[n])
-    return np.logical_not(last <= most * w[0])
+    return np.logical_not(last <= LAST_WAVE * w[0])
 
 
-def duration_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, w: Floats, which: Mask) -> Floats:
+def duration_of_swing(e: Floats, back: Floats, end: Floats, w: Floats, which: Mask) -> Floats:
     """Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``."""
     both = np.zeros((ix.STRIDE, e.shape[1]))
     odd = np.zeros((ix.STRIDE, e.shape[1]))
@@ -2755,13 +2753,13 @@ def duration_of_swing(s: Lanes, e: Floats, back: Floats, end: Floats, w: Floats,
     for m in range(LONG + 1):
         w[m] = 0.0
     find_waves(w, which, both, odd, 4, 2)
-    unsure = which & is_uneven(s, w, 8)
+    unsure = which & is_uneven(w, 8)
     if np.any(unsure):
         for k in range(1, 4 + 1):
             add_node(e, back, end, both, odd, 2 * k - 1)
         find_waves(w, unsure, both, odd, 8, 1)
         w[LONG] = np.where(unsure, 1.0, 0.0)
-        unsure = unsure & is_uneven(s, w, 16)
+        unsure = unsure & is_uneven(w, 16)
     return np.where(unsure, INFINITY, PI * w[0])
 
 
@@ -2843,7 +2841,7 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     w = np.zeros((ix.STRIDE, e.shape[1]))
     off_middle = np.abs(2.0 * peak - end)
     fits = fits & (off_middle < NEAR_MIDDLE * end)
-    duration = duration_of_swing(s, e, back, end, w, fits)
+    duration = duration_of_swing(e, back, end, w, fits)
     before = time_to(w, peak, end)
     until = c[ix.TIME] + duration
     rests = fits & (until < c[ix.END_TIME])

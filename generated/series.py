@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0d993a1d28754e2d9ee0d902e70b2eda59778f5f212b75c04a6ebf99e0dd494f
+# sha256 of the text below: ae217c9b2f1a9dac7e8586af6f326d7b9b3c68b79e93e79ab23ad029c0e0c32f
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "9648893f722f96121b2918126f47a2a80fa1e8cca74949a66618750e7bcbf03b"  # of the compiled integrator's source
+DIGEST = "5a6b3aeb3231b4223c103c637fffc305ce218927a1c959a2c7f0b1920a4cac55"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

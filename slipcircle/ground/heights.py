@@ -9,6 +9,7 @@ that a point of the arc is (sin, -cos). A line y = y_0 + s (x - x_0) is y_0 + s 
 half of the circle (cos > 0) and on the upper half.
 """
 
+import math
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -47,8 +48,10 @@ class HeightIntegrals(NamedTuple):
         circles, count = self.slope.shape
         new_first = first - turns  # within a turn from -3 pi/2
         new_last = last - turns
-        start = new_first.reshape(-1, circles, 1)
-        end = new_last.reshape(-1, circles, 1)
+        shape = np.shape(new_first)
+        several = (math.prod(shape[:-1]), circles, 1)
+        start = new_first.reshape(several)
+        end = new_last.reshape(several)
         total = np.zeros(start.shape[:2])
         rows = max(1, _TOGETHER // max(1, circles))
         arcs = min(rows, len(total)) * circles
@@ -62,7 +65,6 @@ class HeightIntegrals(NamedTuple):
             slope = self.slope[:, chosen]
             by_piece = _over_parts(pieces, slope, start[some], end[some])
             total[some] += by_piece.sum(axis=-1)
-        shape = np.shape(first)
         return total.reshape(shape)
 
 

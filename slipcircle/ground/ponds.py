@@ -64,7 +64,7 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
     """
     lanes = len(grounds)
     if levels is not None:
-        lanes = max(lanes, len(levels))
+        (lanes,) = np.broadcast_shapes((lanes,), (len(levels),))
     every_ground = each_lane(grounds, lanes)
     bodies = list[Floats]()
     if levels is not None and not confined:

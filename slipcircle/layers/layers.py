@@ -214,7 +214,7 @@ class LayeredSection(LayeredNumbers):
         from_first = centre - centre[:1]
         apart = from_first[:, :1]  # from the first circle, in whose place lines are crossed
         far = np.max(np.abs(apart) + 2 * size, initial=0.0)
-        crossings = crossings_of_lines([line - centre[:1] for line in lines], far)
+        crossings = crossings_of_lines([line - centre[:1, None] for line in lines], far)
         cuts = [(x - apart) / size for x in crossings]
         loads = []
         for x1, x2, _, _ in self.surcharge:
@@ -264,8 +264,9 @@ class LayeredSection(LayeredNumbers):
         column contains all surfaces.
         """
         steps = self.weight_steps
-        of_circles = steps[:, : math.prod(self.shape)]
-        if np.any(steps != of_circles):
+        circles = math.prod(self.shape)
+        of_circles = steps[:, :circles]
+        if of_circles.shape[1] < circles or np.any(steps != of_circles):
             return np.eye(len(steps))[..., None], steps
         return of_circles[None], np.ones((1, steps.shape[1]))
 

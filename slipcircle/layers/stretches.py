@@ -7,6 +7,7 @@ The sum over the stretches of a quantity q of the soils, with a cumulative integ
 so that only C at the joints depends on the rotation, and only the differences depend on the numbers of the soils.
 """
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
@@ -115,8 +116,8 @@ class StretchIntegrals:
         profile = self.section.profile
         facing = self.section._facing
         *pieces, circles = rotation.shape
-        met = self._joints_met(rotation.reshape(-1, circles))
-        to_the_right = (facing * met).reshape(-1, *pieces[1:], circles)
+        met = self._joints_met(rotation.reshape(math.prod(pieces), circles))
+        to_the_right = (facing * met).reshape(len(met) * pieces[0], *pieces[1:], circles)
         at_nodes = len(pieces) > 1
         up_to = profile.up_to_nodes(to_the_right, count) if at_nodes else profile.up_to(to_the_right, count, rule)
         joints, moments, _ = met.shape
@@ -138,7 +139,8 @@ class StretchIntegrals:
         pieces, one piece after the other in the results.
         """
         by_piece = rotation
-        rotation = by_piece.reshape(-1, by_piece.shape[-1])
+        *lead, circles = by_piece.shape
+        rotation = by_piece.reshape(math.prod(lead), circles)
         every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
             # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.

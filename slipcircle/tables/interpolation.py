@@ -149,7 +149,7 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
     distance = half[:, None] * from_first  # pieces, nodes, n
     rotation = first[:, None] + distance
     values = function(rotation)
-    by_piece = values.reshape(-1, *rotation.shape)
+    by_piece = values.reshape(len(values), *rotation.shape)
     return (TO_CHEBYSHEV @ by_piece).transpose(1, 2, 0, 3)
 
 

@@ -34,7 +34,6 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import keep_faster, stick
 from derive.flow.integrator.roots import inside_or_middle
-from derive.flow.integrator.rotation import FINEST
 from derive.flow.integrator.softening import duration_of_softening, series_suffices, soften, softening_factors
 from derive.flow.integrator.step import end_motion, on_standstill
 
@@ -50,9 +49,7 @@ PAIRS = 8  # of nodes at most
 LONG = 2 * PAIRS + 1  # place behind the coefficients of the time: 1 if those beyond PAIRS are not 0
 NEAR_MIDDLE = 0.85  # distance of the peak from the middle over half of the way, for which the arcsine is complete
 QUARTER = PI / 4.0
-# Greatest last coefficients of the series of the time over the first one, for all orders and for those above `FINEST`.
-LAST_OF_COARSE = 2.0**-31
-LAST_OF_FINE = 2.0**-42
+LAST_WAVE = 2.0**-44  # last coefficients of the series of the time over the first one, up to which it is complete
 
 
 def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
@@ -224,14 +221,13 @@ def time_to(w: S, x: V, end: V) -> V:
     return time
 
 
-def is_uneven(s: Lanes, w: S, n: N) -> M:
-    """Return whether the last two coefficients of the series of the time are too large for the accuracy of lanes."""
-    most: V = LAST_OF_FINE if s.highest > FINEST else LAST_OF_COARSE
+def is_uneven(w: S, n: N) -> M:
+    """Return whether the last two coefficients of the series of the time are not negligible."""
     last = abs(w[n - 1]) + abs(w[n])
-    return not last <= most * w[0]
+    return not last <= LAST_WAVE * w[0]
 
 
-def duration_of_swing(s: Lanes, e: S, back: S, end: V, w: S, which: M) -> V:
+def duration_of_swing(e: S, back: S, end: V, w: S, which: M) -> V:
     """Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``."""
     both = new_series()
     odd = new_series()
@@ -244,13 +240,13 @@ def duration_of_swing(s: Lanes, e: S, back: S, end: V, w: S, which: M) -> V:
     for m in up(0, LONG):
         w[m] = 0.0
     find_waves(w, which, both, odd, 4, 2)
-    unsure = which and is_uneven(s, w, 8)
+    unsure = which and is_uneven(w, 8)
     if any_lane(unsure):
         for k in up(1, 4):
             add_node(e, back, end, both, odd, 2 * k - 1)
         find_waves(w, unsure, both, odd, 8, 1)
         w[LONG] = where(unsure, 1.0, 0.0)
-        unsure = unsure and is_uneven(s, w, 16)
+        unsure = unsure and is_uneven(w, 16)
     return where(unsure, INFINITY, PI * w[0])
 
 
@@ -333,7 +329,7 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M
     w = new_series()
     off_middle = abs(2.0 * peak - end)
     fits = fits and off_middle < NEAR_MIDDLE * end
-    duration = duration_of_swing(s, e, back, end, w, fits)
+    duration = duration_of_swing(e, back, end, w, fits)
     before = time_to(w, peak, end)
     until = s.time + duration
     rests = fits and until < s.end_time
