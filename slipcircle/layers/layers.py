@@ -266,7 +266,8 @@ class LayeredSection(LayeredNumbers):
         steps = self.weight_steps
         circles = math.prod(self.shape)
         of_circles = steps[:, :circles]
-        if of_circles.shape[1] < circles or np.any(steps != of_circles):
+        has_lanes = of_circles.shape[1] == circles
+        if not has_lanes or np.any(steps != of_circles):
             return np.eye(len(steps))[..., None], steps
         return of_circles[None], np.ones((1, steps.shape[1]))
 

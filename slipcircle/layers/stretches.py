@@ -117,7 +117,9 @@ class StretchIntegrals:
         facing = self.section._facing
         *pieces, circles = rotation.shape
         met = self._joints_met(rotation.reshape(math.prod(pieces), circles))
-        to_the_right = (facing * met).reshape(len(met) * pieces[0], *pieces[1:], circles)
+        to_the_right = facing * met
+        rows = len(met) * pieces[0]
+        to_the_right = to_the_right.reshape(rows, *pieces[1:], circles)
         at_nodes = len(pieces) > 1
         up_to = profile.up_to_nodes(to_the_right, count) if at_nodes else profile.up_to(to_the_right, count, rule)
         joints, moments, _ = met.shape
