@@ -225,9 +225,8 @@ def _integrals(surfaces: _Surfaces, strip: Integers, nodes: Floats, half: Floats
         above = _Surfaces(x, y, slope, weight, surfaces.loads[..., some])
         beta = nodes[..., some]
         values = _integrands(above, beta, half[..., some], count)
-        by_rule = rule @ values.reshape(count, columns, len(nodes), beta[0].size)
-        by_piece = by_rule.reshape(count, columns, len(rule), *beta[0].shape)
-        integrals[..., some] = by_piece.transpose(2, 0, 1, 3, 4)
+        # Products of matrices by BLAS would be rounded differently in different circles.
+        integrals[..., some] = np.einsum("rk,scknl->rscnl", rule, values)
     return integrals
 
 

@@ -30,7 +30,7 @@ _SHAPE = ("radius", "dip")
 _MOST_OF_SHAPE = 0.1  # relative range of these
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
-MOST_COEFFICIENTS = 1600  # greatest number of numbers of interpolants, for a page below 130 kB
+MOST_COEFFICIENTS = 1660  # greatest number of numbers of interpolants, for a page below 130 kB
 MOST_NUMBERS = 60_000  # greatest number of values in tables
 
 
