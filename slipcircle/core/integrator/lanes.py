@@ -40,7 +40,8 @@ def _integrate(problem: Problem, begin: Floats | None, samples: OutputSamples | 
     while True:
         if log is not None:
             log.clear()
-        if begin is None and problem.lanes > 1 and "STATUS" not in problem.start:
+        # A lane that waits for a function in Python goes on from complete cells.
+        if begin is None and problem.lanes > 1 and "STATUS" not in problem.start and not problem.functions:
             cells, shared = problem.sparse_cells()
         else:
             cells, shared = problem.cells() if begin is None else begin.copy(), NOTHING
