@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "5a6b3aeb3231b4223c103c637fffc305ce218927a1c959a2c7f0b1920a4cac55"
+#define DIGEST "6902585d83f698be40f0f7b731047b4ed022a320c43f6ac3254e942f41f31a9f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1501,6 +1501,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define MOST_CORRECTIONS 12
 #define LAST_OF_NEWTON 0x1.0000000000000p-26
 #define CLOSE_TO_REST 0x1.0000000000000p-40
+#define LEAST_DURATION 0x1.8000000000000p+0
 #define PAIRS 8
 #define LONG 17
 #define NEAR_MIDDLE 0x1.b333333333333p-1
@@ -4377,14 +4378,23 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     return rests | ends;
 }
 
-/* Complete phases under exponential softening, up to rest before the end time, and return these lanes. */
+/* Complete phases under softening laws, up to rest before the end time, and return these lanes. Lanes that hardly
+ * come to rest before the end time are left at once. */
 INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
 {
     V *const c = b->c;
+    V f[STRIDE];
+    evaluate_at(b, e, f, peak);
+    V speed = sqrt_of(f[5]);
+    V least = (LEAST_DURATION * end) / speed;
+    fits = fits & ((c[TIME] + least) < c[END_TIME]);
+    if (!bits(fits)) {
+        return fits;
+    }
     const Pair before_duration = duration_of_softening(b, e, end, peak);
     V before = before_duration.one, duration = before_duration.other;
     fits = fits & ((c[TIME] + duration) < c[END_TIME]);
-    pass_peak(b, fits, e, peak, before);
+    keep_faster(b, fits, speed, c[TIME] + before, peak, 0.5 * f[6]);
     finish(b, fits, end, duration);
     return fits;
 }

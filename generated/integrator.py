@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d037006dc0a1d0735d7c52e354b9d2735f57efaad8bf078340e14647a9fa1b87
+# sha256 of the text below: e5968a86d7ba3a8c8eba04a8c3066fa5c990c7b0336a147cccb99f94f3e7beff
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -428,6 +428,7 @@ CLEAR = 0.01
 MOST_CORRECTIONS = 12
 LAST_OF_NEWTON = 1.4901161193847656e-08
 CLOSE_TO_REST = 9.094947017729282e-13
+LEAST_DURATION = 1.5
 PAIRS = 8
 LONG = 17
 NEAR_MIDDLE = 0.85
@@ -2855,11 +2856,18 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
 
 
 def complete_softening(s: Lanes, fits: Mask, e: Floats, end: Floats, peak: Floats) -> Mask:
-    """Complete phases under exponential softening, up to rest before the end time, and return these lanes."""
+    """Complete phases under softening laws, up to rest before the end time, and return these lanes."""
     c = s.cells
+    f = np.zeros((ix.STRIDE, e.shape[1]))
+    evaluate_at(s, e, f, peak)
+    speed = np.sqrt(f[5])
+    least = LEAST_DURATION * end / speed
+    fits = fits & (c[ix.TIME] + least < c[ix.END_TIME])
+    if not np.any(fits):
+        return fits
     before, duration = duration_of_softening(s, e, end, peak)
     fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
-    pass_peak(s, fits, e, peak, before)
+    keep_faster(s, fits, speed, c[ix.TIME] + before, peak, 0.5 * f[6])
     finish(s, fits, end, duration)
     return fits
 

@@ -45,6 +45,7 @@ CLEAR = 0.01  # excess of resistance over the driving moment, relative to their 
 MOST_CORRECTIONS = 12  # of a root by Newton's method
 LAST_OF_NEWTON = 2.0**-26  # the same for Newton's method
 CLOSE_TO_REST = 2.0**-40  # an end time that is closer to the standstill, relatively, is left to the integration in time
+LEAST_DURATION = 1.5  # of a phase over the time that its path takes at the greatest speed; pi/2 if E is a parabola
 PAIRS = 8  # of nodes at most
 LONG = 2 * PAIRS + 1  # place behind the coefficients of the time: 1 if those beyond PAIRS are not 0
 NEAR_MIDDLE = 0.85  # distance of the peak from the middle over half of the way, for which the arcsine is complete
@@ -343,10 +344,20 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M
 
 
 def complete_softening(s: Lanes, fits: M, e: S, end: V, peak: V) -> M:
-    """Complete phases under exponential softening, up to rest before the end time, and return these lanes."""
+    """Complete phases under softening laws, up to rest before the end time, and return these lanes.
+
+    Lanes that hardly come to rest before the end time are left at once.
+    """
+    f = new_series()
+    evaluate_at(s, e, f, peak)
+    speed = sqrt(f[5])
+    least = LEAST_DURATION * end / speed
+    fits = fits and s.time + least < s.end_time
+    if not any_lane(fits):
+        return fits
     before, duration = duration_of_softening(s, e, end, peak)
     fits = fits and s.time + duration < s.end_time
-    pass_peak(s, fits, e, peak, before)
+    keep_faster(s, fits, speed, s.time + before, peak, 0.5 * f[6])
     finish(s, fits, end, duration)
     return fits
 
