@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "6902585d83f698be40f0f7b731047b4ed022a320c43f6ac3254e942f41f31a9f"
+#define DIGEST "b138b7cee0700205a7ebb835be895d0446deea71e1ee746406657e06aec183df"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -266,7 +266,7 @@ typedef struct { Py_buffer program, tables[3 * MOST_TABLES]; int views; } Held;
 /* Read the program and its tables; 0 with an exception where they do not fit. */
 static int read_job(Job *job, Held *held, PyObject *program, PyObject *tables, int level)
 {
-    held->views = 0;
+    held->views = 0, held->program.obj = NULL; /* without a buffer there is nothing to release */
     if (PyObject_GetBuffer(program, &held->program, PyBUF_SIMPLE)) return 0;
     const int32_t *const code = held->program.buf;
     if (read_program(job, code, code + held->program.len / 4) || !program_fits(job) || PyTuple_Size(tables) != job->tables ||
@@ -4293,12 +4293,11 @@ INLINE void rest(Batch *b, M here, V *back, V *f)
     stick(b, here);
 }
 
-/* Record the greatest speed, which lanes reach at the rotation ``peak``, after the time ``before``. */
-INLINE void pass_peak(Batch *b, M here, V *e, V peak, V before)
+/* Record the greatest speed, which lanes reach after the time ``before``. ``f`` has E and its derivatives at the
+ * rotation ``peak``. */
+INLINE void pass_peak(Batch *b, M here, V *f, V peak, V before)
 {
     V *const c = b->c;
-    V f[STRIDE];
-    evaluate_at(b, e, f, peak);
     V speed = sqrt_of(f[5]);
     V then = c[TIME] + before;
     keep_faster(b, here, speed, then, peak, 0.5 * f[6]);
@@ -4332,10 +4331,8 @@ static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
         V change = (time - then) / slope;
         u = pick(asked, u + change, u);
         asked = asked & (magnitude(change) > (LAST_OF_NEWTON * u));
-        const Pair lag_there_versine_there = turned(2.0 * u);
-        V lag_there = lag_there_versine_there.one, versine_there = lag_there_versine_there.other;
-        lag = 1.0 * lag_there;
-        versine = 1.0 * versine_there;
+        const Pair lag_versine = turned(2.0 * u);
+        lag = lag_versine.one, versine = lag_versine.other;
         count = count + 1;
     }
     V x = (0.5 * end) * versine;
@@ -4369,7 +4366,9 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     V until = c[TIME] + duration;
     M rests = fits & (until < c[END_TIME]);
     M ends = fits & (until < INFINITY) & (until > (c[END_TIME] * (1.0 + CLOSE_TO_REST)));
-    pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), e, peak, before);
+    V at_peak[STRIDE];
+    evaluate_at(b, e, at_peak, peak);
+    pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), at_peak, peak, before);
     finish(b, rests, end, duration);
     rest(b, rests, back, f);
     if (bits(ends)) {
@@ -4385,8 +4384,7 @@ INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
     V *const c = b->c;
     V f[STRIDE];
     evaluate_at(b, e, f, peak);
-    V speed = sqrt_of(f[5]);
-    V least = (LEAST_DURATION * end) / speed;
+    V least = (LEAST_DURATION * end) / sqrt_of(f[5]);
     fits = fits & ((c[TIME] + least) < c[END_TIME]);
     if (!bits(fits)) {
         return fits;
@@ -4394,7 +4392,7 @@ INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
     const Pair before_duration = duration_of_softening(b, e, end, peak);
     V before = before_duration.one, duration = before_duration.other;
     fits = fits & ((c[TIME] + duration) < c[END_TIME]);
-    keep_faster(b, fits, speed, c[TIME] + before, peak, 0.5 * f[6]);
+    pass_peak(b, fits, f, peak, before);
     finish(b, fits, end, duration);
     return fits;
 }
@@ -4663,10 +4661,12 @@ static void advance(Batch *b, M here)
 }
 /* --- the queue --- */
 
+static int is_shared(const Job *job, int i) { return job->shared && !isnan(job->shared[i]); }
+
 /* The cell with which a lane starts. */
 static double at_start(const Job *job, int i, int64_t column)
 {
-    return job->shared && !isnan(job->shared[i]) ? job->shared[i] : job->all[i * job->count + column];
+    return is_shared(job, i) ? job->shared[i] : job->all[i * job->count + column];
 }
 
 /* A lane at its start has no numbers of a phase yet. */
@@ -4690,7 +4690,7 @@ static int load_neighbours(Batch *b, int64_t first)
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
     const double *from = job->all + first;
     for (int i = 0; i < job->made; i++, from += job->count) {
-        if (job->shared && !isnan(job->shared[i])) {
+        if (is_shared(job, i)) {
             b->c[i] = broadcast(job->shared[i]);
             continue;
         }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e5968a86d7ba3a8c8eba04a8c3066fa5c990c7b0336a147cccb99f94f3e7beff
+# sha256 of the text below: 189fbd41d6b9638b13b3e621b421cb518dc32aa64d765206e5d9fb7e4abe1c00
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2781,11 +2781,9 @@ def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
     stick(s, here)
 
 
-def pass_peak(s: Lanes, here: Mask, e: Floats, peak: Floats, before: Floats) -> None:
-    """Record the greatest speed, which lanes reach at the rotation ``peak``, after the time ``before``."""
+def pass_peak(s: Lanes, here: Mask, f: Floats, peak: Floats, before: Floats) -> None:
+    """Record the greatest speed, which lanes reach after the time ``before``."""
     c = s.cells
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    evaluate_at(s, e, f, peak)
     speed = np.sqrt(f[5])
     then = c[ix.TIME] + before
     keep_faster(s, here, speed, then, peak, 0.5 * f[6])
@@ -2815,9 +2813,7 @@ def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Fl
         change = (time - then) / slope
         u = np.where(asked, u + change, u)
         asked = asked & (np.abs(change) > LAST_OF_NEWTON * u)
-        lag_there, versine_there = turned(2.0 * u)
-        lag = 1.0 * lag_there
-        versine = 1.0 * versine_there
+        lag, versine = turned(2.0 * u)
         count = count + 1
     x = 0.5 * end * versine
     f = np.zeros((ix.STRIDE, e.shape[1]))
@@ -2847,7 +2843,9 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     until = c[ix.TIME] + duration
     rests = fits & (until < c[ix.END_TIME])
     ends = fits & (until < INFINITY) & (until > c[ix.END_TIME] * (1.0 + CLOSE_TO_REST))
-    pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), e, peak, before)
+    at_peak = np.zeros((ix.STRIDE, e.shape[1]))
+    evaluate_at(s, e, at_peak, peak)
+    pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), at_peak, peak, before)
     finish(s, rests, end, duration)
     rest(s, rests, back, f)
     if np.any(ends):
@@ -2860,14 +2858,13 @@ def complete_softening(s: Lanes, fits: Mask, e: Floats, end: Floats, peak: Float
     c = s.cells
     f = np.zeros((ix.STRIDE, e.shape[1]))
     evaluate_at(s, e, f, peak)
-    speed = np.sqrt(f[5])
-    least = LEAST_DURATION * end / speed
+    least = LEAST_DURATION * end / np.sqrt(f[5])
     fits = fits & (c[ix.TIME] + least < c[ix.END_TIME])
     if not np.any(fits):
         return fits
     before, duration = duration_of_softening(s, e, end, peak)
     fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
-    keep_faster(s, fits, speed, c[ix.TIME] + before, peak, 0.5 * f[6])
+    pass_peak(s, fits, f, peak, before)
     finish(s, fits, end, duration)
     return fits
 

@@ -213,7 +213,7 @@ typedef struct { Py_buffer program, tables[3 * MOST_TABLES]; int views; } Held;
 /* Read the program and its tables; 0 with an exception where they do not fit. */
 static int read_job(Job *job, Held *held, PyObject *program, PyObject *tables, int level)
 {
-    held->views = 0;
+    held->views = 0, held->program.obj = NULL; /* without a buffer there is nothing to release */
     if (PyObject_GetBuffer(program, &held->program, PyBUF_SIMPLE)) return 0;
     const int32_t *const code = held->program.buf;
     if (read_program(job, code, code + held->program.len / 4) || !program_fits(job) || PyTuple_Size(tables) != job->tables ||
@@ -864,10 +864,12 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 @INTEGRATOR@
 /* --- the queue --- */
 
+static int is_shared(const Job *job, int i) { return job->shared && !isnan(job->shared[i]); }
+
 /* The cell with which a lane starts. */
 static double at_start(const Job *job, int i, int64_t column)
 {
-    return job->shared && !isnan(job->shared[i]) ? job->shared[i] : job->all[i * job->count + column];
+    return is_shared(job, i) ? job->shared[i] : job->all[i * job->count + column];
 }
 
 /* A lane at its start has no numbers of a phase yet. */
@@ -891,7 +893,7 @@ static int load_neighbours(Batch *b, int64_t first)
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
     const double *from = job->all + first;
     for (int i = 0; i < job->made; i++, from += job->count) {
-        if (job->shared && !isnan(job->shared[i])) {
+        if (is_shared(job, i)) {
             b->c[i] = broadcast(job->shared[i]);
             continue;
         }

@@ -270,10 +270,11 @@ def rest(s: Lanes, here: M, back: S, f: S) -> None:
     stick(s, here)
 
 
-def pass_peak(s: Lanes, here: M, e: S, peak: V, before: V) -> None:
-    """Record the greatest speed, which lanes reach at the rotation ``peak``, after the time ``before``."""
-    f = new_series()
-    evaluate_at(s, e, f, peak)
+def pass_peak(s: Lanes, here: M, f: S, peak: V, before: V) -> None:
+    """Record the greatest speed, which lanes reach after the time ``before``.
+
+    ``f`` has E and its derivatives at the rotation ``peak``.
+    """
     speed = sqrt(f[5])
     then = s.time + before
     keep_faster(s, here, speed, then, peak, 0.5 * f[6])
@@ -301,9 +302,7 @@ def end_within(s: Lanes, here: M, e: S, back: S, w: S, end: V) -> None:
         change = (time - then) / slope
         u = where(asked, u + change, u)
         asked = asked and abs(change) > LAST_OF_NEWTON * u
-        lag_there, versine_there = turned(2.0 * u)
-        lag = 1.0 * lag_there
-        versine = 1.0 * versine_there
+        lag, versine = turned(2.0 * u)
         count = count + 1
     x = 0.5 * end * versine
     f = new_series()
@@ -335,7 +334,9 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M
     until = s.time + duration
     rests = fits and until < s.end_time
     ends = fits and until < INFINITY and until > s.end_time * (1.0 + CLOSE_TO_REST)
-    pass_peak(s, rests or (ends and s.time + before < s.end_time), e, peak, before)
+    at_peak = new_series()
+    evaluate_at(s, e, at_peak, peak)
+    pass_peak(s, rests or (ends and s.time + before < s.end_time), at_peak, peak, before)
     finish(s, rests, end, duration)
     rest(s, rests, back, f)
     if any_lane(ends):
@@ -350,14 +351,13 @@ def complete_softening(s: Lanes, fits: M, e: S, end: V, peak: V) -> M:
     """
     f = new_series()
     evaluate_at(s, e, f, peak)
-    speed = sqrt(f[5])
-    least = LEAST_DURATION * end / speed
+    least = LEAST_DURATION * end / sqrt(f[5])
     fits = fits and s.time + least < s.end_time
     if not any_lane(fits):
         return fits
     before, duration = duration_of_softening(s, e, end, peak)
     fits = fits and s.time + duration < s.end_time
-    keep_faster(s, fits, speed, s.time + before, peak, 0.5 * f[6])
+    pass_peak(s, fits, f, peak, before)
     finish(s, fits, end, duration)
     return fits
 

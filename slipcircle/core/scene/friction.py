@@ -13,9 +13,8 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
     The friction of several soils is a sum over their laws, whose names contain the number of the soil, ``linear#0``.
     """
     if type(friction) is float or not isinstance(friction, MAPPING):
-        return (
-            ("callable", {"function": friction}) if callable(friction) else ("constant", {"coefficient": friction}),
-        )
+        law = ("callable", {"function": friction}) if callable(friction) else ("constant", {"coefficient": friction})
+        return (law,)
     rate = law_parts(friction["rate"]) if "rate" in friction else ()
     if "soils" in friction:
         laws = [law_parts(law)[0] for law in friction["soils"].values()]
