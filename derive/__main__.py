@@ -80,7 +80,7 @@ def derive_all() -> TextDict:
         compared = partial(integrate.compare, integrate.derive(moment), 30)
         stage(moment.name, "integrate", compared, "quadrature within {}")
     stage("equation of motion", "balance", dynamics.prove)
-    stage("slopes", "balance", partial(slopes.prove, *MOMENTS))
+    stage("slopes", "balance", slopes.prove)
     return write.slope_files() | write.kernel_files() | flow()
 
 
