@@ -213,7 +213,6 @@ def slices() -> Forms:
     # Radial component of the weight, -y/rho and x/rho over a strip, integrated over y, where drho = y/rho dy.
     strip = _strip(-_Y / _RHO, -_RHO)
     tilted_strip = _strip(1 / _RHO, -log(_RHO - _Y))
-    prove_zero(strength.subs({_N: normal, MU: 0}) - COHESION, "without friction the strength is the cohesion: ordinary")
     return {
         "drive": sp.factor(moment),
         "ordinary_normal": sp.factor(normal) - PRESSURE,
@@ -231,7 +230,6 @@ def _bishop(balance: Matrix, strength: Expr) -> Forms:
     normal = ((HEIGHT - PRESSURE) * COSINE + SINE * COHESION / FACTOR) / lever
     prove_zero(strength.subs(_N, vertical) - mobilised / lever, "Bishop's strength")
     prove_zero(normal - (vertical - PRESSURE), "Bishop's effective normal stress")
-    prove_zero((mobilised / lever).subs(MU, 0) - COHESION, "without friction the strength is the cohesion: Bishop")
     return {"bishop_strength": mobilised, "bishop_lever": lever, "bishop_normal": normal}
 
 
