@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b138b7cee0700205a7ebb835be895d0446deea71e1ee746406657e06aec183df"
+#define DIGEST "1da012664eb67d461bd1a80af3566b1994bafccfddbeac6dd184e0d4123bfab6"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1401,7 +1401,7 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 {
     const Job *const job = b->job;
     const V *const c = b->c;
-    if (!job->samples || !(end >= begin)) return;
+    if (!(end >= begin)) return;
     const int64_t across = job->times_across, column = b->column[k];
     const double *times = job->times + (across > 1 ? column : 0);
     int64_t low = 0, high = job->samples;
@@ -1428,6 +1428,23 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
+}
+
+/* A sample time of each lane, and the states of lanes that move then. */
+INLINE V sample_time(const Batch *b, int i)
+{
+    const Job *const job = b->job;
+    const double *times = job->times + i * (int64_t)job->times_across;
+    V time;
+    for (int k = 0; k < LANES; k++) time[k] = times[job->times_across > 1 ? b->column[k] : 0];
+    return time;
+}
+static void keep_sample(const Batch *b, M here, int i, V x, V omega, V rate)
+{
+    const Job *const job = b->job;
+    const V *const c = b->c, side = c[DIRECTION], states[4] = {c[ROTATION] + side * x, side * omega, side * rate, c[SLIP] + x};
+    EACH(k, bits(here))
+        for (int j = 0; j < 4; j++) job->outputs[(j * job->samples + i) * job->count + b->column[k]] = states[j][k];
 }
 
 /* --- the text of derive/flow/integrator --- */
@@ -1494,19 +1511,23 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define SINE 16
 #define VERS 24
 #define PI 0x1.921fb54442d18p+1
+#define QUARTER 0x1.921fb54442d18p-1
+#define PAIRS 8
+#define LONG 17
+#define LAST_WAVE 0x1.0000000000000p-44
+#define MOST_CORRECTIONS 12
+#define LAST_OF_NEWTON 0x1.0000000000000p-26
+#define OMEGA_THERE 1
+#define RATE_THERE 2
+#define ANGLE_THERE 3
+#define SLOPE_THERE 4
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
 #define CLEAR 0x1.47ae147ae147bp-7
-#define MOST_CORRECTIONS 12
-#define LAST_OF_NEWTON 0x1.0000000000000p-26
 #define CLOSE_TO_REST 0x1.0000000000000p-40
 #define LEAST_DURATION 0x1.8000000000000p+0
-#define PAIRS 8
-#define LONG 17
 #define NEAR_MIDDLE 0x1.b333333333333p-1
-#define QUARTER 0x1.921fb54442d18p-1
-#define LAST_WAVE 0x1.0000000000000p-44
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -2441,7 +2462,7 @@ INLINE void stay(Batch *b, M here, V status)
     c[DIRECTION] = pick(here, broadcast(0.0), c[DIRECTION]);
     c[REST_SINCE] = pick(here, pick(c[REST_SINCE] > c[END_TIME], c[END_TIME], c[REST_SINCE]), c[REST_SINCE]);
     c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
         }
@@ -2709,7 +2730,7 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
     if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
         double now = break_of(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
-        if (job->samples > 0) {
+        if (job->samples) {
             read_samples(b, lane, c[TIME][lane], now, 0, 0);
         }
         stand_before(b, lane, t, piece, now);
@@ -3387,7 +3408,7 @@ static void make_step(Batch *b, M here)
     M at_limit = here & reaches_limit & uneventful & ~endless;
     V time = c[TIME] + elapsed(b, top, step);
     V until = pick(at_limit, limit, time);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
         }
@@ -4051,6 +4072,151 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     return (Pair){before, (before + after)};
 }
 
+/* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
+INLINE V mean_of(V *both, int pairs, int by)
+{
+    V ends = both[0] + both[PAIRS];
+    V total = 0.5 * ends;
+    for (int k = 1; k <= pairs - 1; k++) {
+        total = total + both[k * by];
+    }
+    return total / (double)(2 * pairs);
+}
+
+/* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
+ * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
+ * sums of ``odd``. */
+INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
+{
+    V scale = broadcast(1.0 / (double)pairs);
+    w[0] = pick(here, mean_of(both, pairs, by), w[0]);
+    for (int j = 1; j <= pairs; j++) {
+        V of_odd = broadcast(0.0);
+        V of_even = broadcast(0.0);
+        int even_row = (2 * j) * (PAIRS + 1);
+        int odd_row = even_row - (PAIRS + 1);
+        for (int k = 0; k <= pairs; k++) {
+            int node = k * by;
+            of_odd = of_odd + (COSINES[odd_row + node] * odd[node]);
+            of_even = of_even + (COSINES[even_row + node] * both[node]);
+        }
+        V last = broadcast((j == pairs) ? 0.5 : 1.0);
+        w[(2 * j) - 1] = pick(here, scale * of_odd, w[(2 * j) - 1]);
+        w[2 * j] = pick(here, (scale * last) * of_even, w[2 * j]);
+    }
+}
+
+/* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
+ * -cos(2 u) and sin(2 u). */
+INLINE Pair time_at(V *w, V u, V place, V sine)
+{
+    int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
+    V twice = (-2.0) * place;
+    V cosine = -place;
+    V sine_before = broadcast(0.0);
+    V cosine_before = broadcast(1.0);
+    V time = (2.0 * w[0]) * u;
+    V slope = 2.0 * w[0];
+    for (int m = 1; m <= top; m++) {
+        time = time + (w[m] * sine);
+        slope = slope + (((double)(2 * m) * w[m]) * cosine);
+        V sine_after = (twice * sine) - sine_before;
+        V cosine_after = (twice * cosine) - cosine_before;
+        sine_before = sine;
+        cosine_before = cosine;
+        sine = sine_after;
+        cosine = cosine_after;
+    }
+    return (Pair){time, slope};
+}
+
+/* Return the time from rest to a rotation, with u from the series of the arcsine. */
+INLINE V time_to(V *w, V x, V end)
+{
+    V left = end - x;
+    V place = (x - left) / end;
+    V sine = (2.0 * sqrt_of(x * left)) / end;
+    V z = place / sqrt_of(2.0 + (2.0 * sine));
+    V square = z * z;
+    V total = broadcast(0.0);
+    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
+        total = (total * square) + ARCSINE[k];
+    }
+    const Pair time__ = time_at(w, QUARTER + (z * total), place, sine);
+    V time = time__.one, _ = time__.other;
+    return time;
+}
+
+/* Return whether the last two coefficients of the series of the time are not negligible. */
+INLINE M is_uneven(V *w, int n)
+{
+    V last = magnitude(w[n - 1]) + magnitude(w[n]);
+    return ~(last <= (LAST_WAVE * w[0]));
+}
+
+/* Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move. The
+ * search begins at the angle u in ``there``, to which it is added together with the slope of the time. */
+static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
+{
+    V u = there[ANGLE_THERE];
+    V slope = broadcast(1.0);
+    const Pair lag_versine = turned(2.0 * u);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    M asked = here;
+    int count = 0;
+    while (bits(asked) && (count < MOST_CORRECTIONS)) {
+        const Pair then_slope = time_at(w, u, versine - 1.0, (2.0 * u) - lag);
+        V then = then_slope.one, slope = then_slope.other;
+        V change = (time - then) / slope;
+        u = pick(asked, u + change, u);
+        asked = asked & (magnitude(change) > (LAST_OF_NEWTON * u));
+        const Pair lag_versine = turned(2.0 * u);
+        lag = lag_versine.one, versine = lag_versine.other;
+        count = count + 1;
+    }
+    there[ANGLE_THERE] = u;
+    there[SLOPE_THERE] = slope;
+    V x = (0.5 * end) * versine;
+    V f[STRIDE];
+    functions(f, x, e[4]);
+    V square = energy(e, f);
+    there[0] = x;
+    there[RATE_THERE] = 0.5 * slope_of(e, f);
+    M late = versine > 1.0;
+    if (bits(here & late)) {
+        const Pair __versine_back = turned(PI - (2.0 * u));
+        V _ = __versine_back.one, versine_back = __versine_back.other;
+        functions(f, (0.5 * end) * versine_back, e[4]);
+        reverse(f, e[4]);
+        square = pick(late, energy(back, f), square);
+    }
+    there[OMEGA_THERE] = sqrt_of(square);
+}
+
+/* Store the states at the output times within a phase, which ends at the time ``until``. */
+static void keep_samples(Batch *b, M here, V *e, V *back, V *w, V end, V until)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V there[STRIDE];
+    there[ANGLE_THERE] = broadcast(0.0);
+    there[SLOPE_THERE] = 2.0 * w[0];
+    V before = c[TIME];
+    int k = 0;
+    while (k < job->samples) {
+        V time = sample_time(b, k);
+        M inside = here & (time >= c[TIME]) & (time < until);
+        if (bits(inside)) {
+            V ahead = (time - before) / there[SLOPE_THERE];
+            there[ANGLE_THERE] = pick(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE]);
+            before = pick(inside, time, before);
+            find_state(there, inside, e, back, w, end, time - c[TIME]);
+            keep_sample(b, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE]);
+        }
+        k = k + 1;
+    }
+}
+
 /* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. */
 INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
 {
@@ -4163,88 +4329,6 @@ INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
     odd[k] = near - far;
 }
 
-/* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
-INLINE V mean_of(V *both, int pairs, int by)
-{
-    V ends = both[0] + both[PAIRS];
-    V total = 0.5 * ends;
-    for (int k = 1; k <= pairs - 1; k++) {
-        total = total + both[k * by];
-    }
-    return total / (double)(2 * pairs);
-}
-
-/* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
- * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
- * sums of ``odd``. */
-INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
-{
-    V scale = broadcast(1.0 / (double)pairs);
-    w[0] = pick(here, mean_of(both, pairs, by), w[0]);
-    for (int j = 1; j <= pairs; j++) {
-        V of_odd = broadcast(0.0);
-        V of_even = broadcast(0.0);
-        int even_row = (2 * j) * (PAIRS + 1);
-        int odd_row = even_row - (PAIRS + 1);
-        for (int k = 0; k <= pairs; k++) {
-            int node = k * by;
-            of_odd = of_odd + (COSINES[odd_row + node] * odd[node]);
-            of_even = of_even + (COSINES[even_row + node] * both[node]);
-        }
-        V last = broadcast((j == pairs) ? 0.5 : 1.0);
-        w[(2 * j) - 1] = pick(here, scale * of_odd, w[(2 * j) - 1]);
-        w[2 * j] = pick(here, (scale * last) * of_even, w[2 * j]);
-    }
-}
-
-/* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
- * -cos(2 u) and sin(2 u). */
-INLINE Pair time_at(V *w, V u, V place, V sine)
-{
-    int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
-    V twice = (-2.0) * place;
-    V cosine = -place;
-    V sine_before = broadcast(0.0);
-    V cosine_before = broadcast(1.0);
-    V time = (2.0 * w[0]) * u;
-    V slope = 2.0 * w[0];
-    for (int m = 1; m <= top; m++) {
-        time = time + (w[m] * sine);
-        slope = slope + (((double)(2 * m) * w[m]) * cosine);
-        V sine_after = (twice * sine) - sine_before;
-        V cosine_after = (twice * cosine) - cosine_before;
-        sine_before = sine;
-        cosine_before = cosine;
-        sine = sine_after;
-        cosine = cosine_after;
-    }
-    return (Pair){time, slope};
-}
-
-/* Return the time from rest to a rotation, with u from the series of the arcsine. */
-INLINE V time_to(V *w, V x, V end)
-{
-    V left = end - x;
-    V place = (x - left) / end;
-    V sine = (2.0 * sqrt_of(x * left)) / end;
-    V z = place / sqrt_of(2.0 + (2.0 * sine));
-    V square = z * z;
-    V total = broadcast(0.0);
-    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
-        total = (total * square) + ARCSINE[k];
-    }
-    const Pair time__ = time_at(w, QUARTER + (z * total), place, sine);
-    V time = time__.one, _ = time__.other;
-    return time;
-}
-
-/* Return whether the last two coefficients of the series of the time are not negligible. */
-INLINE M is_uneven(V *w, int n)
-{
-    V last = magnitude(w[n - 1]) + magnitude(w[n]);
-    return ~(last <= (LAST_WAVE * w[0]));
-}
-
 /* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
 INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
 {
@@ -4315,38 +4399,17 @@ INLINE void finish(Batch *b, M here, V end, V duration)
     on_standstill(b, here);
 }
 
-/* End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time. */
+/* End lanes at their end time within a phase. */
 static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
 {
     V *const c = b->c;
+    V there[STRIDE];
     V time = c[END_TIME] - c[TIME];
-    V u = (0.5 * time) / w[0];
-    const Pair lag_versine = turned(2.0 * u);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    M asked = here;
-    int count = 0;
-    while (bits(asked) && (count < MOST_CORRECTIONS)) {
-        const Pair then_slope = time_at(w, u, versine - 1.0, (2.0 * u) - lag);
-        V then = then_slope.one, slope = then_slope.other;
-        V change = (time - then) / slope;
-        u = pick(asked, u + change, u);
-        asked = asked & (magnitude(change) > (LAST_OF_NEWTON * u));
-        const Pair lag_versine = turned(2.0 * u);
-        lag = lag_versine.one, versine = lag_versine.other;
-        count = count + 1;
-    }
-    V x = (0.5 * end) * versine;
-    V f[STRIDE];
-    functions(f, x, e[4]);
-    V square = energy(e, f);
-    V rate = 0.5 * slope_of(e, f);
-    const Pair __versine_back = turned(PI - (2.0 * u));
-    V _ = __versine_back.one, versine_back = __versine_back.other;
-    functions(f, (0.5 * end) * versine_back, e[4]);
-    reverse(f, e[4]);
-    square = pick(versine > 1.0, energy(back, f), square);
-    c[X] = pick(here, x, c[X]);
-    c[OMEGA] = pick(here, sqrt_of(square), c[OMEGA]);
+    there[ANGLE_THERE] = (0.5 * time) / w[0];
+    find_state(there, here, e, back, w, end, time);
+    c[X] = pick(here, there[0], c[X]);
+    c[OMEGA] = pick(here, there[OMEGA_THERE], c[OMEGA]);
+    V rate = there[RATE_THERE];
     c[TIME] = pick(here, c[END_TIME], c[TIME]);
     c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
     keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
@@ -4357,6 +4420,7 @@ static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
  * functions of E at the end of the phase. */
 static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     V w[STRIDE];
     V off_middle = magnitude((2.0 * peak) - end);
@@ -4366,6 +4430,9 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     V until = c[TIME] + duration;
     M rests = fits & (until < c[END_TIME]);
     M ends = fits & (until < INFINITY) & (until > (c[END_TIME] * (1.0 + CLOSE_TO_REST)));
+    if (job->samples) {
+        keep_samples(b, rests | ends, e, back, w, end, until);
+    }
     V at_peak[STRIDE];
     evaluate_at(b, e, at_peak, peak);
     pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), at_peak, peak, before);
@@ -4545,7 +4612,7 @@ INLINE void leave_rest(Batch *b, M here, V limit, V room)
     M breaks = (stretch >= room) & ~starts & ~lifts;
     V until = pick(breaks, limit, c[TIME] + stretch);
     M for_ever = ~starts & ~(until < INFINITY);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], fmin(until[lane], c[END_TIME][lane]), 0, 0);
         }
@@ -4607,7 +4674,7 @@ static void rest_on(Batch *b, M here)
     M later = (M){0};
     for (int t = 0; t < job->tables; t++) {
         int alone = (job->autonomous == 2) && (job->timed == 1);
-        int exact = alone && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        int exact = alone && !job->samples && !(job->notes_room > 0) && (job->data[t].terms == 2);
         if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
             later = slide_together(b, here, t);
         }
@@ -4640,10 +4707,10 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0)) {
+    if (HAS_CLOSED_FORM(job->role) && !(job->samples && SOFTENS(job->role))) {
         moving = moving & ~swing(b, moving);
     }
-    if (job->by_rotation && !(job->samples > 0)) {
+    if (job->by_rotation && !job->samples) {
         M turning = moving & (c[CLOCKED] == 0.0);
         if (bits(turning)) {
             turn_on(b, turning);
