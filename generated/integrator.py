@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bc856247e4d30a842d2fd6e184a99b2e8afe664c2d48def31e6a73f12103bf7f
+# sha256 of the text below: 034fba0b7f8be483f82c9d1d707e921c3fdf5e5252683db09c72ada89825c31e
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -268,7 +268,7 @@ def sample_time(s: Lanes, number: int) -> Floats:
 
 def keep_sample(s: Lanes, here: Mask, number: int, x: Floats, omega: Floats, rate: Floats) -> None:
     """Store the states of lanes at a sample time."""
-    for lane in np.flatnonzero(here):
+    for lane in np.flatnonzero(here).tolist():
         fill(s, lane, slice(number, number + 1), [x[lane], omega[lane], rate[lane]])
 
 
