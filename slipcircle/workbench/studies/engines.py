@@ -208,7 +208,8 @@ def compute(
     repeated = set[int]()
 
     def start(index: int) -> None:
-        under_way[executor.submit(*design.task(index))] = index
+        work, argument = design.task(index)
+        under_way[executor.submit(work, argument)] = index
 
     def save(futures: Iterable[Future[Columns]]) -> None:
         for future in futures:
