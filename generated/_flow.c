@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "1da012664eb67d461bd1a80af3566b1994bafccfddbeac6dd184e0d4123bfab6"
+#define DIGEST "4fb1901822ae3dcd35d41ae9c5d9d442bcb1cfd27a37f4156f30444a232d154d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3195,10 +3195,13 @@ INLINE M reach_limit(Batch *b, M here, V room, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M reaches = here & (elapsed(b, top, c[STEP]) >= room);
-    if ((job->role->pace >= 0) && bits(reaches)) {
-        V at = variable_at(b, top, room);
-        c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
+    M reaches = here & (room < INFINITY);
+    if (bits(reaches)) {
+        reaches = reaches & (elapsed(b, top, c[STEP]) >= room);
+        if ((job->role->pace >= 0) && bits(reaches)) {
+            V at = variable_at(b, top, room);
+            c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
+        }
     }
     return reaches;
 }

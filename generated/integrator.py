@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 034fba0b7f8be483f82c9d1d707e921c3fdf5e5252683db09c72ada89825c31e
+# sha256 of the text below: 8163dc4501899bd1bd9548ba51c377fb81c60582981a76c861fd017dc60270e8
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1856,10 +1856,12 @@ def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
 def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
     """Shorten the step to the time left, and return the lanes that reach its end."""
     c = s.cells
-    reaches = here & (elapsed(s, top, c[ix.STEP]) >= room)
-    if s.roles.pace >= 0 and np.any(reaches):
-        at = variable_at(s, top, room)
-        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
+    reaches = here & (room < INFINITY)
+    if np.any(reaches):
+        reaches = reaches & (elapsed(s, top, c[ix.STEP]) >= room)
+        if s.roles.pace >= 0 and np.any(reaches):
+            at = variable_at(s, top, room)
+            c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
     return reaches
 
 
