@@ -691,7 +691,7 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 /* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
 #if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
 #define HAS_STRAIGHT
-#define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
+#define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
     static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n, int squares) \
