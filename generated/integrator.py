@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 189fbd41d6b9638b13b3e621b421cb518dc32aa64d765206e5d9fb7e4abe1c00
+# sha256 of the text below: 00c964f917b43318fbb04afdb242c8ad298abb68b9e28a1255212bb7f0727108
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -897,12 +897,10 @@ def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
     """Return the time since the beginning of a step from its variable."""
     c = s.cells
     if s.roles.pace >= 0:
-        omega = s.registers[s.roles.omega]
-        mean: Floats = 0.0
-        for k in range(top, 0 - 1, -1):
-            coefficient = omega[k] * (1.0 / (k + 1))
-            mean = mean * at + coefficient
-        return at * (1.0 + c[s.roles.pace] * mean)
+        mean = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+        for k in range(top + 1):
+            mean[k] = s.registers[s.roles.omega][k] * (1.0 / (k + 1))
+        return at * (1.0 + c[s.roles.pace] * value(mean, top, at))
     return at
 
 
@@ -919,14 +917,12 @@ def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
 
 def evaluate(s: Lanes) -> None:
     """Compute order 0 of all registers. Rates of states are per time."""
+    c = s.cells
     begin_series(s)
     operate(s, 0, False)
     operate_later(s, 1)
-    if s.roles.pace >= 0:
-        omega = s.registers[s.roles.omega][0].copy()
-        for q in s.states:
-            rate = s.registers[q.rate][0].copy()
-            s.registers[q.rate][0] = per_time(s, rate, omega)
+    for q in s.states:
+        s.registers[q.rate][0] = per_time(s, s.registers[q.rate][0], c[ix.OMEGA])
 
 
 def normal_force(s: Lanes) -> Floats:
@@ -1841,7 +1837,9 @@ def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
 def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
     """Shorten the step to the time left, and return the lanes that reach its end."""
     c = s.cells
-    reaches = here & (elapsed(s, top, c[ix.STEP]) >= room)
+    reaches = here & (room < INFINITY)
+    if np.any(reaches):
+        reaches = reaches & (elapsed(s, top, c[ix.STEP]) >= room)
     if s.roles.pace >= 0 and np.any(reaches):
         at = variable_at(s, top, room)
         c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])

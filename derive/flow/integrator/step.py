@@ -160,7 +160,9 @@ def consider(s: Lanes, here: M, at: V, event: N) -> None:
 
 def reach_limit(s: Lanes, here: M, room: V, top: N) -> M:
     """Shorten the step to the time left, and return the lanes that reach its end."""
-    reaches = here and elapsed(s, top, s.step) >= room
+    reaches = here and room < INFINITY
+    if any_lane(reaches):
+        reaches = reaches and elapsed(s, top, s.step) >= room
     if s.has.pace and any_lane(reaches):
         at = variable_at(s, top, room)
         s.step = where(reaches, at, s.step)
