@@ -44,13 +44,14 @@ def parts_of_fields(node: Any) -> Parts:
     A field that may contain laws is declared by the known laws instead of a number.
     """
     kind: Any = type(node)
-    numbers = declared(kind)
-    by_field: Parts = {}
-    for field in fields(node):
-        what = field.metadata.get("laws", numbers.get(field.name))
-        if what:
-            by_field[field.name] = getattr(node, field.name), what
-    return by_field
+    return {name: (getattr(node, name), what) for name, what in _declared_fields(kind).items()}
+
+
+@lru_cache
+def _declared_fields(kind: Any) -> ValueDict:
+    """Return the declarations of the fields of a dataclass that are numbers or laws, by the name of the field."""
+    declarations = {field.name: field.metadata.get("laws") for field in fields(kind)} | declared(kind)
+    return {name: what for name, what in declarations.items() if what}
 
 
 def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, ...]:
@@ -150,12 +151,7 @@ def walked(
         is_anonymous = not name and kind is not None
         at = path if is_anonymous else path_of_part(path, name)
         is_declared = isinstance(what, Parameter)
-        if is_declared:
-            *within, _ = name.split(".")
-            keys = [one for one in (key, *within, what.key) if one]
-            inside = ".".join(keys)
-        else:
-            inside = path_of_part(key, name)
+        inside = _key_of_number(key, name, what.key) if is_declared else path_of_part(key, name)
         if is_declared and not what.axes:
             changed = visit(Leaf(at, inside, what, value))
         else:
@@ -163,6 +159,16 @@ def walked(
         if changed is not value:
             new[name] = changed
     return _with_parts(node, new, every_part) if new else node
+
+
+@lru_cache(maxsize=2048)
+def _key_of_number(key: str, name: str, own: str) -> str:
+    """Return the key of a number in scene files.
+
+    ``key`` is the key of its node, ``name`` may contain names of further nodes, and ``own`` is its last part.
+    """
+    *within, _ = name.split(".")
+    return ".".join(one for one in (key, *within, own) if one)
 
 
 def leaves(node: Any, absent: bool = True) -> list[Leaf]:
