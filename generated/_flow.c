@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e41fb58c234aa33eb55e1d9bf6e57e823c3de1022e5805375f08a5e10c440232"
+#define DIGEST "d0acf8c11e2cacdda0d8df6bf97ab9417e52b4b3bb71f18b8f73130fbb3eabbb"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -946,7 +946,7 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 /* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
 #if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
 #define HAS_STRAIGHT
-#define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
+#define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
     static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n, int squares) \
@@ -955,304 +955,304 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
 INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 5 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    if (squares) OPERATION(0, SQR, 5 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(21, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
-    STRAIGHT(31, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(21, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    OPERATION(31, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(0)
 INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 11 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE);
-    STRAIGHT(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, SQR, 11 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE);
+    OPERATION(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
-    STRAIGHT(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    OPERATION(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(1)
 INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 8 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) OPERATION(0, SQR, 8 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(38, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
-    STRAIGHT(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(38, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    OPERATION(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(2)
 INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 11 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, SQR, 11 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, RAMP, 8 * STRIDE, CELL);
+    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    OPERATION(33, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(55, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
-    STRAIGHT(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(55, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    OPERATION(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(3)
 INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 10 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(17, TIM, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
-    STRAIGHT(31, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE);
-    STRAIGHT(41, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE);
-    STRAIGHT(45, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
+    if (squares) OPERATION(0, SQR, 10 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(17, TIM, 6 * STRIDE, 5 * STRIDE);
+    OPERATION(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    OPERATION(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
+    OPERATION(31, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE);
+    OPERATION(41, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE);
+    OPERATION(45, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
 }
 INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(59, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
-    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(59, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
+    OPERATION(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(4)
 INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 16 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(17, TIM, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
-    STRAIGHT(31, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE);
-    STRAIGHT(39, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE);
-    STRAIGHT(63, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE);
-    STRAIGHT(67, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
+    if (squares) OPERATION(0, SQR, 16 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(17, TIM, 6 * STRIDE, 5 * STRIDE);
+    OPERATION(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    OPERATION(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
+    OPERATION(31, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE);
+    OPERATION(39, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE);
+    OPERATION(63, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE);
+    OPERATION(67, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
 INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(81, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
-    STRAIGHT(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(81, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
+    OPERATION(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(5)
 INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 13 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(28, TIM, 9 * STRIDE, 8 * STRIDE);
-    STRAIGHT(31, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE);
-    STRAIGHT(36, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
-    STRAIGHT(42, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE);
-    STRAIGHT(58, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE);
-    STRAIGHT(62, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
+    if (squares) OPERATION(0, SQR, 13 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(28, TIM, 9 * STRIDE, 8 * STRIDE);
+    OPERATION(31, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE);
+    OPERATION(36, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
+    OPERATION(42, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE);
+    OPERATION(58, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE);
+    OPERATION(62, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
 }
 INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(82, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
-    STRAIGHT(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(82, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
+    OPERATION(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(6)
 INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 16 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(39, TIM, 12 * STRIDE, 11 * STRIDE);
-    STRAIGHT(42, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE);
-    STRAIGHT(47, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
-    STRAIGHT(53, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE);
-    STRAIGHT(75, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE);
-    STRAIGHT(79, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
+    if (squares) OPERATION(0, SQR, 16 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, RAMP, 8 * STRIDE, CELL);
+    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(39, TIM, 12 * STRIDE, 11 * STRIDE);
+    OPERATION(42, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE);
+    OPERATION(47, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
+    OPERATION(53, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE);
+    OPERATION(75, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE);
+    OPERATION(79, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
 INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(105, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
-    STRAIGHT(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(105, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
+    OPERATION(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(7)
 INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
-    STRAIGHT(11, TIM, 4 * STRIDE, 0 * STRIDE);
-    STRAIGHT(14, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE);
-    STRAIGHT(19, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
-    STRAIGHT(29, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE);
-    STRAIGHT(33, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) OPERATION(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    OPERATION(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
+    OPERATION(11, TIM, 4 * STRIDE, 0 * STRIDE);
+    OPERATION(14, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE);
+    OPERATION(19, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(29, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE);
+    OPERATION(33, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(45, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
-    STRAIGHT(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(45, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
 }
 EACH_ORDER(8)
 INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 15 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(17, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
-    STRAIGHT(21, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    STRAIGHT(27, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE);
-    STRAIGHT(35, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
-    STRAIGHT(59, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE);
-    STRAIGHT(63, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
+    if (squares) OPERATION(0, SQR, 15 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    OPERATION(17, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
+    OPERATION(21, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
+    OPERATION(27, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE);
+    OPERATION(35, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
+    OPERATION(59, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE);
+    OPERATION(63, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
 INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(77, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
-    STRAIGHT(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(77, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
+    OPERATION(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(9)
 INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(28, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE);
-    STRAIGHT(32, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    STRAIGHT(38, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE);
-    STRAIGHT(54, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
-    STRAIGHT(58, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    OPERATION(28, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE);
+    OPERATION(32, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
+    OPERATION(38, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE);
+    OPERATION(54, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
+    OPERATION(58, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
 INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(78, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(78, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    OPERATION(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(10)
 INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 15 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(33, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(39, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE);
-    STRAIGHT(43, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(49, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE);
-    STRAIGHT(71, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE);
-    STRAIGHT(75, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
+    if (squares) OPERATION(0, SQR, 15 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, RAMP, 8 * STRIDE, CELL);
+    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    OPERATION(39, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE);
+    OPERATION(43, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    OPERATION(49, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE);
+    OPERATION(71, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE);
+    OPERATION(75, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
 INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(101, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
-    STRAIGHT(107, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(101, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
+    OPERATION(107, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(11)
 INLINE void rates_12(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 6 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(17, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE);
-    STRAIGHT(27, MUL, 8 * STRIDE, 5 * STRIDE, 7 * STRIDE);
-    STRAIGHT(31, LIN, 9 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) OPERATION(0, SQR, 6 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(17, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(27, MUL, 8 * STRIDE, 5 * STRIDE, 7 * STRIDE);
+    OPERATION(31, LIN, 9 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_12(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(45, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    STRAIGHT(51, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(45, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
+    OPERATION(51, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(12)
 INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(17, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE);
-    STRAIGHT(25, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
-    STRAIGHT(49, MUL, 14 * STRIDE, 5 * STRIDE, 13 * STRIDE);
-    STRAIGHT(53, LIN, 15 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(17, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE);
+    OPERATION(25, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
+    OPERATION(49, MUL, 14 * STRIDE, 5 * STRIDE, 13 * STRIDE);
+    OPERATION(53, LIN, 15 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
 INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(67, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(73, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(67, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    OPERATION(73, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(13)
 INLINE void rates_14(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 9 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(28, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 9 * STRIDE);
-    STRAIGHT(44, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
-    STRAIGHT(48, LIN, 12 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, SQR, 9 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(28, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 9 * STRIDE);
+    OPERATION(44, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
+    OPERATION(48, LIN, 12 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_14(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(68, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    STRAIGHT(74, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(68, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
+    OPERATION(74, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(14)
 INLINE void rates_15(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(39, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 12 * STRIDE);
-    STRAIGHT(61, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
-    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, RAMP, 8 * STRIDE, CELL);
+    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(39, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 12 * STRIDE);
+    OPERATION(61, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
+    OPERATION(65, LIN, 15 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
 INLINE void others_15(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(91, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(97, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(91, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    OPERATION(97, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(15)
 static const struct {
@@ -1401,7 +1401,7 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 {
     const Job *const job = b->job;
     const V *const c = b->c;
-    if (!job->samples || !(end >= begin)) return;
+    if (!(end >= begin)) return;
     const int64_t across = job->times_across, column = b->column[k];
     const double *times = job->times + (across > 1 ? column : 0);
     int64_t low = 0, high = job->samples;
@@ -1428,6 +1428,23 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
+}
+
+/* A sample time of each lane, and the states of lanes that move then. */
+INLINE V sample_time(const Batch *b, int i)
+{
+    const Job *const job = b->job;
+    const double *times = job->times + i * (int64_t)job->times_across;
+    V time;
+    for (int k = 0; k < LANES; k++) time[k] = times[job->times_across > 1 ? b->column[k] : 0];
+    return time;
+}
+static void keep_sample(const Batch *b, M here, int i, V x, V omega, V rate)
+{
+    const Job *const job = b->job;
+    const V *const c = b->c, side = c[DIRECTION], states[4] = {c[ROTATION] + side * x, side * omega, side * rate, c[SLIP] + x};
+    EACH(k, bits(here))
+        for (int j = 0; j < 4; j++) job->outputs[(j * job->samples + i) * job->count + b->column[k]] = states[j][k];
 }
 
 /* --- the text of derive/flow/integrator --- */
@@ -1494,19 +1511,23 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define SINE 16
 #define VERS 24
 #define PI 0x1.921fb54442d18p+1
+#define QUARTER 0x1.921fb54442d18p-1
+#define PAIRS 8
+#define LONG 17
+#define LAST_WAVE 0x1.0000000000000p-44
+#define MOST_CORRECTIONS 12
+#define LAST_OF_NEWTON 0x1.0000000000000p-26
+#define OMEGA_THERE 1
+#define RATE_THERE 2
+#define ANGLE_THERE 3
+#define SLOPE_THERE 4
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
 #define CLEAR 0x1.47ae147ae147bp-7
-#define MOST_CORRECTIONS 12
-#define LAST_OF_NEWTON 0x1.0000000000000p-26
 #define CLOSE_TO_REST 0x1.0000000000000p-40
 #define LEAST_DURATION 0x1.8000000000000p+0
-#define PAIRS 8
-#define LONG 17
 #define NEAR_MIDDLE 0x1.b333333333333p-1
-#define QUARTER 0x1.921fb54442d18p-1
-#define LAST_WAVE 0x1.0000000000000p-44
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -2436,7 +2457,7 @@ INLINE void stay(Batch *b, M here, V status)
     c[DIRECTION] = pick(here, broadcast(0.0), c[DIRECTION]);
     c[REST_SINCE] = pick(here, pick(c[REST_SINCE] > c[END_TIME], c[END_TIME], c[REST_SINCE]), c[REST_SINCE]);
     c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
         }
@@ -2704,7 +2725,7 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
     if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
         double now = break_of(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
-        if (job->samples > 0) {
+        if (job->samples) {
             read_samples(b, lane, c[TIME][lane], now, 0, 0);
         }
         stand_before(b, lane, t, piece, now);
@@ -3172,10 +3193,10 @@ INLINE M reach_limit(Batch *b, M here, V room, int top)
     M reaches = here & (room < INFINITY);
     if (bits(reaches)) {
         reaches = reaches & (elapsed(b, top, c[STEP]) >= room);
-    }
-    if ((job->role->pace >= 0) && bits(reaches)) {
-        V at = variable_at(b, top, room);
-        c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
+        if ((job->role->pace >= 0) && bits(reaches)) {
+            V at = variable_at(b, top, room);
+            c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
+        }
     }
     return reaches;
 }
@@ -3385,7 +3406,7 @@ static void make_step(Batch *b, M here)
     M at_limit = here & reaches_limit & uneventful & ~endless;
     V time = c[TIME] + elapsed(b, top, step);
     V until = pick(at_limit, limit, time);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
         }
@@ -4049,6 +4070,151 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     return (Pair){before, (before + after)};
 }
 
+/* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
+INLINE V mean_of(V *both, int pairs, int by)
+{
+    V ends = both[0] + both[PAIRS];
+    V total = 0.5 * ends;
+    for (int k = 1; k <= pairs - 1; k++) {
+        total = total + both[k * by];
+    }
+    return total / (double)(2 * pairs);
+}
+
+/* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
+ * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
+ * sums of ``odd``. */
+INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
+{
+    V scale = broadcast(1.0 / (double)pairs);
+    w[0] = pick(here, mean_of(both, pairs, by), w[0]);
+    for (int j = 1; j <= pairs; j++) {
+        V of_odd = broadcast(0.0);
+        V of_even = broadcast(0.0);
+        int even_row = (2 * j) * (PAIRS + 1);
+        int odd_row = even_row - (PAIRS + 1);
+        for (int k = 0; k <= pairs; k++) {
+            int node = k * by;
+            of_odd = of_odd + (COSINES[odd_row + node] * odd[node]);
+            of_even = of_even + (COSINES[even_row + node] * both[node]);
+        }
+        V last = broadcast((j == pairs) ? 0.5 : 1.0);
+        w[(2 * j) - 1] = pick(here, scale * of_odd, w[(2 * j) - 1]);
+        w[2 * j] = pick(here, (scale * last) * of_even, w[2 * j]);
+    }
+}
+
+/* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
+ * -cos(2 u) and sin(2 u). */
+INLINE Pair time_at(V *w, V u, V place, V sine)
+{
+    int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
+    V twice = (-2.0) * place;
+    V cosine = -place;
+    V sine_before = broadcast(0.0);
+    V cosine_before = broadcast(1.0);
+    V time = (2.0 * w[0]) * u;
+    V slope = 2.0 * w[0];
+    for (int m = 1; m <= top; m++) {
+        time = time + (w[m] * sine);
+        slope = slope + (((double)(2 * m) * w[m]) * cosine);
+        V sine_after = (twice * sine) - sine_before;
+        V cosine_after = (twice * cosine) - cosine_before;
+        sine_before = sine;
+        cosine_before = cosine;
+        sine = sine_after;
+        cosine = cosine_after;
+    }
+    return (Pair){time, slope};
+}
+
+/* Return the time from rest to a rotation, with u from the series of the arcsine. */
+INLINE V time_to(V *w, V x, V end)
+{
+    V left = end - x;
+    V place = (x - left) / end;
+    V sine = (2.0 * sqrt_of(x * left)) / end;
+    V z = place / sqrt_of(2.0 + (2.0 * sine));
+    V square = z * z;
+    V total = broadcast(0.0);
+    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
+        total = (total * square) + ARCSINE[k];
+    }
+    const Pair time__ = time_at(w, QUARTER + (z * total), place, sine);
+    V time = time__.one, _ = time__.other;
+    return time;
+}
+
+/* Return whether the last two coefficients of the series of the time are not negligible. */
+INLINE M is_uneven(V *w, int n)
+{
+    V last = magnitude(w[n - 1]) + magnitude(w[n]);
+    return ~(last <= (LAST_WAVE * w[0]));
+}
+
+/* Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move. The
+ * search begins at the angle u in ``there``, to which it is added together with the slope of the time. */
+static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
+{
+    V u = there[ANGLE_THERE];
+    V slope = broadcast(1.0);
+    const Pair lag_versine = turned(2.0 * u);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    M asked = here;
+    int count = 0;
+    while (bits(asked) && (count < MOST_CORRECTIONS)) {
+        const Pair then_slope = time_at(w, u, versine - 1.0, (2.0 * u) - lag);
+        V then = then_slope.one, slope = then_slope.other;
+        V change = (time - then) / slope;
+        u = pick(asked, u + change, u);
+        asked = asked & (magnitude(change) > (LAST_OF_NEWTON * u));
+        const Pair lag_versine = turned(2.0 * u);
+        lag = lag_versine.one, versine = lag_versine.other;
+        count = count + 1;
+    }
+    there[ANGLE_THERE] = u;
+    there[SLOPE_THERE] = slope;
+    V x = (0.5 * end) * versine;
+    V f[STRIDE];
+    functions(f, x, e[4]);
+    V square = energy(e, f);
+    there[0] = x;
+    there[RATE_THERE] = 0.5 * slope_of(e, f);
+    M late = versine > 1.0;
+    if (bits(here & late)) {
+        const Pair __versine_back = turned(PI - (2.0 * u));
+        V _ = __versine_back.one, versine_back = __versine_back.other;
+        functions(f, (0.5 * end) * versine_back, e[4]);
+        reverse(f, e[4]);
+        square = pick(late, energy(back, f), square);
+    }
+    there[OMEGA_THERE] = sqrt_of(square);
+}
+
+/* Store the states at the output times within a phase, which ends at the time ``until``. */
+static void keep_samples(Batch *b, M here, V *e, V *back, V *w, V end, V until)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V there[STRIDE];
+    there[ANGLE_THERE] = broadcast(0.0);
+    there[SLOPE_THERE] = 2.0 * w[0];
+    V before = c[TIME];
+    int k = 0;
+    while (k < job->samples) {
+        V time = sample_time(b, k);
+        M inside = here & (time >= c[TIME]) & (time < until);
+        if (bits(inside)) {
+            V ahead = (time - before) / there[SLOPE_THERE];
+            there[ANGLE_THERE] = pick(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE]);
+            before = pick(inside, time, before);
+            find_state(there, inside, e, back, w, end, time - c[TIME]);
+            keep_sample(b, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE]);
+        }
+        k = k + 1;
+    }
+}
+
 /* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. */
 INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
 {
@@ -4161,88 +4327,6 @@ INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
     odd[k] = near - far;
 }
 
-/* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
-INLINE V mean_of(V *both, int pairs, int by)
-{
-    V ends = both[0] + both[PAIRS];
-    V total = 0.5 * ends;
-    for (int k = 1; k <= pairs - 1; k++) {
-        total = total + both[k * by];
-    }
-    return total / (double)(2 * pairs);
-}
-
-/* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
- * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
- * sums of ``odd``. */
-INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
-{
-    V scale = broadcast(1.0 / (double)pairs);
-    w[0] = pick(here, mean_of(both, pairs, by), w[0]);
-    for (int j = 1; j <= pairs; j++) {
-        V of_odd = broadcast(0.0);
-        V of_even = broadcast(0.0);
-        int even_row = (2 * j) * (PAIRS + 1);
-        int odd_row = even_row - (PAIRS + 1);
-        for (int k = 0; k <= pairs; k++) {
-            int node = k * by;
-            of_odd = of_odd + (COSINES[odd_row + node] * odd[node]);
-            of_even = of_even + (COSINES[even_row + node] * both[node]);
-        }
-        V last = broadcast((j == pairs) ? 0.5 : 1.0);
-        w[(2 * j) - 1] = pick(here, scale * of_odd, w[(2 * j) - 1]);
-        w[2 * j] = pick(here, (scale * last) * of_even, w[2 * j]);
-    }
-}
-
-/* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
- * -cos(2 u) and sin(2 u). */
-INLINE Pair time_at(V *w, V u, V place, V sine)
-{
-    int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
-    V twice = (-2.0) * place;
-    V cosine = -place;
-    V sine_before = broadcast(0.0);
-    V cosine_before = broadcast(1.0);
-    V time = (2.0 * w[0]) * u;
-    V slope = 2.0 * w[0];
-    for (int m = 1; m <= top; m++) {
-        time = time + (w[m] * sine);
-        slope = slope + (((double)(2 * m) * w[m]) * cosine);
-        V sine_after = (twice * sine) - sine_before;
-        V cosine_after = (twice * cosine) - cosine_before;
-        sine_before = sine;
-        cosine_before = cosine;
-        sine = sine_after;
-        cosine = cosine_after;
-    }
-    return (Pair){time, slope};
-}
-
-/* Return the time from rest to a rotation, with u from the series of the arcsine. */
-INLINE V time_to(V *w, V x, V end)
-{
-    V left = end - x;
-    V place = (x - left) / end;
-    V sine = (2.0 * sqrt_of(x * left)) / end;
-    V z = place / sqrt_of(2.0 + (2.0 * sine));
-    V square = z * z;
-    V total = broadcast(0.0);
-    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
-        total = (total * square) + ARCSINE[k];
-    }
-    const Pair time__ = time_at(w, QUARTER + (z * total), place, sine);
-    V time = time__.one, _ = time__.other;
-    return time;
-}
-
-/* Return whether the last two coefficients of the series of the time are not negligible. */
-INLINE M is_uneven(V *w, int n)
-{
-    V last = magnitude(w[n - 1]) + magnitude(w[n]);
-    return ~(last <= (LAST_WAVE * w[0]));
-}
-
 /* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
 INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
 {
@@ -4313,38 +4397,17 @@ INLINE void finish(Batch *b, M here, V end, V duration)
     on_standstill(b, here);
 }
 
-/* End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time. */
+/* End lanes at their end time within a phase. */
 static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
 {
     V *const c = b->c;
+    V there[STRIDE];
     V time = c[END_TIME] - c[TIME];
-    V u = (0.5 * time) / w[0];
-    const Pair lag_versine = turned(2.0 * u);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    M asked = here;
-    int count = 0;
-    while (bits(asked) && (count < MOST_CORRECTIONS)) {
-        const Pair then_slope = time_at(w, u, versine - 1.0, (2.0 * u) - lag);
-        V then = then_slope.one, slope = then_slope.other;
-        V change = (time - then) / slope;
-        u = pick(asked, u + change, u);
-        asked = asked & (magnitude(change) > (LAST_OF_NEWTON * u));
-        const Pair lag_versine = turned(2.0 * u);
-        lag = lag_versine.one, versine = lag_versine.other;
-        count = count + 1;
-    }
-    V x = (0.5 * end) * versine;
-    V f[STRIDE];
-    functions(f, x, e[4]);
-    V square = energy(e, f);
-    V rate = 0.5 * slope_of(e, f);
-    const Pair __versine_back = turned(PI - (2.0 * u));
-    V _ = __versine_back.one, versine_back = __versine_back.other;
-    functions(f, (0.5 * end) * versine_back, e[4]);
-    reverse(f, e[4]);
-    square = pick(versine > 1.0, energy(back, f), square);
-    c[X] = pick(here, x, c[X]);
-    c[OMEGA] = pick(here, sqrt_of(square), c[OMEGA]);
+    there[ANGLE_THERE] = (0.5 * time) / w[0];
+    find_state(there, here, e, back, w, end, time);
+    c[X] = pick(here, there[0], c[X]);
+    c[OMEGA] = pick(here, there[OMEGA_THERE], c[OMEGA]);
+    V rate = there[RATE_THERE];
     c[TIME] = pick(here, c[END_TIME], c[TIME]);
     c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
     keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
@@ -4355,6 +4418,7 @@ static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
  * functions of E at the end of the phase. */
 static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     V w[STRIDE];
     V off_middle = magnitude((2.0 * peak) - end);
@@ -4364,6 +4428,9 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     V until = c[TIME] + duration;
     M rests = fits & (until < c[END_TIME]);
     M ends = fits & (until < INFINITY) & (until > (c[END_TIME] * (1.0 + CLOSE_TO_REST)));
+    if (job->samples) {
+        keep_samples(b, rests | ends, e, back, w, end, until);
+    }
     V at_peak[STRIDE];
     evaluate_at(b, e, at_peak, peak);
     pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), at_peak, peak, before);
@@ -4543,7 +4610,7 @@ INLINE void leave_rest(Batch *b, M here, V limit, V room)
     M breaks = (stretch >= room) & ~starts & ~lifts;
     V until = pick(breaks, limit, c[TIME] + stretch);
     M for_ever = ~starts & ~(until < INFINITY);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], fmin(until[lane], c[END_TIME][lane]), 0, 0);
         }
@@ -4605,7 +4672,7 @@ static void rest_on(Batch *b, M here)
     M later = (M){0};
     for (int t = 0; t < job->tables; t++) {
         int alone = (job->autonomous == 2) && (job->timed == 1);
-        int exact = alone && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        int exact = alone && !job->samples && !(job->notes_room > 0) && (job->data[t].terms == 2);
         if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
             later = slide_together(b, here, t);
         }
@@ -4638,10 +4705,10 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0)) {
+    if (HAS_CLOSED_FORM(job->role) && !(job->samples && SOFTENS(job->role))) {
         moving = moving & ~swing(b, moving);
     }
-    if (job->by_rotation && !(job->samples > 0)) {
+    if (job->by_rotation && !job->samples) {
         M turning = moving & (c[CLOCKED] == 0.0);
         if (bits(turning)) {
             turn_on(b, turning);

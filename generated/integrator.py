@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 00c964f917b43318fbb04afdb242c8ad298abb68b9e28a1255212bb7f0727108
+# sha256 of the text below: 468ba1c5fab9184fe68baef917076ad1165768f17c8aef0888866f8eb40d28f1
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -83,6 +83,7 @@ class Lanes:
         self.autonomous = program.autonomous
         self.by_rotation = program.by_rotation
         self.samples = samples
+        self.sample_count = 0 if samples is None else len(samples.times)
         self.log = log
         self.logged = log is not None
 
@@ -229,8 +230,6 @@ def sampled(s: Lanes, lane: int, begin: float, end: float) -> tuple[Floats, slic
 
 def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: int) -> None:
     """Evaluate the states at the sample times between two times, from series or at rest."""
-    if s.samples is None:
-        return
     ends = np.broadcast_to(end, i.shape)
     registers = [q.register for q in s.states]
     for k, lane in enumerate(i.tolist()):
@@ -259,6 +258,18 @@ def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
     rows = [rotation, direction * omega, direction * rate, s.cells[ix.SLIP, lane] + x, *further]
     for row, values in zip(s.samples.states, rows, strict=False):
         row[which, s.columns[lane]] = values
+
+
+def sample_time(s: Lanes, number: int) -> Floats:
+    """Return a sample time of each lane."""
+    times: Floats = s.samples.times[number]
+    return times[s.columns] if times.size > 1 else np.full(s.columns.size, times[0])
+
+
+def keep_sample(s: Lanes, here: Mask, number: int, x: Floats, omega: Floats, rate: Floats) -> None:
+    """Store the states of lanes at a sample time."""
+    for lane in np.flatnonzero(here).tolist():
+        fill(s, lane, slice(number, number + 1), [x[lane], omega[lane], rate[lane]])
 
 
 # --- the text of derive/flow/integrator ----------------------------------------------------------------------------
@@ -421,19 +432,23 @@ CONSTANT = 8
 SINE = 16
 VERS = 24
 PI = 3.141592653589793
+QUARTER = 0.7853981633974483
+PAIRS = 8
+LONG = 17
+LAST_WAVE = 5.684341886080802e-14
+MOST_CORRECTIONS = 12
+LAST_OF_NEWTON = 1.4901161193847656e-08
+OMEGA_THERE = 1
+RATE_THERE = 2
+ANGLE_THERE = 3
+SLOPE_THERE = 4
 FARTHEST = 3.14
 FADED = 2.0
 LAST_OF_HALLEY = 3.814697265625e-06
 CLEAR = 0.01
-MOST_CORRECTIONS = 12
-LAST_OF_NEWTON = 1.4901161193847656e-08
 CLOSE_TO_REST = 9.094947017729282e-13
 LEAST_DURATION = 1.5
-PAIRS = 8
-LONG = 17
 NEAR_MIDDLE = 0.85
-QUARTER = 0.7853981633974483
-LAST_WAVE = 5.684341886080802e-14
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -1206,7 +1221,7 @@ def stay(s: Lanes, here: Mask, status: Floats) -> None:
     c[ix.REST_SINCE] = np.where(here, np.where(c[ix.REST_SINCE] > c[ix.END_TIME], c[ix.END_TIME], c[ix.REST_SINCE]),
         c[ix.REST_SINCE])
     c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
-    if s.samples:
+    if s.sample_count:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], INFINITY, 0, 0)
@@ -1444,7 +1459,7 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = among(holds_2, i_2, piece_2)
     if i.size:
         now = break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
-        if lane.samples:
+        if lane.sample_count:
             read_samples(lane, i, c[ix.TIME, i], now, 0, 0)
         stand_before(lane, i, t, piece, now)
     i, piece = (i_2, piece_2)
@@ -1840,9 +1855,9 @@ def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
     reaches = here & (room < INFINITY)
     if np.any(reaches):
         reaches = reaches & (elapsed(s, top, c[ix.STEP]) >= room)
-    if s.roles.pace >= 0 and np.any(reaches):
-        at = variable_at(s, top, room)
-        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
+        if s.roles.pace >= 0 and np.any(reaches):
+            at = variable_at(s, top, room)
+            c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
     return reaches
 
 
@@ -2011,7 +2026,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
     time = c[ix.TIME] + elapsed(s, top, step)
     until = np.where(at_limit, limit, time)
-    if s.samples:
+    if s.sample_count:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
@@ -2573,6 +2588,125 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
     return (before, before + after)
 
 
+def mean_of(both: Floats, pairs: int, by: int) -> Floats:
+    """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
+    ends = both[0] + both[PAIRS]
+    total = 0.5 * ends
+    for k in range(1, pairs - 1 + 1):
+        total = total + both[k * by]
+    return total / float(2 * pairs)
+
+
+def find_waves(w: Floats, here: Mask, both: Floats, odd: Floats, pairs: int, by: int) -> None:
+    """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule."""
+    scale: Floats = 1.0 / float(pairs)
+    w[0] = np.where(here, mean_of(both, pairs, by), w[0])
+    for j in range(1, pairs + 1):
+        of_odd: Floats = 0.0
+        of_even: Floats = 0.0
+        even_row = 2 * j * (PAIRS + 1)
+        odd_row = even_row - (PAIRS + 1)
+        for k in range(pairs + 1):
+            node = k * by
+            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
+            of_even = of_even + COSINES[even_row + node] * both[node]
+        last: Floats = 0.5 if j == pairs else 1.0
+        w[2 * j - 1] = np.where(here, scale * of_odd, w[2 * j - 1])
+        w[2 * j] = np.where(here, scale * last * of_even, w[2 * j])
+
+
+def time_at(w: Floats, u: Floats, place: Floats, sine: Floats) -> tuple[Floats, Floats]:
+    """Return the time since rest at the rotation end sin(u)^2, and its derivative by u."""
+    top = 2 * PAIRS if np.any(w[LONG] > 0.0) else PAIRS
+    twice = -2.0 * place
+    cosine = -place
+    sine_before: Floats = 0.0
+    cosine_before: Floats = 1.0
+    time = 2.0 * w[0] * u
+    slope = 2.0 * w[0]
+    for m in range(1, top + 1):
+        time = time + w[m] * sine
+        slope = slope + float(2 * m) * w[m] * cosine
+        sine_after = twice * sine - sine_before
+        cosine_after = twice * cosine - cosine_before
+        sine_before = sine
+        cosine_before = cosine
+        sine = sine_after
+        cosine = cosine_after
+    return (time, slope)
+
+
+def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
+    """Return the time from rest to a rotation, with u from the series of the arcsine."""
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * np.sqrt(x * left) / end
+    z = place / np.sqrt(2.0 + 2.0 * sine)
+    square = z * z
+    total: Floats = 0.0
+    for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
+        total = total * square + ARCSINE[k]
+    time, _ = time_at(w, QUARTER + z * total, place, sine)
+    return time
+
+
+def is_uneven(w: Floats, n: int) -> Mask:
+    """Return whether the last two coefficients of the series of the time are not negligible."""
+    last = np.abs(w[n - 1]) + np.abs(w[n])
+    return np.logical_not(last <= LAST_WAVE * w[0])
+
+
+def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, time: Floats) -> None:
+    """Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move."""
+    u = there[ANGLE_THERE]
+    slope: Floats = 1.0
+    lag, versine = turned(2.0 * u)
+    asked = here
+    count = 0
+    while np.any(asked) and count < MOST_CORRECTIONS:
+        then, slope = time_at(w, u, versine - 1.0, 2.0 * u - lag)
+        change = (time - then) / slope
+        u = np.where(asked, u + change, u)
+        asked = asked & (np.abs(change) > LAST_OF_NEWTON * u)
+        lag, versine = turned(2.0 * u)
+        count = count + 1
+    there[ANGLE_THERE] = u
+    there[SLOPE_THERE] = slope
+    x = 0.5 * end * versine
+    f = np.zeros((ix.STRIDE, there.shape[1]))
+    functions(f, x, e[4])
+    square = energy(e, f)
+    there[0] = x
+    there[RATE_THERE] = 0.5 * slope_of(e, f)
+    late = versine > 1.0
+    if np.any(here & late):
+        _, versine_back = turned(PI - 2.0 * u)
+        functions(f, 0.5 * end * versine_back, e[4])
+        reverse(f, e[4])
+        square = np.where(late, energy(back, f), square)
+    there[OMEGA_THERE] = np.sqrt(square)
+
+
+def keep_samples(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, until: Floats) -> None:
+    """Store the states at the output times within a phase, which ends at the time ``until``."""
+    c = s.cells
+    there = np.zeros((ix.STRIDE, e.shape[1]))
+    there[ANGLE_THERE] = 0.0
+    there[SLOPE_THERE] = 2.0 * w[0]
+    before = c[ix.TIME].copy()
+    k = 0
+    while k < s.sample_count:
+        time = sample_time(s, k)
+        inside = here & (time >= c[ix.TIME]) & (time < until)
+        if np.any(inside):
+            ahead = (time - before) / there[SLOPE_THERE]
+            there[ANGLE_THERE] = np.where(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE])
+            before = np.where(inside, time, before)
+            find_state(there, inside, e, back, w, end, time - c[ix.TIME])
+            keep_sample(s, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE])
+        k = k + 1
+
+
 def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
     if s.roles.loss_rate >= 0:
@@ -2671,74 +2805,6 @@ def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k:
     odd[k] = near - far
 
 
-def mean_of(both: Floats, pairs: int, by: int) -> Floats:
-    """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
-    ends = both[0] + both[PAIRS]
-    total = 0.5 * ends
-    for k in range(1, pairs - 1 + 1):
-        total = total + both[k * by]
-    return total / float(2 * pairs)
-
-
-def find_waves(w: Floats, here: Mask, both: Floats, odd: Floats, pairs: int, by: int) -> None:
-    """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule."""
-    scale: Floats = 1.0 / float(pairs)
-    w[0] = np.where(here, mean_of(both, pairs, by), w[0])
-    for j in range(1, pairs + 1):
-        of_odd: Floats = 0.0
-        of_even: Floats = 0.0
-        even_row = 2 * j * (PAIRS + 1)
-        odd_row = even_row - (PAIRS + 1)
-        for k in range(pairs + 1):
-            node = k * by
-            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
-            of_even = of_even + COSINES[even_row + node] * both[node]
-        last: Floats = 0.5 if j == pairs else 1.0
-        w[2 * j - 1] = np.where(here, scale * of_odd, w[2 * j - 1])
-        w[2 * j] = np.where(here, scale * last * of_even, w[2 * j])
-
-
-def time_at(w: Floats, u: Floats, place: Floats, sine: Floats) -> tuple[Floats, Floats]:
-    """Return the time since rest at the rotation end sin(u)^2, and its derivative by u."""
-    top = 2 * PAIRS if np.any(w[LONG] > 0.0) else PAIRS
-    twice = -2.0 * place
-    cosine = -place
-    sine_before: Floats = 0.0
-    cosine_before: Floats = 1.0
-    time = 2.0 * w[0] * u
-    slope = 2.0 * w[0]
-    for m in range(1, top + 1):
-        time = time + w[m] * sine
-        slope = slope + float(2 * m) * w[m] * cosine
-        sine_after = twice * sine - sine_before
-        cosine_after = twice * cosine - cosine_before
-        sine_before = sine
-        cosine_before = cosine
-        sine = sine_after
-        cosine = cosine_after
-    return (time, slope)
-
-
-def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
-    """Return the time from rest to a rotation, with u from the series of the arcsine."""
-    left = end - x
-    place = (x - left) / end
-    sine = 2.0 * np.sqrt(x * left) / end
-    z = place / np.sqrt(2.0 + 2.0 * sine)
-    square = z * z
-    total: Floats = 0.0
-    for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
-        total = total * square + ARCSINE[k]
-    time, _ = time_at(w, QUARTER + z * total, place, sine)
-    return time
-
-
-def is_uneven(w: Floats, n: int) -> Mask:
-    """Return whether the last two coefficients of the series of the time are not negligible."""
-    last = np.abs(w[n - 1]) + np.abs(w[n])
-    return np.logical_not(last <= LAST_WAVE * w[0])
-
-
 def duration_of_swing(e: Floats, back: Floats, end: Floats, w: Floats, which: Mask) -> Floats:
     """Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``."""
     both = np.zeros((ix.STRIDE, e.shape[1]))
@@ -2799,31 +2865,15 @@ def finish(s: Lanes, here: Mask, end: Floats, duration: Floats) -> None:
 
 
 def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats) -> None:
-    """End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time."""
+    """End lanes at their end time within a phase."""
     c = s.cells
+    there = np.zeros((ix.STRIDE, e.shape[1]))
     time = c[ix.END_TIME] - c[ix.TIME]
-    u = 0.5 * time / w[0]
-    lag, versine = turned(2.0 * u)
-    asked = here
-    count = 0
-    while np.any(asked) and count < MOST_CORRECTIONS:
-        then, slope = time_at(w, u, versine - 1.0, 2.0 * u - lag)
-        change = (time - then) / slope
-        u = np.where(asked, u + change, u)
-        asked = asked & (np.abs(change) > LAST_OF_NEWTON * u)
-        lag, versine = turned(2.0 * u)
-        count = count + 1
-    x = 0.5 * end * versine
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    functions(f, x, e[4])
-    square = energy(e, f)
-    rate = 0.5 * slope_of(e, f)
-    _, versine_back = turned(PI - 2.0 * u)
-    functions(f, 0.5 * end * versine_back, e[4])
-    reverse(f, e[4])
-    square = np.where(versine > 1.0, energy(back, f), square)
-    c[ix.X] = np.where(here, x, c[ix.X])
-    c[ix.OMEGA] = np.where(here, np.sqrt(square), c[ix.OMEGA])
+    there[ANGLE_THERE] = 0.5 * time / w[0]
+    find_state(there, here, e, back, w, end, time)
+    c[ix.X] = np.where(here, there[0], c[ix.X])
+    c[ix.OMEGA] = np.where(here, there[OMEGA_THERE], c[ix.OMEGA])
+    rate = there[RATE_THERE]
     c[ix.TIME] = np.where(here, c[ix.END_TIME], c[ix.TIME])
     c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
     keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
@@ -2841,6 +2891,8 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     until = c[ix.TIME] + duration
     rests = fits & (until < c[ix.END_TIME])
     ends = fits & (until < INFINITY) & (until > c[ix.END_TIME] * (1.0 + CLOSE_TO_REST))
+    if s.sample_count:
+        keep_samples(s, rests | ends, e, back, w, end, until)
     at_peak = np.zeros((ix.STRIDE, e.shape[1]))
     evaluate_at(s, e, at_peak, peak)
     pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), at_peak, peak, before)
@@ -2989,7 +3041,7 @@ def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     breaks = (stretch >= room) & np.logical_not(starts) & np.logical_not(lifts)
     until = np.where(breaks, limit, c[ix.TIME] + stretch)
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
-    if s.samples:
+    if s.sample_count:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], np.fmin(until[i], c[ix.END_TIME, i]), 0, 0)
@@ -3044,7 +3096,7 @@ def rest_on(s: Lanes, here: Mask) -> None:
     later = none_of(s)
     for t in s.tables:
         alone = s.autonomous == 2 and s.timed == 1
-        exact = alone and (not s.samples) and (not s.logged) and (t.terms == 2)
+        exact = alone and (not s.sample_count) and (not s.logged) and (t.terms == 2)
         if exact and t.kind == ix.OF_TIME and (not t.sine):
             later = slide_together(s, here, t)
     rest_to_change(s, here & (c[ix.PENDING] == ix.READY) & np.logical_not(later), limit, room)
@@ -3069,9 +3121,9 @@ def advance(s: Lanes, here: Mask) -> None:
     c = s.cells
     moving = here & (c[ix.STATUS] == ix.MOVING)
     resting = here & (c[ix.STATUS] == ix.RESTING)
-    if s.roles.net_sine >= 0 and (not s.samples):
+    if s.roles.net_sine >= 0 and (not (s.sample_count and s.roles.loss_rate >= 0)):
         moving = moving & np.logical_not(swing(s, moving))
-    if s.by_rotation and (not s.samples):
+    if s.by_rotation and (not s.sample_count):
         turning = moving & (c[ix.CLOCKED] == 0.0)
         if np.any(turning):
             turn_on(s, turning)

@@ -163,9 +163,9 @@ def reach_limit(s: Lanes, here: M, room: V, top: N) -> M:
     reaches = here and room < INFINITY
     if any_lane(reaches):
         reaches = reaches and elapsed(s, top, s.step) >= room
-    if s.has.pace and any_lane(reaches):
-        at = variable_at(s, top, room)
-        s.step = where(reaches, at, s.step)
+        if s.has.pace and any_lane(reaches):
+            at = variable_at(s, top, room)
+            s.step = where(reaches, at, s.step)
     return reaches
 
 
