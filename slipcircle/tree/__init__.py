@@ -44,14 +44,22 @@ def parts_of_fields(node: Any) -> Parts:
     A field that may contain laws is declared by the known laws instead of a number.
     """
     kind: Any = type(node)
-    return {name: (getattr(node, name), what) for name, what in _declared_fields(kind).items()}
+    by_field: Parts = {}
+    for name, what in _declared_fields(kind).items():
+        by_field[name] = getattr(node, name), what
+    return by_field
 
 
 @lru_cache
 def _declared_fields(kind: Any) -> ValueDict:
     """Return the declarations of the fields of a dataclass that are numbers or laws, by the name of the field."""
-    declarations = {field.name: field.metadata.get("laws") for field in fields(kind)} | declared(kind)
-    return {name: what for name, what in declarations.items() if what}
+    numbers = declared(kind)
+    declarations: ValueDict = {}
+    for field in fields(kind):
+        what = field.metadata.get("laws", numbers.get(field.name))
+        if what:
+            declarations[field.name] = what
+    return declarations
 
 
 def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, ...]:
@@ -168,7 +176,8 @@ def _key_of_number(key: str, name: str, own: str) -> str:
     ``key`` is the key of its node, ``name`` may contain names of further nodes, and ``own`` is its last part.
     """
     *within, _ = name.split(".")
-    return ".".join(one for one in (key, *within, own) if one)
+    parts_of_key = filter(None, (key, *within, own))
+    return ".".join(parts_of_key)
 
 
 def leaves(node: Any, absent: bool = True) -> list[Leaf]:
