@@ -71,7 +71,6 @@ def integrate_implicitly(
         cells[:, number] = lane.stored[:, 0]
 
 
-_ONE = np.arange(1)  # the index of the one lane
 _HERE = np.ones(1, bool)
 
 
