@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b138b7cee0700205a7ebb835be895d0446deea71e1ee746406657e06aec183df"
+#define DIGEST "67c2391a77b5e7fa0d403544eddaafd19703908f34099ab815a48038d10c5e44"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1457,6 +1457,11 @@ static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.0534934727794
 #define SIXTH 0x1.5555555555555p-3
 #define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
+#define FARTHEST 0x1.91eb851eb851fp+1
+#define LAST 7
+static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
+static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
+static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
 #define FAR 0x1.7e43c8800759cp+996
 #define LONGEST 0x1.0000000000000p+0
 #define REACH 0x1.0000000000000p+2
@@ -1468,10 +1473,6 @@ static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.0534934727794
 #define CLOSER 0x1.0000000000000p-25
 #define MOST_HALVINGS 30
 #define BRIEFEST 0x1.ad7f29abcaf48p-24
-#define LAST 7
-static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
-static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
-static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
 #define HALF 12
 #define LEAST 0x1.bff2ee48e0530p-333
 #define SHIFT 5
@@ -1494,7 +1495,6 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define SINE 16
 #define VERS 24
 #define PI 0x1.921fb54442d18p+1
-#define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
 #define CLEAR 0x1.47ae147ae147bp-7
@@ -3020,6 +3020,327 @@ static M slide_together(Batch *b, M here, int t)
     return forward & ~there;
 }
 
+/* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
+INLINE Pair turned(V x)
+{
+    V h = 0.25 * x;
+    V square = h * h;
+    V lag = broadcast(LAG[LAST]);
+    V versine = broadcast(VERSINE[LAST]);
+    for (int k = LAST - 1; k >= 0; k--) {
+        lag = (lag * square) + LAG[k];
+        versine = (versine * square) + VERSINE[k];
+    }
+    lag = (lag * square) * h;
+    versine = versine * square;
+    for (int _ = 1; _ <= 2; _++) {
+        V sine = h - lag;
+        V change = sine * versine;
+        lag = 2.0 * (lag + change);
+        versine = 2.0 * (sine * sine);
+        h = 2.0 * h;
+    }
+    return (Pair){lag, versine};
+}
+
+/* Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice. */
+INLINE V faded(V y)
+{
+    V h = 0.25 * y;
+    V part = broadcast(FADING[2 * LAST]);
+    for (int k = (2 * LAST) - 1; k >= 0; k--) {
+        part = (part * h) + FADING[k];
+    }
+    for (int _ = 1; _ <= 2; _++) {
+        V lost = 1.0 - (h * part);
+        V square = lost * lost;
+        part = (0.5 * part) + (0.25 * square);
+        h = 2.0 * h;
+    }
+    return part;
+}
+
+/* Compute the factors of E, followed by q. */
+INLINE void factors(V *e, V drive, V sine, V vers, V q)
+{
+    V square = q * q;
+    V share = 2.0 / (1.0 + square);
+    e[0] = 2.0 * drive;
+    e[3] = share * (vers - (sine * q));
+    e[2] = share * (sine + (vers * q));
+    e[1] = (-q) * (e[3] + e[0]);
+    e[4] = q;
+}
+
+/* Compute the four functions of which E is the sum. */
+INLINE void functions(V *f, V x, V q)
+{
+    const Pair lag_versine = turned(x);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    f[0] = x;
+    f[1] = (x * x) * faded(q * x);
+    f[2] = versine;
+    f[3] = lag;
+}
+
+/* Return E from its factors and its functions. */
+INLINE V energy(V *e, V *f)
+{
+    V faded_part = e[1] * f[1];
+    V turned_part = (e[2] * f[2]) + (e[3] * f[3]);
+    return (e[0] * f[0]) + (faded_part + turned_part);
+}
+
+/* Return the derivative of E. */
+INLINE V slope_of(V *e, V *f)
+{
+    V sine = f[0] - f[3];
+    V lost = f[0] - (e[4] * f[1]);
+    V faded_part = e[1] * lost;
+    V turned_part = (e[2] * sine) + (e[3] * f[2]);
+    return e[0] + (faded_part + turned_part);
+}
+
+/* Return the second derivative of E. */
+INLINE V bend_of(V *e, V *f)
+{
+    V sine = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V lost = f[0] - (e[4] * f[1]);
+    V kept = 1.0 - (e[4] * lost);
+    V faded_part = e[1] * kept;
+    V turned_part = (e[2] * cosine) + (e[3] * sine);
+    return faded_part + turned_part;
+}
+
+/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
+INLINE V force_at(V start, V sine, V vers, V *f)
+{
+    V sine_there = sine * (f[0] - f[3]);
+    return start + (sine_there + (vers * f[2]));
+}
+
+/* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
+ * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
+INLINE M stays_positive(V start, V sine, V vers, V *f)
+{
+    V at_end = force_at(start, sine, vers, f);
+    V cosine = 1.0 - f[2];
+    V change = sine * (f[0] - f[3]);
+    M concave = (vers <= 0.0) & ((vers * cosine) <= change);
+    return (start > 0.0) & (at_end > 0.0) & concave;
+}
+
+/* Return whether masses certainly stay pressed on the slip surface, with the chord not upright, up to a rotation.
+ * ``f`` has the functions of E there. */
+INLINE M stays_in_contact(Batch *b, V *f)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M upright = stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
+    M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    return (f[0] < FARTHEST) & (c[job->role->normal_square] >= 0.0) & upright & pressed;
+}
+
+/* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
+ * are stored from place ``first`` on; ``f`` are the four functions at the end. */
+INLINE void look_back(V *back, int first, V drive, V sine, V vers, V *f)
+{
+    V sine_end = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V change = (sine * sine_end) + (vers * f[2]);
+    back[first] = -(drive + change);
+    back[first + 1] = (sine * cosine) + (vers * sine_end);
+    back[first + 2] = (sine * sine_end) - (vers * cosine);
+}
+
+/* Compute the factors of E about the end of a phase, from the four functions there. */
+INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+{
+    look_back(back, 0, drive, sine, vers, f);
+    factors(back, back[0], back[1], back[2], -q);
+}
+
+/* Replace the functions for q by those for -q. */
+INLINE void reverse(V *f, V q)
+{
+    V y = q * f[0];
+    V bend = (q * q) * f[1];
+    V faded_by = (1.0 - y) + bend;
+    V square = f[0] * f[0];
+    V rest = (square - f[1]) - (y * f[1]);
+    f[1] = rest / faded_by;
+}
+
+/* Compute the change of friction since the phase began, a polynomial of the path ahead, and return its degree. */
+INLINE int find_loss(Batch *b, V *loss)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int degree = 0;
+    loss[0] = broadcast(0.0);
+    for (int t = 0; t < job->tables; t++) {
+        degree = job->table[t].degree;
+        for (int k = 1; k <= degree; k++) {
+            loss[k] = c[job->table[t].cell + Q1 + k - 1];
+        }
+    }
+    if (bits(c[X] > 0.0)) {
+        for (int first = 0; first <= degree - 1; first++) {
+            for (int k = degree - 1; k >= first; k--) {
+                loss[k] = loss[k] + (c[X] * loss[k + 1]);
+            }
+        }
+    }
+    return degree;
+}
+
+/* Compute the series of net moment and E from E at the beginning of a step. */
+INLINE void find_series(Batch *b, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V *net = b->r + job->role->net;
+    V weight[STRIDE];
+    V loss[STRIDE];
+    int degree = find_loss(b, loss);
+    const Pair lag_versine = turned(c[X]);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    V sine = c[job->role->net_sine] + (loss[0] * c[job->role->net_loss_sine]);
+    V vers = c[job->role->net_vers] + (loss[0] * c[job->role->net_loss_vers]);
+    V square = c[job->role->net_square] + (loss[0] * c[job->role->net_loss_square]);
+    V constant = c[job->role->drive] + (loss[0] * c[job->role->net_loss]);
+    V load = 1.0 * c[job->role->net_loss];
+    V odd = c[X] - lag;
+    V even = 1.0 - versine;
+    for (int n = 0; n <= top - 1; n++) {
+        V turned_part = (sine * odd) + (vers * versine);
+        V whole = (constant + turned_part) + (square * e[n]);
+        if (degree > 0) {
+            V turned_load = (c[job->role->net_loss_sine] * odd) + (c[job->role->net_loss_vers] * versine);
+            weight[n] = (load + turned_load) + (c[job->role->net_loss_square] * e[n]);
+        }
+        int most = degree < n ? degree : n;
+        for (int k = 1; k <= most; k++) {
+            whole = whole + (loss[k] * weight[n - k]);
+        }
+        net[n] = whole;
+        e[n + 1] = (2.0 * whole) * b->inverse[n + 1];
+        V odd_before = odd;
+        odd = even * b->inverse[n + 1];
+        even = (-odd_before) * b->inverse[n + 1];
+        versine = -even;
+        constant = broadcast(0.0);
+        load = broadcast(0.0);
+    }
+}
+
+/* Set the order of each lane's series, without last terms that are negligible within the step. */
+INLINE void keep_significant(Batch *b, M which, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V power = c[STEP] * c[STEP];
+    power = power * c[STEP];
+    V last = broadcast(3.0);
+    for (int n = 4; n <= top; n++) {
+        power = power * c[STEP];
+        V term = magnitude(e[n]) * power;
+        M counts = ~is_negligible(b, term, c[LARGEST_OMEGA]);
+        c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
+        last = pick(counts, broadcast((double)n), last);
+    }
+    M converges = last < (c[ORDER] - 1.0);
+    last = pick(converges, last, c[ORDER]);
+    c[SERIES_ORDER] = pick(which, last, broadcast(3.0));
+}
+
+/* Set the coefficients beyond each lane's order to zero, and return the highest order. */
+INLINE int truncate(Batch *b, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V order = c[SERIES_ORDER];
+    int highest = greatest(order);
+    if (!all_lanes(order == (double)highest)) {
+        for (int n = least(order); n <= highest - 1; n++) {
+            M within = order > (double)n;
+            (b->r + job->role->net)[n] = pick(within, (b->r + job->role->net)[n], broadcast(0.0));
+            (b->r + job->role->omega)[n + 1] = pick(within, (b->r + job->role->omega)[n + 1], broadcast(0.0));
+        }
+    }
+    return highest;
+}
+
+/* Return whether friction is constant or a table of slip, and no force but weight depends on the rotation. */
+INLINE int has_recurrence(Batch *b)
+{
+    const Job *const job = b->job;
+    return HAS_CLOSED_FORM(job->role) && !SOFTENS(job->role);
+}
+
+/* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. */
+INLINE int expand_by_recurrence(Batch *b, V room, M which)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    (b->r + job->role->omega)[0] = c[OMEGA];
+    V order = pick(which, c[ORDER], broadcast(3.0));
+    int top = greatest(order);
+    find_series(b, top);
+    c[STEP] = look_for_end(b, room);
+    keep_significant(b, which, top);
+    return truncate(b, top);
+}
+
+/* Compute the series of the normal force and of the dip, whose roots are lift-off and an upright chord. */
+INLINE void expand_contact(Batch *b, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    const Pair lag_versine = turned(c[X]);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    V odd = c[X] - lag;
+    V even = 1.0 - versine;
+    V force = 1.0 * c[job->role->normal0];
+    V dip = 1.0 * c[job->role->normal_load];
+    for (int n = 0; n <= top - 1; n++) {
+        V turned_force = (c[job->role->normal_sine] * odd) + (c[job->role->normal_vers] * versine);
+        if (job->role->normal >= 0) {
+            (b->r + job->role->normal)[n] = (force + turned_force) + (c[job->role->normal_square] * e[n]);
+        }
+        if (job->role->upright >= 0) {
+            (b->r + job->role->upright)[n] = dip + ((c[job->role->upright_sine] * odd) + (c[job->role->upright_vers] * versine));
+        }
+        V odd_before = odd;
+        odd = even * b->inverse[n + 1];
+        even = (-odd_before) * b->inverse[n + 1];
+        versine = -even;
+        force = broadcast(0.0);
+        dip = broadcast(0.0);
+    }
+}
+
+/* Return lanes that may lift off or whose chord may become upright in a step, after computing these series. */
+INLINE M may_lose_contact(Batch *b, M here, int top)
+{
+    V *const c = b->c;
+    const Pair lag_versine = turned(c[X] + c[STEP]);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    V f[STRIDE];
+    f[0] = c[X] + c[STEP];
+    f[2] = versine;
+    f[3] = lag;
+    M unsure = here & ~((c[LIFTED] == 0.0) & stays_in_contact(b, f));
+    if (bits(unsure)) {
+        expand_contact(b, top);
+    }
+    return unsure;
+}
+
 /* Begin another phase in motion: lanes enter another piece of a table, are lifted or land. */
 INLINE void enter_phase(Batch *b, M here, V rate)
 {
@@ -3213,6 +3534,9 @@ static void find_standstill(Batch *b, M here, int top)
 static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M passed, int event)
 {
     V *const c = b->c;
+    if (!bits(here)) {
+        return;
+    }
     M asked = here & may_cross(p, n, c[STEP], sign, constant, passed);
     if (bits(asked)) {
         V e[STRIDE];
@@ -3222,7 +3546,7 @@ static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M p
 }
 
 /* Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge. */
-static void find_edges(Batch *b, M here, int t, int top)
+static void find_edges(Batch *b, M here, int t, int top, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3238,20 +3562,29 @@ static void find_edges(Batch *b, M here, int t, int top)
         find_crossing(b, varies, omega, top, broadcast(1.0), -c[job->table[t].cell + LOWER], faster, event + 1);
         return;
     }
+    if (by_rotation) {
+        V ahead = upper - c[X];
+        consider(b, here, pick(ends, ahead, broadcast(INFINITY)), event);
+        return;
+    }
     find_crossing(b, ends, b->r + job->role->x, top, broadcast(-1.0), upper, (M){0}, event);
 }
 
 /* Find the first event of the step. Of simultaneous events the last one in the order of the search is used. Water
  * over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
  * only until the first other event, beyond which it may pass zero twice. */
-static void find_events(Batch *b, M here, int top)
+static void find_events(Batch *b, M here, int top, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     find_standstill(b, here, top);
+    M exposed = here;
+    if (by_rotation && has_recurrence(b)) {
+        exposed = may_lose_contact(b, here, top);
+    }
     if (job->role->upright >= 0) {
-        find_crossing(b, here, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
+        find_crossing(b, exposed, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
     }
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind != OF_TIME) {
@@ -3261,14 +3594,14 @@ static void find_events(Batch *b, M here, int top)
                 known = !bits(here & (minimum(c[job->table[t].cell + UPPER], broadcast(FAR)) != c[job->table[t - 1].cell + UPPER]));
             }
             if (!known) {
-                find_edges(b, here, t, top);
+                find_edges(b, here, t, top, by_rotation);
             }
         }
     }
     if (job->role->normal >= 0) {
         V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
         M passed = c[PASSED] == (double)LIFT;
-        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
+        find_crossing(b, exposed, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
     }
 }
 
@@ -3375,7 +3708,7 @@ static void make_step(Batch *b, M here)
     int top = expand(b, room, here, 0, 0);
     choose_step(b, here, top);
     M reaches_limit = reach_limit(b, here, room, top);
-    find_events(b, here, top);
+    find_events(b, here, top, 0);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
     M endless = is_endless(b, here, room);
     c[STEP] = pick(here, pick(endless, broadcast(0.0), c[STEP]), c[STEP]);
@@ -3581,10 +3914,10 @@ static void turn_on(Batch *b, M here)
     V omega = 1.0 * c[OMEGA];
     c[OMEGA] = pick(here, omega * omega, c[OMEGA]);
     V room = way_ahead(b);
-    int top = expand(b, room, here, 0, 1);
+    int top = has_recurrence(b) ? expand_by_recurrence(b, room, here) : expand(b, room, here, 0, 1);
     choose_step(b, here, top);
     shorten(b, here);
-    find_events(b, here, top);
+    find_events(b, here, top, 1);
     V peak = greatest_speed(b, here, top);
     const Pair before_after = times_of_step(b, here, top, peak);
     V before = before_after.one, after = before_after.other;
@@ -3609,129 +3942,6 @@ static void turn_on(Batch *b, M here)
     if (bits(fits)) {
         complete(b, fits, top, peak, before, until);
     }
-}
-
-/* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
-INLINE Pair turned(V x)
-{
-    V h = 0.25 * x;
-    V square = h * h;
-    V lag = broadcast(LAG[LAST]);
-    V versine = broadcast(VERSINE[LAST]);
-    for (int k = LAST - 1; k >= 0; k--) {
-        lag = (lag * square) + LAG[k];
-        versine = (versine * square) + VERSINE[k];
-    }
-    lag = (lag * square) * h;
-    versine = versine * square;
-    for (int _ = 1; _ <= 2; _++) {
-        V sine = h - lag;
-        V change = sine * versine;
-        lag = 2.0 * (lag + change);
-        versine = 2.0 * (sine * sine);
-        h = 2.0 * h;
-    }
-    return (Pair){lag, versine};
-}
-
-/* Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice. */
-INLINE V faded(V y)
-{
-    V h = 0.25 * y;
-    V part = broadcast(FADING[2 * LAST]);
-    for (int k = (2 * LAST) - 1; k >= 0; k--) {
-        part = (part * h) + FADING[k];
-    }
-    for (int _ = 1; _ <= 2; _++) {
-        V lost = 1.0 - (h * part);
-        V square = lost * lost;
-        part = (0.5 * part) + (0.25 * square);
-        h = 2.0 * h;
-    }
-    return part;
-}
-
-/* Compute the factors of E, followed by q. */
-INLINE void factors(V *e, V drive, V sine, V vers, V q)
-{
-    V square = q * q;
-    V share = 2.0 / (1.0 + square);
-    e[0] = 2.0 * drive;
-    e[3] = share * (vers - (sine * q));
-    e[2] = share * (sine + (vers * q));
-    e[1] = (-q) * (e[3] + e[0]);
-    e[4] = q;
-}
-
-/* Compute the four functions of which E is the sum. */
-INLINE void functions(V *f, V x, V q)
-{
-    const Pair lag_versine = turned(x);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    f[0] = x;
-    f[1] = (x * x) * faded(q * x);
-    f[2] = versine;
-    f[3] = lag;
-}
-
-/* Return E from its factors and its functions. */
-INLINE V energy(V *e, V *f)
-{
-    V faded_part = e[1] * f[1];
-    V turned_part = (e[2] * f[2]) + (e[3] * f[3]);
-    return (e[0] * f[0]) + (faded_part + turned_part);
-}
-
-/* Return the derivative of E. */
-INLINE V slope_of(V *e, V *f)
-{
-    V sine = f[0] - f[3];
-    V lost = f[0] - (e[4] * f[1]);
-    V faded_part = e[1] * lost;
-    V turned_part = (e[2] * sine) + (e[3] * f[2]);
-    return e[0] + (faded_part + turned_part);
-}
-
-/* Return the second derivative of E. */
-INLINE V bend_of(V *e, V *f)
-{
-    V sine = f[0] - f[3];
-    V cosine = 1.0 - f[2];
-    V lost = f[0] - (e[4] * f[1]);
-    V kept = 1.0 - (e[4] * lost);
-    V faded_part = e[1] * kept;
-    V turned_part = (e[2] * cosine) + (e[3] * sine);
-    return faded_part + turned_part;
-}
-
-/* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
- * are stored from place ``first`` on; ``f`` are the four functions at the end. */
-INLINE void look_back(V *back, int first, V drive, V sine, V vers, V *f)
-{
-    V sine_end = f[0] - f[3];
-    V cosine = 1.0 - f[2];
-    V change = (sine * sine_end) + (vers * f[2]);
-    back[first] = -(drive + change);
-    back[first + 1] = (sine * cosine) + (vers * sine_end);
-    back[first + 2] = (sine * sine_end) - (vers * cosine);
-}
-
-/* Compute the factors of E about the end of a phase, from the four functions there. */
-INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
-{
-    look_back(back, 0, drive, sine, vers, f);
-    factors(back, back[0], back[1], back[2], -q);
-}
-
-/* Replace the functions for q by those for -q. */
-INLINE void reverse(V *f, V q)
-{
-    V y = q * f[0];
-    V bend = (q * q) * f[1];
-    V faded_by = (1.0 - y) + bend;
-    V square = f[0] * f[0];
-    V rest = (square - f[1]) - (y * f[1]);
-    f[1] = rest / faded_by;
 }
 
 /* Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning. */
@@ -4118,34 +4328,11 @@ static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
     return x;
 }
 
-/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
-INLINE V force_at(V start, V sine, V vers, V *f)
-{
-    V sine_there = sine * (f[0] - f[3]);
-    return start + (sine_there + (vers * f[2]));
-}
-
-/* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
- * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
-INLINE M stays_positive(V start, V sine, V vers, V *f)
-{
-    V at_end = force_at(start, sine, vers, f);
-    V cosine = 1.0 - f[2];
-    V change = sine * (f[0] - f[3]);
-    M concave = (vers <= 0.0) & ((vers * cosine) <= change);
-    return (start > 0.0) & (at_end > 0.0) & concave;
-}
-
 /* Return whether phases up to a rotation have the closed form, from the functions of E there. */
 INLINE M has_closed_form(Batch *b, V *f, V q)
 {
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V end = f[0];
-    M near = (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED);
-    M upright = stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
-    M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
-    return near & (c[job->role->normal_square] >= 0.0) & upright & pressed;
+    M faded = (q >= 0.0) & ((q * f[0]) < FADED);
+    return faded & stays_in_contact(b, f);
 }
 
 /* Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end. */
@@ -4640,7 +4827,11 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0)) {
+    int complete = HAS_CLOSED_FORM(job->role) && !(job->samples > 0);
+    for (int t = 0; t < job->tables; t++) {
+        complete = complete && (job->table[t].kind != OF_SLIP);
+    }
+    if (complete) {
         moving = moving & ~swing(b, moving);
     }
     if (job->by_rotation && !(job->samples > 0)) {

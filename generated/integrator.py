@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 189fbd41d6b9638b13b3e621b421cb518dc32aa64d765206e5d9fb7e4abe1c00
+# sha256 of the text below: 76e2e624c82865c184f5ce8c3344cdb93b8ae580af512ebaf9da220a772b3a06
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -379,6 +379,16 @@ SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
 LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
+FARTHEST = 3.14
+LAST = 7
+VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
+    -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
+LAG = (0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06,
+    2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15)
+FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889,
+    -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
+    -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
+    -7.647163731819816e-13, 4.779477332387385e-14)
 FAR = 1e+300
 LONGEST = 1.0
 REACH = 4.0
@@ -390,15 +400,6 @@ FINEST = 18
 CLOSER = 2.9802322387695312e-08
 MOST_HALVINGS = 30
 BRIEFEST = 1e-07
-LAST = 7
-VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
-    -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
-LAG = (0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06,
-    2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15)
-FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889,
-    -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
-    -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
-    -7.647163731819816e-13, 4.779477332387385e-14)
 HALF = 12
 LEAST = 1e-100
 SHIFT = 5
@@ -421,7 +422,6 @@ CONSTANT = 8
 SINE = 16
 VERS = 24
 PI = 3.141592653589793
-FARTHEST = 3.14
 FADED = 2.0
 LAST_OF_HALLEY = 3.814697265625e-06
 CLEAR = 0.01
@@ -1713,6 +1713,272 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     return forward & np.logical_not(there)
 
 
+def turned(x: Floats) -> tuple[Floats, Floats]:
+    """Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice."""
+    h = 0.25 * x
+    square = h * h
+    lag: Floats = LAG[LAST]
+    versine: Floats = VERSINE[LAST]
+    for k in range(LAST - 1, 0 - 1, -1):
+        lag = lag * square + LAG[k]
+        versine = versine * square + VERSINE[k]
+    lag = lag * square * h
+    versine = versine * square
+    for _ in range(1, 2 + 1):
+        sine = h - lag
+        change = sine * versine
+        lag = 2.0 * (lag + change)
+        versine = 2.0 * (sine * sine)
+        h = 2.0 * h
+    return (lag, versine)
+
+
+def faded(y: Floats) -> Floats:
+    """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
+    h = 0.25 * y
+    part: Floats = FADING[2 * LAST]
+    for k in range(2 * LAST - 1, 0 - 1, -1):
+        part = part * h + FADING[k]
+    for _ in range(1, 2 + 1):
+        lost = 1.0 - h * part
+        square = lost * lost
+        part = 0.5 * part + 0.25 * square
+        h = 2.0 * h
+    return part
+
+
+def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> None:
+    """Compute the factors of E, followed by q."""
+    square = q * q
+    share = 2.0 / (1.0 + square)
+    e[0] = 2.0 * drive
+    e[3] = share * (vers - sine * q)
+    e[2] = share * (sine + vers * q)
+    e[1] = -q * (e[3] + e[0])
+    e[4] = q
+
+
+def functions(f: Floats, x: Floats, q: Floats) -> None:
+    """Compute the four functions of which E is the sum."""
+    lag, versine = turned(x)
+    f[0] = x
+    f[1] = x * x * faded(q * x)
+    f[2] = versine
+    f[3] = lag
+
+
+def energy(e: Floats, f: Floats) -> Floats:
+    """Return E from its factors and its functions."""
+    faded_part = e[1] * f[1]
+    turned_part = e[2] * f[2] + e[3] * f[3]
+    return e[0] * f[0] + (faded_part + turned_part)
+
+
+def slope_of(e: Floats, f: Floats) -> Floats:
+    """Return the derivative of E."""
+    sine = f[0] - f[3]
+    lost = f[0] - e[4] * f[1]
+    faded_part = e[1] * lost
+    turned_part = e[2] * sine + e[3] * f[2]
+    return e[0] + (faded_part + turned_part)
+
+
+def bend_of(e: Floats, f: Floats) -> Floats:
+    """Return the second derivative of E."""
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    lost = f[0] - e[4] * f[1]
+    kept = 1.0 - e[4] * lost
+    faded_part = e[1] * kept
+    turned_part = e[2] * cosine + e[3] * sine
+    return faded_part + turned_part
+
+
+def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
+
+
+def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
+    at_end = force_at(start, sine, vers, f)
+    cosine = 1.0 - f[2]
+    change = sine * (f[0] - f[3])
+    concave = (vers <= 0.0) & (vers * cosine <= change)
+    return (start > 0.0) & (at_end > 0.0) & concave
+
+
+def stays_in_contact(s: Lanes, f: Floats) -> Mask:
+    """Return whether masses certainly stay pressed on the slip surface, with the chord not upright, up to a rotation."""
+    c = s.cells
+    upright = stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
+    pressed = stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    return (f[0] < FARTHEST) & (c[s.roles.normal_square] >= 0.0) & upright & pressed
+
+
+def look_back(back: Floats, first: int, drive: Floats, sine: Floats, vers: Floats, f: Floats) -> None:
+    """Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase."""
+    sine_end = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    change = sine * sine_end + vers * f[2]
+    back[first] = -(drive + change)
+    back[first + 1] = sine * cosine + vers * sine_end
+    back[first + 2] = sine * sine_end - vers * cosine
+
+
+def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    look_back(back, 0, drive, sine, vers, f)
+    factors(back, back[0], back[1], back[2], -q)
+
+
+def reverse(f: Floats, q: Floats) -> None:
+    """Replace the functions for q by those for -q."""
+    y = q * f[0]
+    bend = q * q * f[1]
+    faded_by = 1.0 - y + bend
+    square = f[0] * f[0]
+    rest = square - f[1] - y * f[1]
+    f[1] = rest / faded_by
+
+
+def find_loss(s: Lanes, loss: Floats) -> int:
+    """Compute the change of friction since the phase began, a polynomial of the path ahead, and return its degree."""
+    c = s.cells
+    degree = 0
+    loss[0] = 0.0
+    for t in s.tables:
+        degree = t.degree
+        for k in range(1, degree + 1):
+            loss[k] = c[t.cells + ix.Q1 + (k - 1)]
+    if np.any(c[ix.X] > 0.0):
+        for first in range(degree - 1 + 1):
+            for k in range(degree - 1, first - 1, -1):
+                loss[k] = loss[k] + c[ix.X] * loss[k + 1]
+    return degree
+
+
+def find_series(s: Lanes, top: int) -> None:
+    """Compute the series of net moment and E from E at the beginning of a step."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    net = s.registers[s.roles.net]
+    weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    loss = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    degree = find_loss(s, loss)
+    lag, versine = turned(c[ix.X])
+    sine = c[s.roles.net_sine] + loss[0] * c[s.roles.net_loss_sine]
+    vers = c[s.roles.net_vers] + loss[0] * c[s.roles.net_loss_vers]
+    square = c[s.roles.net_square] + loss[0] * c[s.roles.net_loss_square]
+    constant = c[s.roles.drive] + loss[0] * c[s.roles.net_loss]
+    load = 1.0 * c[s.roles.net_loss]
+    odd = c[ix.X] - lag
+    even = 1.0 - versine
+    for n in range(top - 1 + 1):
+        turned_part = sine * odd + vers * versine
+        whole = constant + turned_part + square * e[n]
+        if degree > 0:
+            turned_load = c[s.roles.net_loss_sine] * odd + c[s.roles.net_loss_vers] * versine
+            weight[n] = load + turned_load + c[s.roles.net_loss_square] * e[n]
+        most = min(degree, n)
+        for k in range(1, most + 1):
+            whole = whole + loss[k] * weight[n - k]
+        net[n] = whole
+        e[n + 1] = 2.0 * whole * (1.0 / (n + 1))
+        odd_before = odd
+        odd = even * (1.0 / (n + 1))
+        even = -odd_before * (1.0 / (n + 1))
+        versine = -even
+        constant = 0.0
+        load = 0.0
+
+
+def keep_significant(s: Lanes, which: Mask, top: int) -> None:
+    """Set the order of each lane's series, without last terms that are negligible within the step."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    power = c[ix.STEP] * c[ix.STEP]
+    power = power * c[ix.STEP]
+    last: Floats = 3.0
+    for n in range(4, top + 1):
+        power = power * c[ix.STEP]
+        term = np.abs(e[n]) * power
+        counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
+        c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
+        last = np.where(counts, float(n), last)
+    converges = last < c[ix.ORDER] - 1.0
+    last = np.where(converges, last, c[ix.ORDER])
+    c[ix.SERIES_ORDER] = np.where(which, last, 3.0)
+
+
+def truncate(s: Lanes, top: int) -> int:
+    """Set the coefficients beyond each lane's order to zero, and return the highest order."""
+    c = s.cells
+    order = c[ix.SERIES_ORDER].copy()
+    highest = greatest(order)
+    if not all_lanes(order == float(highest)):
+        for n in range(least(order), highest - 1 + 1):
+            within = order > float(n)
+            s.registers[s.roles.net][n] = np.where(within, s.registers[s.roles.net][n], 0.0)
+            s.registers[s.roles.omega][n + 1] = np.where(within, s.registers[s.roles.omega][n + 1], 0.0)
+    return highest
+
+
+def has_recurrence(s: Lanes) -> int:
+    """Return whether friction is constant or a table of slip, and no force but weight depends on the rotation."""
+    return s.roles.net_sine >= 0 and (not s.roles.loss_rate >= 0)
+
+
+def expand_by_recurrence(s: Lanes, room: Floats, which: Mask) -> int:
+    """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
+    c = s.cells
+    s.registers[s.roles.omega][0] = c[ix.OMEGA]
+    order = np.where(which, c[ix.ORDER], 3.0)
+    top = greatest(order)
+    find_series(s, top)
+    c[ix.STEP] = look_for_end(s, room)
+    keep_significant(s, which, top)
+    return truncate(s, top)
+
+
+def expand_contact(s: Lanes, top: int) -> None:
+    """Compute the series of the normal force and of the dip, whose roots are lift-off and an upright chord."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    lag, versine = turned(c[ix.X])
+    odd = c[ix.X] - lag
+    even = 1.0 - versine
+    force = 1.0 * c[s.roles.normal0]
+    dip = 1.0 * c[s.roles.normal_load]
+    for n in range(top - 1 + 1):
+        turned_force = c[s.roles.normal_sine] * odd + c[s.roles.normal_vers] * versine
+        if s.roles.normal >= 0:
+            s.registers[s.roles.normal][n] = force + turned_force + c[s.roles.normal_square] * e[n]
+        if s.roles.upright >= 0:
+            s.registers[s.roles.upright][n] = dip + (c[s.roles.upright_sine] * odd + c[s.roles.upright_vers] * versine)
+        odd_before = odd
+        odd = even * (1.0 / (n + 1))
+        even = -odd_before * (1.0 / (n + 1))
+        versine = -even
+        force = 0.0
+        dip = 0.0
+
+
+def may_lose_contact(s: Lanes, here: Mask, top: int) -> Mask:
+    """Return lanes that may lift off or whose chord may become upright in a step, after computing these series."""
+    c = s.cells
+    lag, versine = turned(c[ix.X] + c[ix.STEP])
+    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    f[0] = c[ix.X] + c[ix.STEP]
+    f[2] = versine
+    f[3] = lag
+    unsure = here & np.logical_not((c[ix.LIFTED] == 0.0) & stays_in_contact(s, f))
+    if np.any(unsure):
+        expand_contact(s, top)
+    return unsure
+
+
 def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
     """Begin another phase in motion: lanes enter another piece of a table, are lifted or land."""
     c = s.cells
@@ -1874,6 +2140,8 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
         event: int) -> None:
     """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
     c = s.cells
+    if not np.any(here):
+        return
     asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, p.shape[1]))
@@ -1881,7 +2149,7 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
         consider(s, here, first_root(e, n, c[ix.STEP], asked), event)
 
 
-def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
+def find_edges(s: Lanes, here: Mask, t: Table, top: int, by_rotation: int) -> None:
     """Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge."""
     c = s.cells
     ends = here & (c[t.cells + ix.UPPER] < FAR)
@@ -1895,16 +2163,23 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
         faster = c[ix.PASSED] == ix.FASTER
         find_crossing(s, varies, omega, top, 1.0, -c[t.cells + ix.LOWER], faster, event + 1)
         return
+    if by_rotation:
+        ahead = upper - c[ix.X]
+        consider(s, here, np.where(ends, ahead, INFINITY), event)
+        return
     find_crossing(s, ends, s.registers[s.roles.x], top, -1.0, upper, none_of(s), event)
 
 
-def find_events(s: Lanes, here: Mask, top: int) -> None:
+def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
     """Find the first event of the step. Of simultaneous events the last one in the order of the search is used."""
     c = s.cells
     c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     find_standstill(s, here, top)
+    exposed = here
+    if by_rotation and has_recurrence(s):
+        exposed = may_lose_contact(s, here, top)
     if s.roles.upright >= 0:
-        find_crossing(s, here, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
+        find_crossing(s, exposed, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
     for t in s.tables:
         if t.kind != ix.OF_TIME:
             follows = t.number > 0 and t.kind == ix.OF_ROTATION
@@ -1912,11 +2187,11 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
             if known:
                 known = not np.any(here & (np.minimum(c[t.cells + ix.UPPER], FAR) != c[t.before.cells + ix.UPPER]))
             if not known:
-                find_edges(s, here, t, top)
+                find_edges(s, here, t, top, by_rotation)
     if s.roles.normal >= 0:
         sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
         passed = c[ix.PASSED] == ix.LIFT
-        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
+        find_crossing(s, exposed, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
 
 
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
@@ -2002,7 +2277,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     top = expand(s, room, here, 0, False)
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
-    find_events(s, here, top)
+    find_events(s, here, top, False)
     uneventful = c[ix.EVENT] == ix.EVENT_NONE
     endless = is_endless(s, here, room)
     c[ix.STEP] = np.where(here, np.where(endless, 0.0, c[ix.STEP]), c[ix.STEP])
@@ -2172,10 +2447,10 @@ def turn_on(s: Lanes, here: Mask) -> None:
     omega = 1.0 * c[ix.OMEGA]
     c[ix.OMEGA] = np.where(here, omega * omega, c[ix.OMEGA])
     room = way_ahead(s)
-    top = expand(s, room, here, 0, True)
+    top = expand_by_recurrence(s, room, here) if has_recurrence(s) else expand(s, room, here, 0, True)
     choose_step(s, here, top)
     shorten(s, here)
-    find_events(s, here, top)
+    find_events(s, here, top, True)
     peak = greatest_speed(s, here, top)
     before, after = times_of_step(s, here, top, peak)
     count = 0
@@ -2196,113 +2471,6 @@ def turn_on(s: Lanes, here: Mask) -> None:
     c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
     if np.any(fits):
         complete(s, fits, top, peak, before, until)
-
-
-def turned(x: Floats) -> tuple[Floats, Floats]:
-    """Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice."""
-    h = 0.25 * x
-    square = h * h
-    lag: Floats = LAG[LAST]
-    versine: Floats = VERSINE[LAST]
-    for k in range(LAST - 1, 0 - 1, -1):
-        lag = lag * square + LAG[k]
-        versine = versine * square + VERSINE[k]
-    lag = lag * square * h
-    versine = versine * square
-    for _ in range(1, 2 + 1):
-        sine = h - lag
-        change = sine * versine
-        lag = 2.0 * (lag + change)
-        versine = 2.0 * (sine * sine)
-        h = 2.0 * h
-    return (lag, versine)
-
-
-def faded(y: Floats) -> Floats:
-    """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
-    h = 0.25 * y
-    part: Floats = FADING[2 * LAST]
-    for k in range(2 * LAST - 1, 0 - 1, -1):
-        part = part * h + FADING[k]
-    for _ in range(1, 2 + 1):
-        lost = 1.0 - h * part
-        square = lost * lost
-        part = 0.5 * part + 0.25 * square
-        h = 2.0 * h
-    return part
-
-
-def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> None:
-    """Compute the factors of E, followed by q."""
-    square = q * q
-    share = 2.0 / (1.0 + square)
-    e[0] = 2.0 * drive
-    e[3] = share * (vers - sine * q)
-    e[2] = share * (sine + vers * q)
-    e[1] = -q * (e[3] + e[0])
-    e[4] = q
-
-
-def functions(f: Floats, x: Floats, q: Floats) -> None:
-    """Compute the four functions of which E is the sum."""
-    lag, versine = turned(x)
-    f[0] = x
-    f[1] = x * x * faded(q * x)
-    f[2] = versine
-    f[3] = lag
-
-
-def energy(e: Floats, f: Floats) -> Floats:
-    """Return E from its factors and its functions."""
-    faded_part = e[1] * f[1]
-    turned_part = e[2] * f[2] + e[3] * f[3]
-    return e[0] * f[0] + (faded_part + turned_part)
-
-
-def slope_of(e: Floats, f: Floats) -> Floats:
-    """Return the derivative of E."""
-    sine = f[0] - f[3]
-    lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * lost
-    turned_part = e[2] * sine + e[3] * f[2]
-    return e[0] + (faded_part + turned_part)
-
-
-def bend_of(e: Floats, f: Floats) -> Floats:
-    """Return the second derivative of E."""
-    sine = f[0] - f[3]
-    cosine = 1.0 - f[2]
-    lost = f[0] - e[4] * f[1]
-    kept = 1.0 - e[4] * lost
-    faded_part = e[1] * kept
-    turned_part = e[2] * cosine + e[3] * sine
-    return faded_part + turned_part
-
-
-def look_back(back: Floats, first: int, drive: Floats, sine: Floats, vers: Floats, f: Floats) -> None:
-    """Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase."""
-    sine_end = f[0] - f[3]
-    cosine = 1.0 - f[2]
-    change = sine * sine_end + vers * f[2]
-    back[first] = -(drive + change)
-    back[first + 1] = sine * cosine + vers * sine_end
-    back[first + 2] = sine * sine_end - vers * cosine
-
-
-def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
-    """Compute the factors of E about the end of a phase, from the four functions there."""
-    look_back(back, 0, drive, sine, vers, f)
-    factors(back, back[0], back[1], back[2], -q)
-
-
-def reverse(f: Floats, q: Floats) -> None:
-    """Replace the functions for q by those for -q."""
-    y = q * f[0]
-    bend = q * q * f[1]
-    faded_by = 1.0 - y + bend
-    square = f[0] * f[0]
-    rest = square - f[1] - y * f[1]
-    f[1] = rest / faded_by
 
 
 def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
@@ -2634,29 +2802,10 @@ def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> F
     return x
 
 
-def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
-    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
-    sine_there = sine * (f[0] - f[3])
-    return start + (sine_there + vers * f[2])
-
-
-def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
-    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
-    at_end = force_at(start, sine, vers, f)
-    cosine = 1.0 - f[2]
-    change = sine * (f[0] - f[3])
-    concave = (vers <= 0.0) & (vers * cosine <= change)
-    return (start > 0.0) & (at_end > 0.0) & concave
-
-
 def has_closed_form(s: Lanes, f: Floats, q: Floats) -> Mask:
     """Return whether phases up to a rotation have the closed form, from the functions of E there."""
-    c = s.cells
-    end = f[0]
-    near = (end < FARTHEST) & (q >= 0.0) & (q * end < FADED)
-    upright = stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
-    pressed = stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
-    return near & (c[s.roles.normal_square] >= 0.0) & upright & pressed
+    faded = (q >= 0.0) & (q * f[0] < FADED)
+    return faded & stays_in_contact(s, f)
 
 
 def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k: int) -> None:
@@ -3071,7 +3220,10 @@ def advance(s: Lanes, here: Mask) -> None:
     c = s.cells
     moving = here & (c[ix.STATUS] == ix.MOVING)
     resting = here & (c[ix.STATUS] == ix.RESTING)
-    if s.roles.net_sine >= 0 and (not s.samples):
+    complete = s.roles.net_sine >= 0 and (not s.samples)
+    for t in s.tables:
+        complete = complete and t.kind != ix.OF_SLIP
+    if complete:
         moving = moving & np.logical_not(swing(s, moving))
     if s.by_rotation and (not s.samples):
         turning = moving & (c[ix.CLOCKED] == 0.0)

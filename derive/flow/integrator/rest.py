@@ -197,7 +197,10 @@ def advance(s: Lanes, here: M) -> None:
     """
     moving = here and s.status == Status.MOVING
     resting = here and s.status == Status.RESTING
-    if s.has.net_sine and not s.samples:
+    complete: N = s.has.net_sine and not s.samples
+    for t in s.tables:
+        complete = complete and t.kind != Kind.SLIP
+    if complete:
         moving = moving and not swing(s, moving)
     if s.by_rotation and not s.samples:
         turning = moving and s.clocked == 0.0

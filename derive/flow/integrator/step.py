@@ -29,6 +29,7 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import advance_origin, face, keep_faster, note_lift_off, update_reach
+from derive.flow.integrator.recurrence import has_recurrence, may_lose_contact
 from derive.flow.integrator.roots import (
     falling_root,
     first_root,
@@ -193,6 +194,8 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
 
 def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M, event: N) -> None:
     """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
+    if not any_lane(here):
+        return
     asked = here and may_cross(p, n, s.step, sign, constant, passed)
     if any_lane(asked):
         e = new_series()
@@ -200,7 +203,7 @@ def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M
         consider(s, here, first_root(e, n, s.step, asked), event)
 
 
-def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
+def find_edges(s: Lanes, here: M, t: T, top: N, by_rotation: N) -> None:
     """Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge."""
     ends = here and t.upper < FAR
     upper = minimum(t.upper, FAR)
@@ -213,10 +216,14 @@ def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
         faster = s.passed == Passed.FASTER
         find_crossing(s, varies, omega, top, 1.0, -t.lower, faster, event + 1)
         return
+    if by_rotation:
+        ahead = upper - s.x
+        consider(s, here, where(ends, ahead, INFINITY), event)
+        return
     find_crossing(s, ends, s.series.x, top, -1.0, upper, none_of(s), event)
 
 
-def find_events(s: Lanes, here: M, top: N) -> None:
+def find_events(s: Lanes, here: M, top: N, by_rotation: N) -> None:
     """Find the first event of the step. Of simultaneous events the last one in the order of the search is used.
 
     Water over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
@@ -224,8 +231,11 @@ def find_events(s: Lanes, here: M, top: N) -> None:
     """
     s.event = Event.NONE
     find_standstill(s, here, top)
+    exposed = here
+    if by_rotation and has_recurrence(s):
+        exposed = may_lose_contact(s, here, top)
     if s.has.upright:
-        find_crossing(s, here, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
+        find_crossing(s, exposed, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
     for t in s.tables:
         if t.kind != Kind.TIME:
             follows: N = t.number > 0 and t.kind == Kind.ROTATION
@@ -233,11 +243,11 @@ def find_events(s: Lanes, here: M, top: N) -> None:
             if known:  # its pieces end where the pieces of the preceding table end
                 known = not any_lane(here and minimum(t.upper, FAR) != t.before.upper)
             if not known:
-                find_edges(s, here, t, top)
+                find_edges(s, here, t, top, by_rotation)
     if s.has.normal:
         sign = where(s.lifted > 0.0, -1.0, 1.0)
         passed = s.passed == Passed.LIFT
-        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, passed, Event.LIFT_OFF)
+        find_crossing(s, exposed, s.series.normal, top - 1, sign, 0.0, passed, Event.LIFT_OFF)
 
 
 def choose_step(s: Lanes, here: M, top: N) -> None:
@@ -319,7 +329,7 @@ def make_step(s: Lanes, here: M) -> None:
     top: N = expand(s, room, here, 0, False)
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
-    find_events(s, here, top)
+    find_events(s, here, top, False)
     uneventful = s.event == Event.NONE
     endless = is_endless(s, here, room)
     s.step = where(endless, 0.0, s.step)
