@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "67c2391a77b5e7fa0d403544eddaafd19703908f34099ab815a48038d10c5e44"
+#define DIGEST "d4c405344ecc6ae432da4cb7e838302de7059ddc84ba9d9b7d150c61251d7fcd"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2132,8 +2132,9 @@ INLINE M is_negligible(Batch *b, V term, V largest)
 INLINE void cut(Batch *b, V order, int top)
 {
     const Job *const job = b->job;
-    for (int n = 0; n <= top - 1; n++) {
+    for (int n = least(order); n <= top - 1; n++) {
         M within = order > (double)n;
+        (b->r + job->role->omega)[n + 1] = pick(within, (b->r + job->role->omega)[n + 1], broadcast(0.0));
         (b->r + job->role->net)[n] = pick(within, (b->r + job->role->net)[n], broadcast(0.0));
         if (job->role->normal >= 0) {
             (b->r + job->role->normal)[n] = pick(within, (b->r + job->role->normal)[n], broadcast(0.0));
@@ -3172,78 +3173,56 @@ INLINE void reverse(V *f, V q)
     f[1] = rest / faded_by;
 }
 
-/* Compute the change of friction since the phase began, a polynomial of the path ahead, and return its degree. */
-INLINE int find_loss(Batch *b, V *loss)
+/* Return whether the net moment has this form. */
+INLINE int has_recurrence(Batch *b)
 {
     const Job *const job = b->job;
-    V *const c = b->c;
-    int degree = 0;
-    loss[0] = broadcast(0.0);
-    for (int t = 0; t < job->tables; t++) {
-        degree = job->table[t].degree;
-        for (int k = 1; k <= degree; k++) {
-            loss[k] = c[job->table[t].cell + Q1 + k - 1];
-        }
-    }
-    if (bits(c[X] > 0.0)) {
-        for (int first = 0; first <= degree - 1; first++) {
-            for (int k = degree - 1; k >= first; k--) {
-                loss[k] = loss[k] + (c[X] * loss[k + 1]);
-            }
-        }
-    }
-    return degree;
+    return HAS_CLOSED_FORM(job->role) && !SOFTENS(job->role);
 }
 
-/* Compute the series of net moment and E from E at the beginning of a step. */
-INLINE void find_series(Batch *b, int top)
+/* Compute the series of start + sine sin(x) + vers (1 - cos(x)). */
+INLINE void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
+{
+    p[0] = start;
+    p[1] = sine;
+    p[2] = 0.5 * vers;
+    for (int n = 3; n <= top; n++) {
+        p[n] = (-p[n - 2]) * (b->inverse[n] * b->inverse[n - 1]);
+    }
+}
+
+/* Compute the series of E and of the net moment, from E at the beginning of the phase. */
+INLINE void expand_energy(Batch *b, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V *e = b->r + job->role->omega;
     V *net = b->r + job->role->net;
     V weight[STRIDE];
-    V loss[STRIDE];
-    int degree = find_loss(b, loss);
-    const Pair lag_versine = turned(c[X]);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    V sine = c[job->role->net_sine] + (loss[0] * c[job->role->net_loss_sine]);
-    V vers = c[job->role->net_vers] + (loss[0] * c[job->role->net_loss_vers]);
-    V square = c[job->role->net_square] + (loss[0] * c[job->role->net_loss_square]);
-    V constant = c[job->role->drive] + (loss[0] * c[job->role->net_loss]);
-    V load = 1.0 * c[job->role->net_loss];
-    V odd = c[X] - lag;
-    V even = 1.0 - versine;
+    e[0] = c[OMEGA];
+    expand_force(b, net, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], top);
+    expand_force(b, weight, c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], top);
     for (int n = 0; n <= top - 1; n++) {
-        V turned_part = (sine * odd) + (vers * versine);
-        V whole = (constant + turned_part) + (square * e[n]);
-        if (degree > 0) {
-            V turned_load = (c[job->role->net_loss_sine] * odd) + (c[job->role->net_loss_vers] * versine);
-            weight[n] = (load + turned_load) + (c[job->role->net_loss_square] * e[n]);
-        }
-        int most = degree < n ? degree : n;
-        for (int k = 1; k <= most; k++) {
-            whole = whole + (loss[k] * weight[n - k]);
+        weight[n] = weight[n] + (c[job->role->net_loss_square] * e[n]);
+        V whole = net[n] + (c[job->role->net_square] * e[n]);
+        for (int t = 0; t < job->tables; t++) {
+            int most = job->table[t].degree < n ? job->table[t].degree : n;
+            for (int k = 1; k <= most; k++) {
+                whole = whole + (c[job->table[t].cell + Q1 + k - 1] * weight[n - k]);
+            }
         }
         net[n] = whole;
         e[n + 1] = (2.0 * whole) * b->inverse[n + 1];
-        V odd_before = odd;
-        odd = even * b->inverse[n + 1];
-        even = (-odd_before) * b->inverse[n + 1];
-        versine = -even;
-        constant = broadcast(0.0);
-        load = broadcast(0.0);
     }
 }
 
-/* Set the order of each lane's series, without last terms that are negligible within the step. */
-INLINE void keep_significant(Batch *b, M which, int top)
+/* Remove the last terms of each lane's series if they are negligible in the step, and return the highest order. */
+INLINE int keep_significant(Batch *b, M which, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V *e = b->r + job->role->omega;
-    V power = c[STEP] * c[STEP];
-    power = power * c[STEP];
+    V power = (c[STEP] * c[STEP]) * c[STEP];
     V last = broadcast(3.0);
     for (int n = 4; n <= top; n++) {
         power = power * c[STEP];
@@ -3252,91 +3231,48 @@ INLINE void keep_significant(Batch *b, M which, int top)
         c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
         last = pick(counts, broadcast((double)n), last);
     }
-    M converges = last < (c[ORDER] - 1.0);
-    last = pick(converges, last, c[ORDER]);
-    c[SERIES_ORDER] = pick(which, last, broadcast(3.0));
-}
-
-/* Set the coefficients beyond each lane's order to zero, and return the highest order. */
-INLINE int truncate(Batch *b, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V order = c[SERIES_ORDER];
+    V order = pick(last < (c[ORDER] - 1.0), last, c[ORDER]);
+    order = pick(which, order, broadcast(3.0));
     int highest = greatest(order);
-    if (!all_lanes(order == (double)highest)) {
-        for (int n = least(order); n <= highest - 1; n++) {
-            M within = order > (double)n;
-            (b->r + job->role->net)[n] = pick(within, (b->r + job->role->net)[n], broadcast(0.0));
-            (b->r + job->role->omega)[n + 1] = pick(within, (b->r + job->role->omega)[n + 1], broadcast(0.0));
-        }
-    }
+    cut(b, order, highest);
+    c[SERIES_ORDER] = order;
     return highest;
-}
-
-/* Return whether friction is constant or a table of slip, and no force but weight depends on the rotation. */
-INLINE int has_recurrence(Batch *b)
-{
-    const Job *const job = b->job;
-    return HAS_CLOSED_FORM(job->role) && !SOFTENS(job->role);
 }
 
 /* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. */
 INLINE int expand_by_recurrence(Batch *b, V room, M which)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
-    (b->r + job->role->omega)[0] = c[OMEGA];
-    V order = pick(which, c[ORDER], broadcast(3.0));
-    int top = greatest(order);
-    find_series(b, top);
+    int top = greatest(pick(which, c[ORDER], broadcast(3.0)));
+    expand_energy(b, top);
     c[STEP] = look_for_end(b, room);
-    keep_significant(b, which, top);
-    return truncate(b, top);
-}
-
-/* Compute the series of the normal force and of the dip, whose roots are lift-off and an upright chord. */
-INLINE void expand_contact(Batch *b, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V *e = b->r + job->role->omega;
-    const Pair lag_versine = turned(c[X]);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    V odd = c[X] - lag;
-    V even = 1.0 - versine;
-    V force = 1.0 * c[job->role->normal0];
-    V dip = 1.0 * c[job->role->normal_load];
-    for (int n = 0; n <= top - 1; n++) {
-        V turned_force = (c[job->role->normal_sine] * odd) + (c[job->role->normal_vers] * versine);
-        if (job->role->normal >= 0) {
-            (b->r + job->role->normal)[n] = (force + turned_force) + (c[job->role->normal_square] * e[n]);
-        }
-        if (job->role->upright >= 0) {
-            (b->r + job->role->upright)[n] = dip + ((c[job->role->upright_sine] * odd) + (c[job->role->upright_vers] * versine));
-        }
-        V odd_before = odd;
-        odd = even * b->inverse[n + 1];
-        even = (-odd_before) * b->inverse[n + 1];
-        versine = -even;
-        force = broadcast(0.0);
-        dip = broadcast(0.0);
-    }
+    return keep_significant(b, which, top);
 }
 
 /* Return lanes that may lift off or whose chord may become upright in a step, after computing these series. */
 INLINE M may_lose_contact(Batch *b, M here, int top)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
-    const Pair lag_versine = turned(c[X] + c[STEP]);
-    V lag = lag_versine.one, versine = lag_versine.other;
     V f[STRIDE];
-    f[0] = c[X] + c[STEP];
+    const Pair lag_versine = turned(c[STEP]);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    f[0] = c[STEP];
     f[2] = versine;
     f[3] = lag;
     M unsure = here & ~((c[LIFTED] == 0.0) & stays_in_contact(b, f));
     if (bits(unsure)) {
-        expand_contact(b, top);
+        if (job->role->normal >= 0) {
+            V *normal = b->r + job->role->normal;
+            expand_force(b, normal, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], top);
+            for (int n = 0; n <= top - 1; n++) {
+                normal[n] = normal[n] + (c[job->role->normal_square] * (b->r + job->role->omega)[n]);
+            }
+        }
+        if (job->role->upright >= 0) {
+            expand_force(b, b->r + job->role->upright, c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], top);
+        }
+        cut(b, c[SERIES_ORDER], top);
     }
     return unsure;
 }
@@ -3904,6 +3840,9 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
     c[OMEGA] = pick(here, sqrt_of(maximum(square, broadcast(0.0))), c[OMEGA]);
     M goes_on = (M){0};
     arrive(b, here, until, rate, steady, goes_on, goes_on);
+    if (has_recurrence(b)) {
+        enter_phase(b, here & uneventful, rate);
+    }
 }
 
 /* Make one step of moving lanes in powers of the rotation. If its duration is uncertain or extremely short, or

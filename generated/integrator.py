@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 76e2e624c82865c184f5ce8c3344cdb93b8ae580af512ebaf9da220a772b3a06
+# sha256 of the text below: fded627aee796da2054bbfd8fb41aedb398b7ee52f1a964b5abd89bf660b5d0c
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -964,8 +964,9 @@ def is_negligible(s: Lanes, term: Floats, largest: Floats) -> Mask:
 
 def cut(s: Lanes, order: Floats, top: int) -> None:
     """Truncate the series that events use at each lane's order."""
-    for n in range(top - 1 + 1):
+    for n in range(least(order), top - 1 + 1):
         within = order > float(n)
+        s.registers[s.roles.omega][n + 1] = np.where(within, s.registers[s.roles.omega][n + 1], 0.0)
         s.registers[s.roles.net][n] = np.where(within, s.registers[s.roles.net][n], 0.0)
         if s.roles.normal >= 0:
             s.registers[s.roles.normal][n] = np.where(within, s.registers[s.roles.normal][n], 0.0)
@@ -1843,63 +1844,45 @@ def reverse(f: Floats, q: Floats) -> None:
     f[1] = rest / faded_by
 
 
-def find_loss(s: Lanes, loss: Floats) -> int:
-    """Compute the change of friction since the phase began, a polynomial of the path ahead, and return its degree."""
-    c = s.cells
-    degree = 0
-    loss[0] = 0.0
-    for t in s.tables:
-        degree = t.degree
-        for k in range(1, degree + 1):
-            loss[k] = c[t.cells + ix.Q1 + (k - 1)]
-    if np.any(c[ix.X] > 0.0):
-        for first in range(degree - 1 + 1):
-            for k in range(degree - 1, first - 1, -1):
-                loss[k] = loss[k] + c[ix.X] * loss[k + 1]
-    return degree
+def has_recurrence(s: Lanes) -> int:
+    """Return whether the net moment has this form."""
+    return s.roles.net_sine >= 0 and (not s.roles.loss_rate >= 0)
 
 
-def find_series(s: Lanes, top: int) -> None:
-    """Compute the series of net moment and E from E at the beginning of a step."""
+def expand_force(s: Lanes, p: Floats, start: Floats, sine: Floats, vers: Floats, top: int) -> None:
+    """Compute the series of start + sine sin(x) + vers (1 - cos(x))."""
+    p[0] = start
+    p[1] = sine
+    p[2] = 0.5 * vers
+    for n in range(3, top + 1):
+        p[n] = -p[n - 2] * (1.0 / n * (1.0 / (n - 1)))
+
+
+def expand_energy(s: Lanes, top: int) -> None:
+    """Compute the series of E and of the net moment, from E at the beginning of the phase."""
     c = s.cells
     e = s.registers[s.roles.omega]
     net = s.registers[s.roles.net]
     weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    loss = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    degree = find_loss(s, loss)
-    lag, versine = turned(c[ix.X])
-    sine = c[s.roles.net_sine] + loss[0] * c[s.roles.net_loss_sine]
-    vers = c[s.roles.net_vers] + loss[0] * c[s.roles.net_loss_vers]
-    square = c[s.roles.net_square] + loss[0] * c[s.roles.net_loss_square]
-    constant = c[s.roles.drive] + loss[0] * c[s.roles.net_loss]
-    load = 1.0 * c[s.roles.net_loss]
-    odd = c[ix.X] - lag
-    even = 1.0 - versine
+    e[0] = c[ix.OMEGA]
+    expand_force(s, net, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], top)
+    expand_force(s, weight, c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], top)
     for n in range(top - 1 + 1):
-        turned_part = sine * odd + vers * versine
-        whole = constant + turned_part + square * e[n]
-        if degree > 0:
-            turned_load = c[s.roles.net_loss_sine] * odd + c[s.roles.net_loss_vers] * versine
-            weight[n] = load + turned_load + c[s.roles.net_loss_square] * e[n]
-        most = min(degree, n)
-        for k in range(1, most + 1):
-            whole = whole + loss[k] * weight[n - k]
+        weight[n] = weight[n] + c[s.roles.net_loss_square] * e[n]
+        whole = net[n] + c[s.roles.net_square] * e[n]
+        for t in s.tables:
+            most = min(t.degree, n)
+            for k in range(1, most + 1):
+                whole = whole + c[t.cells + ix.Q1 + (k - 1)] * weight[n - k]
         net[n] = whole
         e[n + 1] = 2.0 * whole * (1.0 / (n + 1))
-        odd_before = odd
-        odd = even * (1.0 / (n + 1))
-        even = -odd_before * (1.0 / (n + 1))
-        versine = -even
-        constant = 0.0
-        load = 0.0
 
 
-def keep_significant(s: Lanes, which: Mask, top: int) -> None:
-    """Set the order of each lane's series, without last terms that are negligible within the step."""
+def keep_significant(s: Lanes, which: Mask, top: int) -> int:
+    """Remove the last terms of each lane's series if they are negligible in the step, and return the highest order."""
     c = s.cells
     e = s.registers[s.roles.omega]
-    power = c[ix.STEP] * c[ix.STEP]
-    power = power * c[ix.STEP]
+    power = c[ix.STEP] * c[ix.STEP] * c[ix.STEP]
     last: Floats = 3.0
     for n in range(4, top + 1):
         power = power * c[ix.STEP]
@@ -1907,75 +1890,42 @@ def keep_significant(s: Lanes, which: Mask, top: int) -> None:
         counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
         c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
         last = np.where(counts, float(n), last)
-    converges = last < c[ix.ORDER] - 1.0
-    last = np.where(converges, last, c[ix.ORDER])
-    c[ix.SERIES_ORDER] = np.where(which, last, 3.0)
-
-
-def truncate(s: Lanes, top: int) -> int:
-    """Set the coefficients beyond each lane's order to zero, and return the highest order."""
-    c = s.cells
-    order = c[ix.SERIES_ORDER].copy()
+    order = np.where(last < c[ix.ORDER] - 1.0, last, c[ix.ORDER])
+    order = np.where(which, order, 3.0)
     highest = greatest(order)
-    if not all_lanes(order == float(highest)):
-        for n in range(least(order), highest - 1 + 1):
-            within = order > float(n)
-            s.registers[s.roles.net][n] = np.where(within, s.registers[s.roles.net][n], 0.0)
-            s.registers[s.roles.omega][n + 1] = np.where(within, s.registers[s.roles.omega][n + 1], 0.0)
+    cut(s, order, highest)
+    c[ix.SERIES_ORDER] = order
     return highest
-
-
-def has_recurrence(s: Lanes) -> int:
-    """Return whether friction is constant or a table of slip, and no force but weight depends on the rotation."""
-    return s.roles.net_sine >= 0 and (not s.roles.loss_rate >= 0)
 
 
 def expand_by_recurrence(s: Lanes, room: Floats, which: Mask) -> int:
     """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
     c = s.cells
-    s.registers[s.roles.omega][0] = c[ix.OMEGA]
-    order = np.where(which, c[ix.ORDER], 3.0)
-    top = greatest(order)
-    find_series(s, top)
+    top = greatest(np.where(which, c[ix.ORDER], 3.0))
+    expand_energy(s, top)
     c[ix.STEP] = look_for_end(s, room)
-    keep_significant(s, which, top)
-    return truncate(s, top)
-
-
-def expand_contact(s: Lanes, top: int) -> None:
-    """Compute the series of the normal force and of the dip, whose roots are lift-off and an upright chord."""
-    c = s.cells
-    e = s.registers[s.roles.omega]
-    lag, versine = turned(c[ix.X])
-    odd = c[ix.X] - lag
-    even = 1.0 - versine
-    force = 1.0 * c[s.roles.normal0]
-    dip = 1.0 * c[s.roles.normal_load]
-    for n in range(top - 1 + 1):
-        turned_force = c[s.roles.normal_sine] * odd + c[s.roles.normal_vers] * versine
-        if s.roles.normal >= 0:
-            s.registers[s.roles.normal][n] = force + turned_force + c[s.roles.normal_square] * e[n]
-        if s.roles.upright >= 0:
-            s.registers[s.roles.upright][n] = dip + (c[s.roles.upright_sine] * odd + c[s.roles.upright_vers] * versine)
-        odd_before = odd
-        odd = even * (1.0 / (n + 1))
-        even = -odd_before * (1.0 / (n + 1))
-        versine = -even
-        force = 0.0
-        dip = 0.0
+    return keep_significant(s, which, top)
 
 
 def may_lose_contact(s: Lanes, here: Mask, top: int) -> Mask:
     """Return lanes that may lift off or whose chord may become upright in a step, after computing these series."""
     c = s.cells
-    lag, versine = turned(c[ix.X] + c[ix.STEP])
     f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    f[0] = c[ix.X] + c[ix.STEP]
+    lag, versine = turned(c[ix.STEP])
+    f[0] = c[ix.STEP]
     f[2] = versine
     f[3] = lag
     unsure = here & np.logical_not((c[ix.LIFTED] == 0.0) & stays_in_contact(s, f))
     if np.any(unsure):
-        expand_contact(s, top)
+        if s.roles.normal >= 0:
+            normal = s.registers[s.roles.normal]
+            expand_force(s, normal, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], top)
+            for n in range(top - 1 + 1):
+                normal[n] = normal[n] + c[s.roles.normal_square] * s.registers[s.roles.omega][n]
+        if s.roles.upright >= 0:
+            expand_force(s, s.registers[s.roles.upright], c[s.roles.normal_load], c[s.roles.upright_sine],
+                c[s.roles.upright_vers], top)
+        cut(s, c[ix.SERIES_ORDER], top)
     return unsure
 
 
@@ -2439,6 +2389,8 @@ def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until
     c[ix.OMEGA] = np.where(here, np.sqrt(np.maximum(square, 0.0)), c[ix.OMEGA])
     goes_on = none_of(s)
     arrive(s, here, until, rate, steady, goes_on, goes_on)
+    if has_recurrence(s):
+        enter_phase(s, here & uneventful, rate)
 
 
 def turn_on(s: Lanes, here: Mask) -> None:

@@ -37,7 +37,7 @@ from derive.flow.integrator.phases import keep_faster
 from derive.flow.integrator.recurrence import expand_by_recurrence, has_recurrence
 from derive.flow.integrator.roots import falling_root, increment, value, value_and_slope
 from derive.flow.integrator.series import expand
-from derive.flow.integrator.step import arrive, choose_step, find_events
+from derive.flow.integrator.step import arrive, choose_step, enter_phase, find_events
 
 LONGEST = 1.0  # of a step
 REACH = 4.0  # greatest step over the distance of a second rest behind
@@ -199,6 +199,8 @@ def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
     s.omega = sqrt(maximum(square, 0.0))
     goes_on = none_of(s)
     arrive(s, here, until, rate, steady, goes_on, goes_on)
+    if has_recurrence(s):
+        enter_phase(s, here and uneventful, rate)
 
 
 def turn_on(s: Lanes, here: M) -> None:

@@ -114,8 +114,9 @@ def is_negligible(s: Lanes, term: V, largest: V) -> M:
 
 def cut(s: Lanes, order: V, top: N) -> None:
     """Truncate the series that events use at each lane's order."""
-    for n in up(0, top - 1):
+    for n in up(least(order), top - 1):
         within = order > number(n)
+        s.series.omega[n + 1] = where(within, s.series.omega[n + 1], 0.0)
         s.series.net[n] = where(within, s.series.net[n], 0.0)
         if s.has.normal:
             s.series.normal[n] = where(within, s.series.normal[n], 0.0)
