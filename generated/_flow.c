@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "d4c405344ecc6ae432da4cb7e838302de7059ddc84ba9d9b7d150c61251d7fcd"
+#define DIGEST "a76b856f6157b929a10751f6eff1990b8244cf83cf815f66dfbc2b0a64f74a95"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1457,11 +1457,6 @@ static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.0534934727794
 #define SIXTH 0x1.5555555555555p-3
 #define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
-#define FARTHEST 0x1.91eb851eb851fp+1
-#define LAST 7
-static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
-static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
-static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
 #define FAR 0x1.7e43c8800759cp+996
 #define LONGEST 0x1.0000000000000p+0
 #define REACH 0x1.0000000000000p+2
@@ -1473,6 +1468,10 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define CLOSER 0x1.0000000000000p-25
 #define MOST_HALVINGS 30
 #define BRIEFEST 0x1.ad7f29abcaf48p-24
+#define LAST 7
+static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
+static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
+static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
 #define HALF 12
 #define LEAST 0x1.bff2ee48e0530p-333
 #define SHIFT 5
@@ -1495,6 +1494,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define SINE 16
 #define VERS 24
 #define PI 0x1.921fb54442d18p+1
+#define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
 #define CLEAR 0x1.47ae147ae147bp-7
@@ -3021,262 +3021,6 @@ static M slide_together(Batch *b, M here, int t)
     return forward & ~there;
 }
 
-/* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
-INLINE Pair turned(V x)
-{
-    V h = 0.25 * x;
-    V square = h * h;
-    V lag = broadcast(LAG[LAST]);
-    V versine = broadcast(VERSINE[LAST]);
-    for (int k = LAST - 1; k >= 0; k--) {
-        lag = (lag * square) + LAG[k];
-        versine = (versine * square) + VERSINE[k];
-    }
-    lag = (lag * square) * h;
-    versine = versine * square;
-    for (int _ = 1; _ <= 2; _++) {
-        V sine = h - lag;
-        V change = sine * versine;
-        lag = 2.0 * (lag + change);
-        versine = 2.0 * (sine * sine);
-        h = 2.0 * h;
-    }
-    return (Pair){lag, versine};
-}
-
-/* Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice. */
-INLINE V faded(V y)
-{
-    V h = 0.25 * y;
-    V part = broadcast(FADING[2 * LAST]);
-    for (int k = (2 * LAST) - 1; k >= 0; k--) {
-        part = (part * h) + FADING[k];
-    }
-    for (int _ = 1; _ <= 2; _++) {
-        V lost = 1.0 - (h * part);
-        V square = lost * lost;
-        part = (0.5 * part) + (0.25 * square);
-        h = 2.0 * h;
-    }
-    return part;
-}
-
-/* Compute the factors of E, followed by q. */
-INLINE void factors(V *e, V drive, V sine, V vers, V q)
-{
-    V square = q * q;
-    V share = 2.0 / (1.0 + square);
-    e[0] = 2.0 * drive;
-    e[3] = share * (vers - (sine * q));
-    e[2] = share * (sine + (vers * q));
-    e[1] = (-q) * (e[3] + e[0]);
-    e[4] = q;
-}
-
-/* Compute the four functions of which E is the sum. */
-INLINE void functions(V *f, V x, V q)
-{
-    const Pair lag_versine = turned(x);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    f[0] = x;
-    f[1] = (x * x) * faded(q * x);
-    f[2] = versine;
-    f[3] = lag;
-}
-
-/* Return E from its factors and its functions. */
-INLINE V energy(V *e, V *f)
-{
-    V faded_part = e[1] * f[1];
-    V turned_part = (e[2] * f[2]) + (e[3] * f[3]);
-    return (e[0] * f[0]) + (faded_part + turned_part);
-}
-
-/* Return the derivative of E. */
-INLINE V slope_of(V *e, V *f)
-{
-    V sine = f[0] - f[3];
-    V lost = f[0] - (e[4] * f[1]);
-    V faded_part = e[1] * lost;
-    V turned_part = (e[2] * sine) + (e[3] * f[2]);
-    return e[0] + (faded_part + turned_part);
-}
-
-/* Return the second derivative of E. */
-INLINE V bend_of(V *e, V *f)
-{
-    V sine = f[0] - f[3];
-    V cosine = 1.0 - f[2];
-    V lost = f[0] - (e[4] * f[1]);
-    V kept = 1.0 - (e[4] * lost);
-    V faded_part = e[1] * kept;
-    V turned_part = (e[2] * cosine) + (e[3] * sine);
-    return faded_part + turned_part;
-}
-
-/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
-INLINE V force_at(V start, V sine, V vers, V *f)
-{
-    V sine_there = sine * (f[0] - f[3]);
-    return start + (sine_there + (vers * f[2]));
-}
-
-/* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
- * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
-INLINE M stays_positive(V start, V sine, V vers, V *f)
-{
-    V at_end = force_at(start, sine, vers, f);
-    V cosine = 1.0 - f[2];
-    V change = sine * (f[0] - f[3]);
-    M concave = (vers <= 0.0) & ((vers * cosine) <= change);
-    return (start > 0.0) & (at_end > 0.0) & concave;
-}
-
-/* Return whether masses certainly stay pressed on the slip surface, with the chord not upright, up to a rotation.
- * ``f`` has the functions of E there. */
-INLINE M stays_in_contact(Batch *b, V *f)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    M upright = stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
-    M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
-    return (f[0] < FARTHEST) & (c[job->role->normal_square] >= 0.0) & upright & pressed;
-}
-
-/* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
- * are stored from place ``first`` on; ``f`` are the four functions at the end. */
-INLINE void look_back(V *back, int first, V drive, V sine, V vers, V *f)
-{
-    V sine_end = f[0] - f[3];
-    V cosine = 1.0 - f[2];
-    V change = (sine * sine_end) + (vers * f[2]);
-    back[first] = -(drive + change);
-    back[first + 1] = (sine * cosine) + (vers * sine_end);
-    back[first + 2] = (sine * sine_end) - (vers * cosine);
-}
-
-/* Compute the factors of E about the end of a phase, from the four functions there. */
-INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
-{
-    look_back(back, 0, drive, sine, vers, f);
-    factors(back, back[0], back[1], back[2], -q);
-}
-
-/* Replace the functions for q by those for -q. */
-INLINE void reverse(V *f, V q)
-{
-    V y = q * f[0];
-    V bend = (q * q) * f[1];
-    V faded_by = (1.0 - y) + bend;
-    V square = f[0] * f[0];
-    V rest = (square - f[1]) - (y * f[1]);
-    f[1] = rest / faded_by;
-}
-
-/* Return whether the net moment has this form. */
-INLINE int has_recurrence(Batch *b)
-{
-    const Job *const job = b->job;
-    return HAS_CLOSED_FORM(job->role) && !SOFTENS(job->role);
-}
-
-/* Compute the series of start + sine sin(x) + vers (1 - cos(x)). */
-INLINE void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
-{
-    p[0] = start;
-    p[1] = sine;
-    p[2] = 0.5 * vers;
-    for (int n = 3; n <= top; n++) {
-        p[n] = (-p[n - 2]) * (b->inverse[n] * b->inverse[n - 1]);
-    }
-}
-
-/* Compute the series of E and of the net moment, from E at the beginning of the phase. */
-INLINE void expand_energy(Batch *b, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V *e = b->r + job->role->omega;
-    V *net = b->r + job->role->net;
-    V weight[STRIDE];
-    e[0] = c[OMEGA];
-    expand_force(b, net, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], top);
-    expand_force(b, weight, c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], top);
-    for (int n = 0; n <= top - 1; n++) {
-        weight[n] = weight[n] + (c[job->role->net_loss_square] * e[n]);
-        V whole = net[n] + (c[job->role->net_square] * e[n]);
-        for (int t = 0; t < job->tables; t++) {
-            int most = job->table[t].degree < n ? job->table[t].degree : n;
-            for (int k = 1; k <= most; k++) {
-                whole = whole + (c[job->table[t].cell + Q1 + k - 1] * weight[n - k]);
-            }
-        }
-        net[n] = whole;
-        e[n + 1] = (2.0 * whole) * b->inverse[n + 1];
-    }
-}
-
-/* Remove the last terms of each lane's series if they are negligible in the step, and return the highest order. */
-INLINE int keep_significant(Batch *b, M which, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V *e = b->r + job->role->omega;
-    V power = (c[STEP] * c[STEP]) * c[STEP];
-    V last = broadcast(3.0);
-    for (int n = 4; n <= top; n++) {
-        power = power * c[STEP];
-        V term = magnitude(e[n]) * power;
-        M counts = ~is_negligible(b, term, c[LARGEST_OMEGA]);
-        c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
-        last = pick(counts, broadcast((double)n), last);
-    }
-    V order = pick(last < (c[ORDER] - 1.0), last, c[ORDER]);
-    order = pick(which, order, broadcast(3.0));
-    int highest = greatest(order);
-    cut(b, order, highest);
-    c[SERIES_ORDER] = order;
-    return highest;
-}
-
-/* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. */
-INLINE int expand_by_recurrence(Batch *b, V room, M which)
-{
-    V *const c = b->c;
-    int top = greatest(pick(which, c[ORDER], broadcast(3.0)));
-    expand_energy(b, top);
-    c[STEP] = look_for_end(b, room);
-    return keep_significant(b, which, top);
-}
-
-/* Return lanes that may lift off or whose chord may become upright in a step, after computing these series. */
-INLINE M may_lose_contact(Batch *b, M here, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V f[STRIDE];
-    const Pair lag_versine = turned(c[STEP]);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    f[0] = c[STEP];
-    f[2] = versine;
-    f[3] = lag;
-    M unsure = here & ~((c[LIFTED] == 0.0) & stays_in_contact(b, f));
-    if (bits(unsure)) {
-        if (job->role->normal >= 0) {
-            V *normal = b->r + job->role->normal;
-            expand_force(b, normal, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], top);
-            for (int n = 0; n <= top - 1; n++) {
-                normal[n] = normal[n] + (c[job->role->normal_square] * (b->r + job->role->omega)[n]);
-            }
-        }
-        if (job->role->upright >= 0) {
-            expand_force(b, b->r + job->role->upright, c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], top);
-        }
-        cut(b, c[SERIES_ORDER], top);
-    }
-    return unsure;
-}
-
 /* Begin another phase in motion: lanes enter another piece of a table, are lifted or land. */
 INLINE void enter_phase(Batch *b, M here, V rate)
 {
@@ -3470,9 +3214,6 @@ static void find_standstill(Batch *b, M here, int top)
 static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M passed, int event)
 {
     V *const c = b->c;
-    if (!bits(here)) {
-        return;
-    }
     M asked = here & may_cross(p, n, c[STEP], sign, constant, passed);
     if (bits(asked)) {
         V e[STRIDE];
@@ -3515,12 +3256,8 @@ static void find_events(Batch *b, M here, int top, int by_rotation)
     V *const c = b->c;
     c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     find_standstill(b, here, top);
-    M exposed = here;
-    if (by_rotation && has_recurrence(b)) {
-        exposed = may_lose_contact(b, here, top);
-    }
     if (job->role->upright >= 0) {
-        find_crossing(b, exposed, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
+        find_crossing(b, here, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
     }
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind != OF_TIME) {
@@ -3537,7 +3274,7 @@ static void find_events(Batch *b, M here, int top, int by_rotation)
     if (job->role->normal >= 0) {
         V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
         M passed = c[PASSED] == (double)LIFT;
-        find_crossing(b, exposed, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
+        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
     }
 }
 
@@ -3666,6 +3403,92 @@ static void make_step(Batch *b, M here)
     advance_states(b, here, top);
     rate = per_time(b, rate, c[OMEGA]);
     arrive(b, here, until, rate, steady, at_limit, endless);
+}
+
+/* Return whether the net moment has this form. */
+INLINE int has_recurrence(Batch *b)
+{
+    const Job *const job = b->job;
+    return HAS_CLOSED_FORM(job->role) && !SOFTENS(job->role);
+}
+
+/* Compute the series of start + sine sin(x) + vers (1 - cos(x)). */
+INLINE void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
+{
+    p[0] = start;
+    p[1] = sine;
+    p[2] = 0.5 * vers;
+    for (int n = 3; n <= top; n++) {
+        p[n] = (-p[n - 2]) * (b->inverse[n] * b->inverse[n - 1]);
+    }
+}
+
+/* Compute the series of all registers that events use from E at the beginning of the phase. */
+INLINE void expand_energy(Batch *b, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V *net = b->r + job->role->net;
+    V weight[STRIDE];
+    e[0] = c[OMEGA];
+    expand_force(b, net, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], top);
+    expand_force(b, weight, c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], top);
+    for (int n = 0; n <= top - 1; n++) {
+        weight[n] = weight[n] + (c[job->role->net_loss_square] * e[n]);
+        V whole = net[n] + (c[job->role->net_square] * e[n]);
+        for (int t = 0; t < job->tables; t++) {
+            int most = job->table[t].degree < n ? job->table[t].degree : n;
+            for (int k = 1; k <= most; k++) {
+                whole = whole + (c[job->table[t].cell + Q1 + k - 1] * weight[n - k]);
+            }
+        }
+        net[n] = whole;
+        e[n + 1] = (2.0 * whole) * b->inverse[n + 1];
+    }
+    if (job->role->normal >= 0) {
+        V *normal = b->r + job->role->normal;
+        expand_force(b, normal, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], top);
+        for (int n = 0; n <= top - 1; n++) {
+            normal[n] = normal[n] + (c[job->role->normal_square] * e[n]);
+        }
+    }
+    if (job->role->upright >= 0) {
+        expand_force(b, b->r + job->role->upright, c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], top);
+    }
+}
+
+/* Remove the last terms of each lane's series if they are negligible in the step, and return the highest order. */
+INLINE int keep_significant(Batch *b, M which, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V power = (c[STEP] * c[STEP]) * c[STEP];
+    V last = broadcast(3.0);
+    for (int n = 4; n <= top; n++) {
+        power = power * c[STEP];
+        V term = magnitude(e[n]) * power;
+        M counts = ~is_negligible(b, term, c[LARGEST_OMEGA]);
+        c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
+        last = pick(counts, broadcast((double)n), last);
+    }
+    V order = pick(last < (c[ORDER] - 1.0), last, c[ORDER]);
+    order = pick(which, order, broadcast(3.0));
+    int highest = greatest(order);
+    cut(b, order, highest);
+    c[SERIES_ORDER] = order;
+    return highest;
+}
+
+/* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. */
+INLINE int expand_by_recurrence(Batch *b, V room, M which)
+{
+    V *const c = b->c;
+    int top = greatest(pick(which, c[ORDER], broadcast(3.0)));
+    expand_energy(b, top);
+    c[STEP] = look_for_end(b, room);
+    return keep_significant(b, which, top);
 }
 
 /* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain. E
@@ -3881,6 +3704,129 @@ static void turn_on(Batch *b, M here)
     if (bits(fits)) {
         complete(b, fits, top, peak, before, until);
     }
+}
+
+/* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
+INLINE Pair turned(V x)
+{
+    V h = 0.25 * x;
+    V square = h * h;
+    V lag = broadcast(LAG[LAST]);
+    V versine = broadcast(VERSINE[LAST]);
+    for (int k = LAST - 1; k >= 0; k--) {
+        lag = (lag * square) + LAG[k];
+        versine = (versine * square) + VERSINE[k];
+    }
+    lag = (lag * square) * h;
+    versine = versine * square;
+    for (int _ = 1; _ <= 2; _++) {
+        V sine = h - lag;
+        V change = sine * versine;
+        lag = 2.0 * (lag + change);
+        versine = 2.0 * (sine * sine);
+        h = 2.0 * h;
+    }
+    return (Pair){lag, versine};
+}
+
+/* Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice. */
+INLINE V faded(V y)
+{
+    V h = 0.25 * y;
+    V part = broadcast(FADING[2 * LAST]);
+    for (int k = (2 * LAST) - 1; k >= 0; k--) {
+        part = (part * h) + FADING[k];
+    }
+    for (int _ = 1; _ <= 2; _++) {
+        V lost = 1.0 - (h * part);
+        V square = lost * lost;
+        part = (0.5 * part) + (0.25 * square);
+        h = 2.0 * h;
+    }
+    return part;
+}
+
+/* Compute the factors of E, followed by q. */
+INLINE void factors(V *e, V drive, V sine, V vers, V q)
+{
+    V square = q * q;
+    V share = 2.0 / (1.0 + square);
+    e[0] = 2.0 * drive;
+    e[3] = share * (vers - (sine * q));
+    e[2] = share * (sine + (vers * q));
+    e[1] = (-q) * (e[3] + e[0]);
+    e[4] = q;
+}
+
+/* Compute the four functions of which E is the sum. */
+INLINE void functions(V *f, V x, V q)
+{
+    const Pair lag_versine = turned(x);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    f[0] = x;
+    f[1] = (x * x) * faded(q * x);
+    f[2] = versine;
+    f[3] = lag;
+}
+
+/* Return E from its factors and its functions. */
+INLINE V energy(V *e, V *f)
+{
+    V faded_part = e[1] * f[1];
+    V turned_part = (e[2] * f[2]) + (e[3] * f[3]);
+    return (e[0] * f[0]) + (faded_part + turned_part);
+}
+
+/* Return the derivative of E. */
+INLINE V slope_of(V *e, V *f)
+{
+    V sine = f[0] - f[3];
+    V lost = f[0] - (e[4] * f[1]);
+    V faded_part = e[1] * lost;
+    V turned_part = (e[2] * sine) + (e[3] * f[2]);
+    return e[0] + (faded_part + turned_part);
+}
+
+/* Return the second derivative of E. */
+INLINE V bend_of(V *e, V *f)
+{
+    V sine = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V lost = f[0] - (e[4] * f[1]);
+    V kept = 1.0 - (e[4] * lost);
+    V faded_part = e[1] * kept;
+    V turned_part = (e[2] * cosine) + (e[3] * sine);
+    return faded_part + turned_part;
+}
+
+/* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
+ * are stored from place ``first`` on; ``f`` are the four functions at the end. */
+INLINE void look_back(V *back, int first, V drive, V sine, V vers, V *f)
+{
+    V sine_end = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V change = (sine * sine_end) + (vers * f[2]);
+    back[first] = -(drive + change);
+    back[first + 1] = (sine * cosine) + (vers * sine_end);
+    back[first + 2] = (sine * sine_end) - (vers * cosine);
+}
+
+/* Compute the factors of E about the end of a phase, from the four functions there. */
+INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+{
+    look_back(back, 0, drive, sine, vers, f);
+    factors(back, back[0], back[1], back[2], -q);
+}
+
+/* Replace the functions for q by those for -q. */
+INLINE void reverse(V *f, V q)
+{
+    V y = q * f[0];
+    V bend = (q * q) * f[1];
+    V faded_by = (1.0 - y) + bend;
+    V square = f[0] * f[0];
+    V rest = (square - f[1]) - (y * f[1]);
+    f[1] = rest / faded_by;
 }
 
 /* Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning. */
@@ -4267,11 +4213,34 @@ static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
     return x;
 }
 
+/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
+INLINE V force_at(V start, V sine, V vers, V *f)
+{
+    V sine_there = sine * (f[0] - f[3]);
+    return start + (sine_there + (vers * f[2]));
+}
+
+/* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
+ * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
+INLINE M stays_positive(V start, V sine, V vers, V *f)
+{
+    V at_end = force_at(start, sine, vers, f);
+    V cosine = 1.0 - f[2];
+    V change = sine * (f[0] - f[3]);
+    M concave = (vers <= 0.0) & ((vers * cosine) <= change);
+    return (start > 0.0) & (at_end > 0.0) & concave;
+}
+
 /* Return whether phases up to a rotation have the closed form, from the functions of E there. */
 INLINE M has_closed_form(Batch *b, V *f, V q)
 {
-    M faded = (q >= 0.0) & ((q * f[0]) < FADED);
-    return faded & stays_in_contact(b, f);
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V end = f[0];
+    M near = (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED);
+    M upright = stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
+    M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    return near & (c[job->role->normal_square] >= 0.0) & upright & pressed;
 }
 
 /* Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end. */

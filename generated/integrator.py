@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fded627aee796da2054bbfd8fb41aedb398b7ee52f1a964b5abd89bf660b5d0c
+# sha256 of the text below: 634dd8cf41431554ec9d4ae1d1ba156bae82b94673e11b5c35f3baa8beaef2f8
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -379,16 +379,6 @@ SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
 LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
-FARTHEST = 3.14
-LAST = 7
-VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
-    -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
-LAG = (0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06,
-    2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15)
-FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889,
-    -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
-    -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
-    -7.647163731819816e-13, 4.779477332387385e-14)
 FAR = 1e+300
 LONGEST = 1.0
 REACH = 4.0
@@ -400,6 +390,15 @@ FINEST = 18
 CLOSER = 2.9802322387695312e-08
 MOST_HALVINGS = 30
 BRIEFEST = 1e-07
+LAST = 7
+VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
+    -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
+LAG = (0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06,
+    2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15)
+FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889,
+    -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
+    -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
+    -7.647163731819816e-13, 4.779477332387385e-14)
 HALF = 12
 LEAST = 1e-100
 SHIFT = 5
@@ -422,6 +421,7 @@ CONSTANT = 8
 SINE = 16
 VERS = 24
 PI = 3.141592653589793
+FARTHEST = 3.14
 FADED = 2.0
 LAST_OF_HALLEY = 3.814697265625e-06
 CLEAR = 0.01
@@ -1714,221 +1714,6 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     return forward & np.logical_not(there)
 
 
-def turned(x: Floats) -> tuple[Floats, Floats]:
-    """Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice."""
-    h = 0.25 * x
-    square = h * h
-    lag: Floats = LAG[LAST]
-    versine: Floats = VERSINE[LAST]
-    for k in range(LAST - 1, 0 - 1, -1):
-        lag = lag * square + LAG[k]
-        versine = versine * square + VERSINE[k]
-    lag = lag * square * h
-    versine = versine * square
-    for _ in range(1, 2 + 1):
-        sine = h - lag
-        change = sine * versine
-        lag = 2.0 * (lag + change)
-        versine = 2.0 * (sine * sine)
-        h = 2.0 * h
-    return (lag, versine)
-
-
-def faded(y: Floats) -> Floats:
-    """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
-    h = 0.25 * y
-    part: Floats = FADING[2 * LAST]
-    for k in range(2 * LAST - 1, 0 - 1, -1):
-        part = part * h + FADING[k]
-    for _ in range(1, 2 + 1):
-        lost = 1.0 - h * part
-        square = lost * lost
-        part = 0.5 * part + 0.25 * square
-        h = 2.0 * h
-    return part
-
-
-def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> None:
-    """Compute the factors of E, followed by q."""
-    square = q * q
-    share = 2.0 / (1.0 + square)
-    e[0] = 2.0 * drive
-    e[3] = share * (vers - sine * q)
-    e[2] = share * (sine + vers * q)
-    e[1] = -q * (e[3] + e[0])
-    e[4] = q
-
-
-def functions(f: Floats, x: Floats, q: Floats) -> None:
-    """Compute the four functions of which E is the sum."""
-    lag, versine = turned(x)
-    f[0] = x
-    f[1] = x * x * faded(q * x)
-    f[2] = versine
-    f[3] = lag
-
-
-def energy(e: Floats, f: Floats) -> Floats:
-    """Return E from its factors and its functions."""
-    faded_part = e[1] * f[1]
-    turned_part = e[2] * f[2] + e[3] * f[3]
-    return e[0] * f[0] + (faded_part + turned_part)
-
-
-def slope_of(e: Floats, f: Floats) -> Floats:
-    """Return the derivative of E."""
-    sine = f[0] - f[3]
-    lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * lost
-    turned_part = e[2] * sine + e[3] * f[2]
-    return e[0] + (faded_part + turned_part)
-
-
-def bend_of(e: Floats, f: Floats) -> Floats:
-    """Return the second derivative of E."""
-    sine = f[0] - f[3]
-    cosine = 1.0 - f[2]
-    lost = f[0] - e[4] * f[1]
-    kept = 1.0 - e[4] * lost
-    faded_part = e[1] * kept
-    turned_part = e[2] * cosine + e[3] * sine
-    return faded_part + turned_part
-
-
-def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
-    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
-    sine_there = sine * (f[0] - f[3])
-    return start + (sine_there + vers * f[2])
-
-
-def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
-    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
-    at_end = force_at(start, sine, vers, f)
-    cosine = 1.0 - f[2]
-    change = sine * (f[0] - f[3])
-    concave = (vers <= 0.0) & (vers * cosine <= change)
-    return (start > 0.0) & (at_end > 0.0) & concave
-
-
-def stays_in_contact(s: Lanes, f: Floats) -> Mask:
-    """Return whether masses certainly stay pressed on the slip surface, with the chord not upright, up to a rotation."""
-    c = s.cells
-    upright = stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
-    pressed = stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
-    return (f[0] < FARTHEST) & (c[s.roles.normal_square] >= 0.0) & upright & pressed
-
-
-def look_back(back: Floats, first: int, drive: Floats, sine: Floats, vers: Floats, f: Floats) -> None:
-    """Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase."""
-    sine_end = f[0] - f[3]
-    cosine = 1.0 - f[2]
-    change = sine * sine_end + vers * f[2]
-    back[first] = -(drive + change)
-    back[first + 1] = sine * cosine + vers * sine_end
-    back[first + 2] = sine * sine_end - vers * cosine
-
-
-def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
-    """Compute the factors of E about the end of a phase, from the four functions there."""
-    look_back(back, 0, drive, sine, vers, f)
-    factors(back, back[0], back[1], back[2], -q)
-
-
-def reverse(f: Floats, q: Floats) -> None:
-    """Replace the functions for q by those for -q."""
-    y = q * f[0]
-    bend = q * q * f[1]
-    faded_by = 1.0 - y + bend
-    square = f[0] * f[0]
-    rest = square - f[1] - y * f[1]
-    f[1] = rest / faded_by
-
-
-def has_recurrence(s: Lanes) -> int:
-    """Return whether the net moment has this form."""
-    return s.roles.net_sine >= 0 and (not s.roles.loss_rate >= 0)
-
-
-def expand_force(s: Lanes, p: Floats, start: Floats, sine: Floats, vers: Floats, top: int) -> None:
-    """Compute the series of start + sine sin(x) + vers (1 - cos(x))."""
-    p[0] = start
-    p[1] = sine
-    p[2] = 0.5 * vers
-    for n in range(3, top + 1):
-        p[n] = -p[n - 2] * (1.0 / n * (1.0 / (n - 1)))
-
-
-def expand_energy(s: Lanes, top: int) -> None:
-    """Compute the series of E and of the net moment, from E at the beginning of the phase."""
-    c = s.cells
-    e = s.registers[s.roles.omega]
-    net = s.registers[s.roles.net]
-    weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    e[0] = c[ix.OMEGA]
-    expand_force(s, net, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], top)
-    expand_force(s, weight, c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], top)
-    for n in range(top - 1 + 1):
-        weight[n] = weight[n] + c[s.roles.net_loss_square] * e[n]
-        whole = net[n] + c[s.roles.net_square] * e[n]
-        for t in s.tables:
-            most = min(t.degree, n)
-            for k in range(1, most + 1):
-                whole = whole + c[t.cells + ix.Q1 + (k - 1)] * weight[n - k]
-        net[n] = whole
-        e[n + 1] = 2.0 * whole * (1.0 / (n + 1))
-
-
-def keep_significant(s: Lanes, which: Mask, top: int) -> int:
-    """Remove the last terms of each lane's series if they are negligible in the step, and return the highest order."""
-    c = s.cells
-    e = s.registers[s.roles.omega]
-    power = c[ix.STEP] * c[ix.STEP] * c[ix.STEP]
-    last: Floats = 3.0
-    for n in range(4, top + 1):
-        power = power * c[ix.STEP]
-        term = np.abs(e[n]) * power
-        counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
-        c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
-        last = np.where(counts, float(n), last)
-    order = np.where(last < c[ix.ORDER] - 1.0, last, c[ix.ORDER])
-    order = np.where(which, order, 3.0)
-    highest = greatest(order)
-    cut(s, order, highest)
-    c[ix.SERIES_ORDER] = order
-    return highest
-
-
-def expand_by_recurrence(s: Lanes, room: Floats, which: Mask) -> int:
-    """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
-    c = s.cells
-    top = greatest(np.where(which, c[ix.ORDER], 3.0))
-    expand_energy(s, top)
-    c[ix.STEP] = look_for_end(s, room)
-    return keep_significant(s, which, top)
-
-
-def may_lose_contact(s: Lanes, here: Mask, top: int) -> Mask:
-    """Return lanes that may lift off or whose chord may become upright in a step, after computing these series."""
-    c = s.cells
-    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    lag, versine = turned(c[ix.STEP])
-    f[0] = c[ix.STEP]
-    f[2] = versine
-    f[3] = lag
-    unsure = here & np.logical_not((c[ix.LIFTED] == 0.0) & stays_in_contact(s, f))
-    if np.any(unsure):
-        if s.roles.normal >= 0:
-            normal = s.registers[s.roles.normal]
-            expand_force(s, normal, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], top)
-            for n in range(top - 1 + 1):
-                normal[n] = normal[n] + c[s.roles.normal_square] * s.registers[s.roles.omega][n]
-        if s.roles.upright >= 0:
-            expand_force(s, s.registers[s.roles.upright], c[s.roles.normal_load], c[s.roles.upright_sine],
-                c[s.roles.upright_vers], top)
-        cut(s, c[ix.SERIES_ORDER], top)
-    return unsure
-
-
 def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
     """Begin another phase in motion: lanes enter another piece of a table, are lifted or land."""
     c = s.cells
@@ -2090,8 +1875,6 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
         event: int) -> None:
     """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
     c = s.cells
-    if not np.any(here):
-        return
     asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, p.shape[1]))
@@ -2125,11 +1908,8 @@ def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
     c = s.cells
     c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     find_standstill(s, here, top)
-    exposed = here
-    if by_rotation and has_recurrence(s):
-        exposed = may_lose_contact(s, here, top)
     if s.roles.upright >= 0:
-        find_crossing(s, exposed, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
+        find_crossing(s, here, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
     for t in s.tables:
         if t.kind != ix.OF_TIME:
             follows = t.number > 0 and t.kind == ix.OF_ROTATION
@@ -2141,7 +1921,7 @@ def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
     if s.roles.normal >= 0:
         sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
         passed = c[ix.PASSED] == ix.LIFT
-        find_crossing(s, exposed, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
+        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
 
 
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
@@ -2247,6 +2027,77 @@ def make_step(s: Lanes, here: Mask) -> None:
     advance_states(s, here, top)
     rate = per_time(s, rate, c[ix.OMEGA])
     arrive(s, here, until, rate, steady, at_limit, endless)
+
+
+def has_recurrence(s: Lanes) -> int:
+    """Return whether the net moment has this form."""
+    return s.roles.net_sine >= 0 and (not s.roles.loss_rate >= 0)
+
+
+def expand_force(s: Lanes, p: Floats, start: Floats, sine: Floats, vers: Floats, top: int) -> None:
+    """Compute the series of start + sine sin(x) + vers (1 - cos(x))."""
+    p[0] = start
+    p[1] = sine
+    p[2] = 0.5 * vers
+    for n in range(3, top + 1):
+        p[n] = -p[n - 2] * (1.0 / n * (1.0 / (n - 1)))
+
+
+def expand_energy(s: Lanes, top: int) -> None:
+    """Compute the series of all registers that events use from E at the beginning of the phase."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    net = s.registers[s.roles.net]
+    weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    e[0] = c[ix.OMEGA]
+    expand_force(s, net, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], top)
+    expand_force(s, weight, c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], top)
+    for n in range(top - 1 + 1):
+        weight[n] = weight[n] + c[s.roles.net_loss_square] * e[n]
+        whole = net[n] + c[s.roles.net_square] * e[n]
+        for t in s.tables:
+            most = min(t.degree, n)
+            for k in range(1, most + 1):
+                whole = whole + c[t.cells + ix.Q1 + (k - 1)] * weight[n - k]
+        net[n] = whole
+        e[n + 1] = 2.0 * whole * (1.0 / (n + 1))
+    if s.roles.normal >= 0:
+        normal = s.registers[s.roles.normal]
+        expand_force(s, normal, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], top)
+        for n in range(top - 1 + 1):
+            normal[n] = normal[n] + c[s.roles.normal_square] * e[n]
+    if s.roles.upright >= 0:
+        expand_force(s, s.registers[s.roles.upright], c[s.roles.normal_load], c[s.roles.upright_sine],
+            c[s.roles.upright_vers], top)
+
+
+def keep_significant(s: Lanes, which: Mask, top: int) -> int:
+    """Remove the last terms of each lane's series if they are negligible in the step, and return the highest order."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    power = c[ix.STEP] * c[ix.STEP] * c[ix.STEP]
+    last: Floats = 3.0
+    for n in range(4, top + 1):
+        power = power * c[ix.STEP]
+        term = np.abs(e[n]) * power
+        counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
+        c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
+        last = np.where(counts, float(n), last)
+    order = np.where(last < c[ix.ORDER] - 1.0, last, c[ix.ORDER])
+    order = np.where(which, order, 3.0)
+    highest = greatest(order)
+    cut(s, order, highest)
+    c[ix.SERIES_ORDER] = order
+    return highest
+
+
+def expand_by_recurrence(s: Lanes, room: Floats, which: Mask) -> int:
+    """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
+    c = s.cells
+    top = greatest(np.where(which, c[ix.ORDER], 3.0))
+    expand_energy(s, top)
+    c[ix.STEP] = look_for_end(s, room)
+    return keep_significant(s, which, top)
 
 
 def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Floats) -> Floats:
@@ -2423,6 +2274,113 @@ def turn_on(s: Lanes, here: Mask) -> None:
     c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
     if np.any(fits):
         complete(s, fits, top, peak, before, until)
+
+
+def turned(x: Floats) -> tuple[Floats, Floats]:
+    """Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice."""
+    h = 0.25 * x
+    square = h * h
+    lag: Floats = LAG[LAST]
+    versine: Floats = VERSINE[LAST]
+    for k in range(LAST - 1, 0 - 1, -1):
+        lag = lag * square + LAG[k]
+        versine = versine * square + VERSINE[k]
+    lag = lag * square * h
+    versine = versine * square
+    for _ in range(1, 2 + 1):
+        sine = h - lag
+        change = sine * versine
+        lag = 2.0 * (lag + change)
+        versine = 2.0 * (sine * sine)
+        h = 2.0 * h
+    return (lag, versine)
+
+
+def faded(y: Floats) -> Floats:
+    """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
+    h = 0.25 * y
+    part: Floats = FADING[2 * LAST]
+    for k in range(2 * LAST - 1, 0 - 1, -1):
+        part = part * h + FADING[k]
+    for _ in range(1, 2 + 1):
+        lost = 1.0 - h * part
+        square = lost * lost
+        part = 0.5 * part + 0.25 * square
+        h = 2.0 * h
+    return part
+
+
+def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> None:
+    """Compute the factors of E, followed by q."""
+    square = q * q
+    share = 2.0 / (1.0 + square)
+    e[0] = 2.0 * drive
+    e[3] = share * (vers - sine * q)
+    e[2] = share * (sine + vers * q)
+    e[1] = -q * (e[3] + e[0])
+    e[4] = q
+
+
+def functions(f: Floats, x: Floats, q: Floats) -> None:
+    """Compute the four functions of which E is the sum."""
+    lag, versine = turned(x)
+    f[0] = x
+    f[1] = x * x * faded(q * x)
+    f[2] = versine
+    f[3] = lag
+
+
+def energy(e: Floats, f: Floats) -> Floats:
+    """Return E from its factors and its functions."""
+    faded_part = e[1] * f[1]
+    turned_part = e[2] * f[2] + e[3] * f[3]
+    return e[0] * f[0] + (faded_part + turned_part)
+
+
+def slope_of(e: Floats, f: Floats) -> Floats:
+    """Return the derivative of E."""
+    sine = f[0] - f[3]
+    lost = f[0] - e[4] * f[1]
+    faded_part = e[1] * lost
+    turned_part = e[2] * sine + e[3] * f[2]
+    return e[0] + (faded_part + turned_part)
+
+
+def bend_of(e: Floats, f: Floats) -> Floats:
+    """Return the second derivative of E."""
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    lost = f[0] - e[4] * f[1]
+    kept = 1.0 - e[4] * lost
+    faded_part = e[1] * kept
+    turned_part = e[2] * cosine + e[3] * sine
+    return faded_part + turned_part
+
+
+def look_back(back: Floats, first: int, drive: Floats, sine: Floats, vers: Floats, f: Floats) -> None:
+    """Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase."""
+    sine_end = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    change = sine * sine_end + vers * f[2]
+    back[first] = -(drive + change)
+    back[first + 1] = sine * cosine + vers * sine_end
+    back[first + 2] = sine * sine_end - vers * cosine
+
+
+def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    look_back(back, 0, drive, sine, vers, f)
+    factors(back, back[0], back[1], back[2], -q)
+
+
+def reverse(f: Floats, q: Floats) -> None:
+    """Replace the functions for q by those for -q."""
+    y = q * f[0]
+    bend = q * q * f[1]
+    faded_by = 1.0 - y + bend
+    square = f[0] * f[0]
+    rest = square - f[1] - y * f[1]
+    f[1] = rest / faded_by
 
 
 def expand_right_side(s: Lanes, e: Floats, drive: Floats) -> None:
@@ -2754,10 +2712,29 @@ def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> F
     return x
 
 
+def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
+
+
+def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
+    at_end = force_at(start, sine, vers, f)
+    cosine = 1.0 - f[2]
+    change = sine * (f[0] - f[3])
+    concave = (vers <= 0.0) & (vers * cosine <= change)
+    return (start > 0.0) & (at_end > 0.0) & concave
+
+
 def has_closed_form(s: Lanes, f: Floats, q: Floats) -> Mask:
     """Return whether phases up to a rotation have the closed form, from the functions of E there."""
-    faded = (q >= 0.0) & (q * f[0] < FADED)
-    return faded & stays_in_contact(s, f)
+    c = s.cells
+    end = f[0]
+    near = (end < FARTHEST) & (q >= 0.0) & (q * end < FADED)
+    upright = stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
+    pressed = stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    return near & (c[s.roles.normal_square] >= 0.0) & upright & pressed
 
 
 def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k: int) -> None:

@@ -12,9 +12,8 @@ and proves that the functions of this module are this solution.
 
 from math import factorial
 
-from derive.flow.integrator.one_lane import Lanes, M, N, S, V, down, up
+from derive.flow.integrator.one_lane import N, S, V, down, up
 
-FARTHEST = 3.14  # greatest rotation of a phase: net moment and normal force have two zeros in a turn
 LAST = 7  # of the terms of these series
 VERSINE = tuple((-1) ** k / factorial(2 * k + 2) for k in range(LAST + 1))
 LAG = tuple((-1) ** k / factorial(2 * k + 3) for k in range(LAST + 1))
@@ -100,34 +99,6 @@ def bend_of(e: S, f: S) -> V:
     faded_part = e[1] * kept
     turned_part = e[2] * cosine + e[3] * sine
     return faded_part + turned_part
-
-
-def force_at(start: V, sine: V, vers: V, f: S) -> V:
-    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
-    sine_there = sine * (f[0] - f[3])
-    return start + (sine_there + vers * f[2])
-
-
-def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
-    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn.
-
-    A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
-    """
-    at_end = force_at(start, sine, vers, f)
-    cosine = 1.0 - f[2]
-    change = sine * (f[0] - f[3])
-    concave = vers <= 0.0 and vers * cosine <= change
-    return start > 0.0 and at_end > 0.0 and concave
-
-
-def stays_in_contact(s: Lanes, f: S) -> M:
-    """Return whether masses certainly stay pressed on the slip surface, with the chord not upright, up to a rotation.
-
-    ``f`` has the functions of E there.
-    """
-    upright = stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
-    pressed = stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
-    return f[0] < FARTHEST and s.normal_square >= 0.0 and upright and pressed
 
 
 def look_back(back: S, first: N, drive: V, sine: V, vers: V, f: S) -> None:

@@ -10,14 +10,12 @@ polynomial has. E has no singularity, so that a step may be as long as the piece
 with it.
 """
 
-from derive.flow.integrator.energy import stays_in_contact, turned
 from derive.flow.integrator.one_lane import (
     Lanes,
     M,
     N,
     S,
     V,
-    any_lane,
     greatest,
     maximum,
     minimum,
@@ -44,7 +42,7 @@ def expand_force(s: Lanes, p: S, start: V, sine: V, vers: V, top: N) -> None:
 
 
 def expand_energy(s: Lanes, top: N) -> None:
-    """Compute the series of E and of the net moment, from E at the beginning of the phase."""
+    """Compute the series of all registers that events use from E at the beginning of the phase."""
     e = s.series.omega
     net = s.series.net
     weight = new_series()
@@ -60,6 +58,13 @@ def expand_energy(s: Lanes, top: N) -> None:
                 whole = whole + t.coefficients[k - 1] * weight[n - k]
         net[n] = whole
         e[n + 1] = 2.0 * whole * s.inverse[n + 1]
+    if s.has.normal:
+        normal = s.series.normal
+        expand_force(s, normal, s.normal0, s.normal_sine, s.normal_vers, top)
+        for n in up(0, top - 1):
+            normal[n] = normal[n] + s.normal_square * e[n]
+    if s.has.upright:
+        expand_force(s, s.series.upright, s.normal_load, s.upright_sine, s.upright_vers, top)
 
 
 def keep_significant(s: Lanes, which: M, top: N) -> N:
@@ -87,23 +92,3 @@ def expand_by_recurrence(s: Lanes, room: V, which: M) -> N:
     expand_energy(s, top)
     s.step = look_for_end(s, room)
     return keep_significant(s, which, top)
-
-
-def may_lose_contact(s: Lanes, here: M, top: N) -> M:
-    """Return lanes that may lift off or whose chord may become upright in a step, after computing these series."""
-    f = new_series()
-    lag, versine = turned(s.step)
-    f[0] = s.step
-    f[2] = versine
-    f[3] = lag
-    unsure = here and not (s.lifted == 0.0 and stays_in_contact(s, f))
-    if any_lane(unsure):
-        if s.has.normal:
-            normal = s.series.normal
-            expand_force(s, normal, s.normal0, s.normal_sine, s.normal_vers, top)
-            for n in up(0, top - 1):
-                normal[n] = normal[n] + s.normal_square * s.series.omega[n]
-        if s.has.upright:
-            expand_force(s, s.series.upright, s.normal_load, s.upright_sine, s.upright_vers, top)
-        cut(s, s.series_order, top)
-    return unsure

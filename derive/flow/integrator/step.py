@@ -29,7 +29,6 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import advance_origin, face, keep_faster, note_lift_off, update_reach
-from derive.flow.integrator.recurrence import has_recurrence, may_lose_contact
 from derive.flow.integrator.roots import (
     falling_root,
     first_root,
@@ -194,8 +193,6 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
 
 def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M, event: N) -> None:
     """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
-    if not any_lane(here):
-        return
     asked = here and may_cross(p, n, s.step, sign, constant, passed)
     if any_lane(asked):
         e = new_series()
@@ -231,11 +228,8 @@ def find_events(s: Lanes, here: M, top: N, by_rotation: N) -> None:
     """
     s.event = Event.NONE
     find_standstill(s, here, top)
-    exposed = here
-    if by_rotation and has_recurrence(s):
-        exposed = may_lose_contact(s, here, top)
     if s.has.upright:
-        find_crossing(s, exposed, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
+        find_crossing(s, here, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
     for t in s.tables:
         if t.kind != Kind.TIME:
             follows: N = t.number > 0 and t.kind == Kind.ROTATION
@@ -247,7 +241,7 @@ def find_events(s: Lanes, here: M, top: N, by_rotation: N) -> None:
     if s.has.normal:
         sign = where(s.lifted > 0.0, -1.0, 1.0)
         passed = s.passed == Passed.LIFT
-        find_crossing(s, exposed, s.series.normal, top - 1, sign, 0.0, passed, Event.LIFT_OFF)
+        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, passed, Event.LIFT_OFF)
 
 
 def choose_step(s: Lanes, here: M, top: N) -> None:

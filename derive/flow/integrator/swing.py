@@ -8,19 +8,7 @@ A phase is complete if the mass stays pressed on its slip surface, with its chor
 half a turn, and before its end time. All other phases are integrated in time.
 """
 
-from derive.flow.integrator.energy import (
-    FARTHEST,
-    bend_of,
-    energy,
-    factors,
-    force_at,
-    functions,
-    mirror,
-    reverse,
-    slope_of,
-    stays_in_contact,
-    turned,
-)
+from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of, turned
 from derive.flow.integrator.one_lane import (
     ARCSINE,
     COSINES,
@@ -50,6 +38,7 @@ from derive.flow.integrator.softening import duration_of_softening, series_suffi
 from derive.flow.integrator.step import end_motion, on_standstill
 
 PI = 3.141592653589793
+FARTHEST = 3.14  # greatest rotation of a phase: net moment and normal force have two zeros in a turn
 FADED = 2.0  # greatest q x, for which the series of E are complete
 LAST_OF_HALLEY = 2.0**-18  # relative step of Halley's method after which the next one would be below rounding
 CLEAR = 0.01  # excess of resistance over the driving moment, relative to their terms, that is no matter of rounding
@@ -123,10 +112,31 @@ def peak_of_swing(s: Lanes, e: S, x: V, end: V, which: M) -> V:
     return x
 
 
+def force_at(start: V, sine: V, vers: V, f: S) -> V:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
+
+
+def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn.
+
+    A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
+    """
+    at_end = force_at(start, sine, vers, f)
+    cosine = 1.0 - f[2]
+    change = sine * (f[0] - f[3])
+    concave = vers <= 0.0 and vers * cosine <= change
+    return start > 0.0 and at_end > 0.0 and concave
+
+
 def has_closed_form(s: Lanes, f: S, q: V) -> M:
     """Return whether phases up to a rotation have the closed form, from the functions of E there."""
-    faded = q >= 0.0 and q * f[0] < FADED
-    return faded and stays_in_contact(s, f)
+    end = f[0]
+    near = end < FARTHEST and q >= 0.0 and q * end < FADED
+    upright = stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
+    pressed = stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
+    return near and s.normal_square >= 0.0 and upright and pressed
 
 
 def add_node(e: S, back: S, end: V, both: S, odd: S, k: N) -> None:
