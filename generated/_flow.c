@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a76b856f6157b929a10751f6eff1990b8244cf83cf815f66dfbc2b0a64f74a95"
+#define DIGEST "c02ccd2c5a0175e312792b8feed11a13086992950a0648149c519859a8b15f22"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3423,72 +3423,79 @@ INLINE void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
     }
 }
 
-/* Compute the series of all registers that events use from E at the beginning of the phase. */
-INLINE void expand_energy(Batch *b, int top)
+/* Compute coefficient n of the net moment and n + 1 of E. ``weight`` is the series of the weight. */
+INLINE void expand_energy(Batch *b, V *weight, int n)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V *e = b->r + job->role->omega;
-    V *net = b->r + job->role->net;
-    V weight[STRIDE];
-    e[0] = c[OMEGA];
-    expand_force(b, net, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], top);
-    expand_force(b, weight, c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], top);
-    for (int n = 0; n <= top - 1; n++) {
-        weight[n] = weight[n] + (c[job->role->net_loss_square] * e[n]);
-        V whole = net[n] + (c[job->role->net_square] * e[n]);
-        for (int t = 0; t < job->tables; t++) {
-            int most = job->table[t].degree < n ? job->table[t].degree : n;
-            for (int k = 1; k <= most; k++) {
-                whole = whole + (c[job->table[t].cell + Q1 + k - 1] * weight[n - k]);
-            }
+    V whole = 1.0 * (b->r + job->role->net)[n];
+    for (int t = 0; t < job->tables; t++) {
+        int most = job->table[t].degree < n ? job->table[t].degree : n;
+        for (int k = 1; k <= most; k++) {
+            whole = whole + (c[job->table[t].cell + Q1 + k - 1] * weight[n - k]);
         }
-        net[n] = whole;
-        e[n + 1] = (2.0 * whole) * b->inverse[n + 1];
     }
+    whole = whole + (c[job->role->net_square] * e[n]);
+    weight[n] = weight[n] + (c[job->role->net_loss_square] * e[n]);
+    (b->r + job->role->net)[n] = whole;
+    e[n + 1] = whole * (2.0 * b->inverse[n + 1]);
+}
+
+/* Compute the series of the normal force and of the dip, from E, up to the order of each lane. */
+INLINE void expand_contact(Batch *b, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
     if (job->role->normal >= 0) {
         V *normal = b->r + job->role->normal;
         expand_force(b, normal, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], top);
         for (int n = 0; n <= top - 1; n++) {
-            normal[n] = normal[n] + (c[job->role->normal_square] * e[n]);
+            normal[n] = normal[n] + (c[job->role->normal_square] * (b->r + job->role->omega)[n]);
         }
     }
     if (job->role->upright >= 0) {
         expand_force(b, b->r + job->role->upright, c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], top);
     }
+    cut(b, c[SERIES_ORDER], top);
 }
 
-/* Remove the last terms of each lane's series if they are negligible in the step, and return the highest order. */
-INLINE int keep_significant(Batch *b, M which, int top)
+/* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. The
+ * series of a lane ends as soon as two consecutive terms are negligible. */
+static int expand_by_recurrence(Batch *b, V room, M which)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V *e = b->r + job->role->omega;
+    V weight[STRIDE];
+    e[0] = c[OMEGA];
+    V order = pick(which, c[ORDER], broadcast(3.0));
+    int top = greatest(order);
+    expand_force(b, b->r + job->role->net, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], top);
+    expand_force(b, weight, c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], top);
+    for (int n = 0; n <= 2; n++) {
+        expand_energy(b, weight, n);
+    }
+    c[STEP] = look_for_end(b, room);
     V power = (c[STEP] * c[STEP]) * c[STEP];
     V last = broadcast(3.0);
-    for (int n = 4; n <= top; n++) {
+    int m = 3;
+    M goes_on = order > 3.0;
+    while (bits(goes_on) && (m < top)) {
+        expand_energy(b, weight, m);
+        m = m + 1;
         power = power * c[STEP];
-        V term = magnitude(e[n]) * power;
-        M counts = ~is_negligible(b, term, c[LARGEST_OMEGA]);
+        V term = magnitude(e[m]) * power;
+        M counts = goes_on & ~is_negligible(b, term, c[LARGEST_OMEGA]);
         c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
-        last = pick(counts, broadcast((double)n), last);
+        last = pick(counts, broadcast((double)m), last);
+        goes_on = goes_on & (last > (double)(m - 2));
     }
-    V order = pick(last < (c[ORDER] - 1.0), last, c[ORDER]);
-    order = pick(which, order, broadcast(3.0));
-    int highest = greatest(order);
-    cut(b, order, highest);
+    order = pick(last < (order - 1.0), last, order);
     c[SERIES_ORDER] = order;
-    return highest;
-}
-
-/* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. */
-INLINE int expand_by_recurrence(Batch *b, V room, M which)
-{
-    V *const c = b->c;
-    int top = greatest(pick(which, c[ORDER], broadcast(3.0)));
-    expand_energy(b, top);
-    c[STEP] = look_for_end(b, room);
-    return keep_significant(b, which, top);
+    top = greatest(order);
+    expand_contact(b, top);
+    return top;
 }
 
 /* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain. E

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 634dd8cf41431554ec9d4ae1d1ba156bae82b94673e11b5c35f3baa8beaef2f8
+# sha256 of the text below: d7924dd0ac60609dce2af32fdaf7cabe6af5bdccc4fe2d33ce646042051c436b
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2043,61 +2043,66 @@ def expand_force(s: Lanes, p: Floats, start: Floats, sine: Floats, vers: Floats,
         p[n] = -p[n - 2] * (1.0 / n * (1.0 / (n - 1)))
 
 
-def expand_energy(s: Lanes, top: int) -> None:
-    """Compute the series of all registers that events use from E at the beginning of the phase."""
+def expand_energy(s: Lanes, weight: Floats, n: int) -> None:
+    """Compute coefficient n of the net moment and n + 1 of E. ``weight`` is the series of the weight."""
     c = s.cells
     e = s.registers[s.roles.omega]
-    net = s.registers[s.roles.net]
-    weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    e[0] = c[ix.OMEGA]
-    expand_force(s, net, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], top)
-    expand_force(s, weight, c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], top)
-    for n in range(top - 1 + 1):
-        weight[n] = weight[n] + c[s.roles.net_loss_square] * e[n]
-        whole = net[n] + c[s.roles.net_square] * e[n]
-        for t in s.tables:
-            most = min(t.degree, n)
-            for k in range(1, most + 1):
-                whole = whole + c[t.cells + ix.Q1 + (k - 1)] * weight[n - k]
-        net[n] = whole
-        e[n + 1] = 2.0 * whole * (1.0 / (n + 1))
+    whole = 1.0 * s.registers[s.roles.net][n]
+    for t in s.tables:
+        most = min(t.degree, n)
+        for k in range(1, most + 1):
+            whole = whole + c[t.cells + ix.Q1 + (k - 1)] * weight[n - k]
+    whole = whole + c[s.roles.net_square] * e[n]
+    weight[n] = weight[n] + c[s.roles.net_loss_square] * e[n]
+    s.registers[s.roles.net][n] = whole
+    e[n + 1] = whole * (2.0 * (1.0 / (n + 1)))
+
+
+def expand_contact(s: Lanes, top: int) -> None:
+    """Compute the series of the normal force and of the dip, from E, up to the order of each lane."""
+    c = s.cells
     if s.roles.normal >= 0:
         normal = s.registers[s.roles.normal]
         expand_force(s, normal, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], top)
         for n in range(top - 1 + 1):
-            normal[n] = normal[n] + c[s.roles.normal_square] * e[n]
+            normal[n] = normal[n] + c[s.roles.normal_square] * s.registers[s.roles.omega][n]
     if s.roles.upright >= 0:
         expand_force(s, s.registers[s.roles.upright], c[s.roles.normal_load], c[s.roles.upright_sine],
             c[s.roles.upright_vers], top)
-
-
-def keep_significant(s: Lanes, which: Mask, top: int) -> int:
-    """Remove the last terms of each lane's series if they are negligible in the step, and return the highest order."""
-    c = s.cells
-    e = s.registers[s.roles.omega]
-    power = c[ix.STEP] * c[ix.STEP] * c[ix.STEP]
-    last: Floats = 3.0
-    for n in range(4, top + 1):
-        power = power * c[ix.STEP]
-        term = np.abs(e[n]) * power
-        counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
-        c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
-        last = np.where(counts, float(n), last)
-    order = np.where(last < c[ix.ORDER] - 1.0, last, c[ix.ORDER])
-    order = np.where(which, order, 3.0)
-    highest = greatest(order)
-    cut(s, order, highest)
-    c[ix.SERIES_ORDER] = order
-    return highest
+    cut(s, c[ix.SERIES_ORDER], top)
 
 
 def expand_by_recurrence(s: Lanes, room: Floats, which: Mask) -> int:
     """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
     c = s.cells
-    top = greatest(np.where(which, c[ix.ORDER], 3.0))
-    expand_energy(s, top)
+    e = s.registers[s.roles.omega]
+    weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    e[0] = c[ix.OMEGA]
+    order = np.where(which, c[ix.ORDER], 3.0)
+    top = greatest(order)
+    expand_force(s, s.registers[s.roles.net], c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], top)
+    expand_force(s, weight, c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], top)
+    for n in range(2 + 1):
+        expand_energy(s, weight, n)
     c[ix.STEP] = look_for_end(s, room)
-    return keep_significant(s, which, top)
+    power = c[ix.STEP] * c[ix.STEP] * c[ix.STEP]
+    last: Floats = 3.0
+    m = 3
+    goes_on = order > 3.0
+    while np.any(goes_on) and m < top:
+        expand_energy(s, weight, m)
+        m = m + 1
+        power = power * c[ix.STEP]
+        term = np.abs(e[m]) * power
+        counts = goes_on & np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
+        c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
+        last = np.where(counts, float(m), last)
+        goes_on = goes_on & (last > float(m - 2))
+    order = np.where(last < order - 1.0, last, order)
+    c[ix.SERIES_ORDER] = order
+    top = greatest(order)
+    expand_contact(s, top)
+    return top
 
 
 def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Floats) -> Floats:

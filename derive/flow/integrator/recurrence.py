@@ -41,54 +41,62 @@ def expand_force(s: Lanes, p: S, start: V, sine: V, vers: V, top: N) -> None:
         p[n] = -p[n - 2] * (s.inverse[n] * s.inverse[n - 1])
 
 
-def expand_energy(s: Lanes, top: N) -> None:
-    """Compute the series of all registers that events use from E at the beginning of the phase."""
+def expand_energy(s: Lanes, weight: S, n: N) -> None:
+    """Compute coefficient n of the net moment and n + 1 of E. ``weight`` is the series of the weight."""
     e = s.series.omega
-    net = s.series.net
-    weight = new_series()
-    e[0] = s.omega
-    expand_force(s, net, s.drive, s.net_sine, s.net_vers, top)
-    expand_force(s, weight, s.net_loss, s.net_loss_sine, s.net_loss_vers, top)
-    for n in up(0, top - 1):
-        weight[n] = weight[n] + s.net_loss_square * e[n]
-        whole = net[n] + s.net_square * e[n]
-        for t in s.tables:
-            most: N = minimum(t.degree, n)
-            for k in up(1, most):
-                whole = whole + t.coefficients[k - 1] * weight[n - k]
-        net[n] = whole
-        e[n + 1] = 2.0 * whole * s.inverse[n + 1]
+    whole = 1.0 * s.series.net[n]
+    for t in s.tables:
+        most: N = minimum(t.degree, n)
+        for k in up(1, most):
+            whole = whole + t.coefficients[k - 1] * weight[n - k]
+    whole = whole + s.net_square * e[n]
+    weight[n] = weight[n] + s.net_loss_square * e[n]
+    s.series.net[n] = whole
+    e[n + 1] = whole * (2.0 * s.inverse[n + 1])
+
+
+def expand_contact(s: Lanes, top: N) -> None:
+    """Compute the series of the normal force and of the dip, from E, up to the order of each lane."""
     if s.has.normal:
         normal = s.series.normal
         expand_force(s, normal, s.normal0, s.normal_sine, s.normal_vers, top)
         for n in up(0, top - 1):
-            normal[n] = normal[n] + s.normal_square * e[n]
+            normal[n] = normal[n] + s.normal_square * s.series.omega[n]
     if s.has.upright:
         expand_force(s, s.series.upright, s.normal_load, s.upright_sine, s.upright_vers, top)
-
-
-def keep_significant(s: Lanes, which: M, top: N) -> N:
-    """Remove the last terms of each lane's series if they are negligible in the step, and return the highest order."""
-    e = s.series.omega
-    power = s.step * s.step * s.step
-    last: V = 3.0
-    for n in up(4, top):
-        power = power * s.step
-        term = abs(e[n]) * power
-        counts = not is_negligible(s, term, s.largest_omega)
-        s.largest_omega = maximum(term, s.largest_omega)
-        last = where(counts, number(n), last)
-    order = where(last < s.order - 1.0, last, s.order)
-    order = where(which, order, 3.0)
-    highest: N = greatest(order)
-    cut(s, order, highest)
-    s.series_order = order
-    return highest
+    cut(s, s.series_order, top)
 
 
 def expand_by_recurrence(s: Lanes, room: V, which: M) -> N:
-    """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
-    top: N = greatest(where(which, s.order, 3.0))
-    expand_energy(s, top)
+    """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order.
+
+    The series of a lane ends as soon as two consecutive terms are negligible.
+    """
+    e = s.series.omega
+    weight = new_series()
+    e[0] = s.omega
+    order = where(which, s.order, 3.0)
+    top: N = greatest(order)
+    expand_force(s, s.series.net, s.drive, s.net_sine, s.net_vers, top)
+    expand_force(s, weight, s.net_loss, s.net_loss_sine, s.net_loss_vers, top)
+    for n in up(0, 2):
+        expand_energy(s, weight, n)
     s.step = look_for_end(s, room)
-    return keep_significant(s, which, top)
+    power = s.step * s.step * s.step
+    last: V = 3.0
+    m: N = 3
+    goes_on = order > 3.0
+    while any_lane(goes_on) and m < top:
+        expand_energy(s, weight, m)
+        m = m + 1
+        power = power * s.step
+        term = abs(e[m]) * power
+        counts = goes_on and not is_negligible(s, term, s.largest_omega)
+        s.largest_omega = maximum(term, s.largest_omega)
+        last = where(counts, number(m), last)
+        goes_on = goes_on and last > number(m - 2)
+    order = where(last < order - 1.0, last, order)
+    s.series_order = order
+    top = greatest(order)
+    expand_contact(s, top)
+    return top
