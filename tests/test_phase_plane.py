@@ -285,10 +285,10 @@ def test_the_plain_series_is_not_used_near_resonances(slope: float) -> None:
     assert softening.series_suffices(s, e) == (slope > 2)
 
 
-@pytest.mark.parametrize("degree", [one_lane.SHORTEST - 1, one_lane.SHORTEST - 2])
+@pytest.mark.parametrize("degree", [2 * one_lane.SHORTEST - 1, 2 * one_lane.SHORTEST - 2])
 def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """The integrand is 1 + c P(v), with a polynomial of Legendre that the rule just resolves."""
-    nodes = np.array(one_lane.NODES[: one_lane.SHORTEST])
+    nodes = np.array(one_lane.NODES[one_lane.SHORTEST : 3 * one_lane.SHORTEST])
     unit = 1e-3
     share = 1 / (unit * nodes**2 + 1)
     for part, uncertain in ((1e-7, False), (1e-4, True)):

@@ -23,6 +23,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
 from derive.flow.integrator.records import look_for_quiet, rest_through, slide_together
+from derive.flow.integrator.recurrence import has_recurrence
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.rotation import turn_on
 from derive.flow.integrator.series import expand, radius_of_convergence
@@ -204,9 +205,11 @@ def advance(s: Lanes, here: M) -> None:
         moving = moving and not swing(s, moving)
     if s.by_rotation and not s.samples:
         turning = moving and s.clocked == 0.0
+        if has_recurrence(s):
+            turning = turning and s.x == 0.0
         if any_lane(turning):
             turn_on(s, turning)
-        moving = moving and s.clocked > 0.0
+        moving = moving and not turning
     if lanes_in(moving) > lanes_in(resting):
         make_step(s, moving)
     if any_lane(resting) and lanes_in(resting) >= lanes_in(moving):

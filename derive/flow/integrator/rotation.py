@@ -51,24 +51,14 @@ MOST_HALVINGS = 30
 BRIEFEST = 1e-7  # duration of a step below which series in time, which states are read from, may overflow
 
 
-def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
-    """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
+def integral(p: S, n: N, k_first: N, most: V, side: V, first: V, span: V, per: V) -> V:
+    """Return the integral of v dv/(sqrt(E) (1 + per v^2)^2) over a path by a rule, infinite if it is uncertain.
 
-    E is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the motion
-    if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the variable v
-    with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes.
+    The path begins where v is ``first``, ``span`` is its length, and ``k_first`` the number of the rule's first node.
     """
-    size = abs(way)
-    side = where(way < 0.0, -1.0, 1.0)
-    first = sqrt(beyond)
-    left = 1.0 - per * size
-    stretch = 1.0 + per * beyond
-    final = sqrt((beyond + size) / left)
-    span = size * stretch / (left * (first + final))
     total: V = 0.0
     last: V = 0.0
     last_but_one: V = 0.0
-    k_first: N = SHORTEST if fine else 0
     for k in up(k_first, 2 * k_first + SHORTEST - 1):
         past = span * NODES[k]
         v = first + past
@@ -80,11 +70,36 @@ def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
         total = total + SHARES[k] * slowness
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    time = span * stretch * total
-    most: V = CLOSER if fine else EVEN
     accurate = abs(last) + abs(last_but_one) <= most * total
-    time = where(accurate, time, INFINITY)
-    return where(size > 0.0, time, 0.0)
+    return where(accurate, total, INFINITY)
+
+
+def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
+    """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
+
+    E is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the motion
+    if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the variable v
+    with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes; on a short path
+    far from rest half as many may suffice.
+    """
+    size = abs(way)
+    side = where(way < 0.0, -1.0, 1.0)
+    first = sqrt(beyond)
+    left = 1.0 - per * size
+    stretch = 1.0 + per * beyond
+    final = sqrt((beyond + size) / left)
+    span = size * stretch / (left * (first + final))
+    most: V = CLOSER if fine else EVEN
+    rule: N = 3 * SHORTEST if fine else SHORTEST
+    moves = size > 0.0
+    time = where(moves, INFINITY, 0.0)
+    smooth = moves and size <= beyond and per == 0.0
+    if any_lane(smooth):
+        time = where(smooth, integral(p, n, 0, most, side, first, span, per), time)
+    moves = moves and time == INFINITY
+    if any_lane(moves):
+        time = where(moves, integral(p, n, rule, most, side, first, span, per), time)
+    return span * stretch * time
 
 
 def distance_of_rest(p: S, n: N, side: V, far: V) -> V:
@@ -127,13 +142,19 @@ def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     peaks = peak < INFINITY
     far = STRAIGHT * step
     fine: N = s.highest > FINEST
-    of_end = new_series()
-    expand_about_end(s, of_end, top)
-    to_end = distance_of_rest(of_end, top, 1.0, far)
     rises = e[1] > 0.0
-    falls = not rises and of_end[1] < 0.0
-    behind = distance_of_rest(e, top, -1.0, far)
-    behind = where(rises, behind, far)
+    of_end = new_series()
+    to_end = 1.0 * far
+    falls = none_of(s)
+    nears = here and (peaks or not rises)
+    if any_lane(nears):
+        expand_about_end(s, of_end, top)
+        to_end = distance_of_rest(of_end, top, 1.0, far)
+        falls = here and not rises and of_end[1] < 0.0
+    behind = where(rises, 0.0, far)
+    began = here and rises and e[0] > 0.0
+    if any_lane(began):
+        behind = where(began, distance_of_rest(e, top, -1.0, far), behind)
     by_bend = maximum(-e[2] / e[1], 0.0)
     ahead = where(peaks, 1.0 / (step + to_end), by_bend)
     path = minimum(peak, step)
