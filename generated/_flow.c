@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b6898f26a3e494ba7f375e67e6a5ab835e7172df69917e590b13bfc11b51a37b"
+#define DIGEST "e412e3aa7cbb1a9f30be024cf4c5eebc764b88c6434664a62f30b88d19d5f16f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1443,7 +1443,6 @@ static const double LAST_SHARES[] = {-0.3876791299527941, 1.1682732733664538, -1
 static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.739753711800813, 0.739753711800813, -1.3904518577536216, 0.6506981459528086, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525, -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353, -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582, -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565, 0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
-#define BEYOND 0x1.2000000000000p+0
 #define ROUNDING 0x1.0000000000000p-56
 #define CORRECTIONS 10
 #define LARGEST 0x1.f400000000000p+49
@@ -1454,6 +1453,7 @@ static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.
 #define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
+#define BEYOND 0x1.2000000000000p+0
 #define LONGEST 0x1.0000000000000p+0
 #define REACH 0x1.0000000000000p+2
 #define STRAIGHT 0x1.0000000000000p+4
@@ -2142,7 +2142,7 @@ INLINE void cut(Batch *b, V order, int top)
 }
 
 /* Set order 0 of the registers that do not result from operations, and the series of functions of time. */
-INLINE void begin_expansion(Batch *b, M which, int top, int at_rest, int by_rotation)
+INLINE void begin_expansion(Batch *b, M which, int top, int at_rest)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2157,35 +2157,14 @@ INLINE void begin_expansion(Batch *b, M which, int top, int at_rest, int by_rota
             }
         }
     }
-    if (by_rotation && (job->role->square >= 0)) {
-        (b->r + job->role->square)[0] = c[OMEGA];
-    }
     c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
-}
-
-/* Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation. */
-INLINE void integrate_in_rotation(Batch *b, int n, V order, int alike)
-{
-    const Job *const job = b->job;
-    V rate = 2.0 * (b->r + job->role->net)[n];
-    V coefficient = rate * b->inverse[n + 1];
-    coefficient = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
-    (b->r + job->role->omega)[n + 1] = coefficient;
-    (b->r + job->role->x)[n + 1] = broadcast((n == 0) ? 1.0 : 0.0);
-    if (job->role->square >= 0) {
-        (b->r + job->role->square)[n + 1] = coefficient;
-    }
 }
 
 /* Compute coefficient n + 1 of the states from coefficient n of their rates. It is zero beyond a lane's order and
  * at rest. */
-INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest, int by_rotation)
+INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
 {
     const Job *const job = b->job;
-    if (by_rotation) {
-        integrate_in_rotation(b, n, order, alike);
-        return;
-    }
     for (const State *q = job->state; q < job->state + job->states; q++) {
         V coefficient = broadcast(0.0);
         if (!at_rest) {
@@ -2209,69 +2188,26 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms. The
- * end is estimated by a parabola. If it is too near, another step follows. */
-INLINE V look_for_end(Batch *b, V room)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V *e = b->r + job->role->omega;
-    V product = e[0] * e[2];
-    V square = (e[1] * e[1]) - (4.0 * product);
-    V root = sqrt_of(maximum(square, broadcast(0.0)));
-    V end = (e[1] + root) / ((-2.0) * e[2]);
-    V nearer = minimum(BEYOND * end, room);
-    V path = pick(e[2] < 0.0, nearer, room);
-    V largest = maximum(magnitude(e[2]), path * magnitude(e[3]));
-    largest = maximum(magnitude(e[1]), path * largest);
-    c[LARGEST_OMEGA] = maximum(magnitude(e[0]), path * largest);
-    return path;
-}
-
-/* Return whether series end as soon as their terms are negligible. In rotation they do not where water or loads
- * are functions of it, which may change faster than the motion. */
-INLINE int may_end_early(Batch *b, int by_rotation)
-{
-    const Job *const job = b->job;
-    int early = job->timed;
-    if (by_rotation) {
-        early = 1;
-        for (int t = 0; t < job->tables; t++) {
-            if (job->table[t].kind == OF_ROTATION) {
-                early = 0;
-            }
-        }
-    }
-    return early;
-}
-
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
- * function of time, or with ``by_rotation`` an edge of a table or standstill, cuts the step short after ``room``,
- * a series ends as soon as two consecutive terms are negligible there, three if the speed grows beyond its first
- * term: from rest, the square of the speed begins after a gap. At rest the states are constant, and the net moment
- * decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
-INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
+ * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+ * negligible there, three if the speed grows beyond its first term. At rest the states are constant, and the net
+ * moment decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
+INLINE int expand(Batch *b, V room, M which, int at_rest)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     V order = pick(which, c[ORDER], broadcast(1.0));
     int top = greatest(order);
     int alike = all_lanes(order == (double)top);
-    begin_expansion(b, which, top, at_rest, by_rotation);
+    begin_expansion(b, which, top, at_rest);
     V first = c[LARGEST_OMEGA];
-    int early = may_end_early(b, by_rotation);
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
     while (n < top) {
-        operate(b, n, by_rotation);
-        integrate_rates(b, n, order, alike, at_rest, by_rotation);
-        if (by_rotation && (n == 3)) {
-            room = look_for_end(b, room);
-            power = room * room;
-            power = power * power;
-            in_a_row = broadcast(0.0);
-        }
-        if (early) {
+        operate(b, n, 0);
+        integrate_rates(b, n, order, alike, at_rest);
+        if (job->timed) {
             M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
             power = power * room;
             in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
@@ -3374,7 +3310,7 @@ static void make_step(Batch *b, M here)
     V *const c = b->c;
     V limit = minimum(next_break(b), c[END_TIME]);
     V room = limit - c[TIME];
-    int top = expand(b, room, here, 0, 0);
+    int top = expand(b, room, here, 0);
     choose_step(b, here, top);
     M reaches_limit = reach_limit(b, here, room, top);
     find_events(b, here, top, 0);
@@ -3419,26 +3355,24 @@ INLINE void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
     }
 }
 
-/* Compute coefficient n of the net moment and n + 1 of E. ``weight`` is the series of the weight. */
-INLINE void expand_energy(Batch *b, V *weight, int n)
+/* Compute coefficient n of net moment and weight from their parts that E does not cause. */
+INLINE void find_net(Batch *b, V *weight, int n)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V *e = b->r + job->role->omega;
-    V whole = 1.0 * (b->r + job->role->net)[n];
+    V net = 1.0 * (b->r + job->role->net)[n];
     for (int t = 0; t < job->tables; t++) {
         int most = job->table[t].degree < n ? job->table[t].degree : n;
         for (int k = 1; k <= most; k++) {
-            whole = whole + (c[job->table[t].cell + Q1 + k - 1] * weight[n - k]);
+            net = net + (c[job->table[t].cell + Q1 + k - 1] * weight[n - k]);
         }
     }
-    whole = whole + (c[job->role->net_square] * e[n]);
+    (b->r + job->role->net)[n] = net + (c[job->role->net_square] * e[n]);
     weight[n] = weight[n] + (c[job->role->net_loss_square] * e[n]);
-    (b->r + job->role->net)[n] = whole;
-    e[n + 1] = whole * (2.0 * b->inverse[n + 1]);
 }
 
-/* Compute the series of the normal force and of the dip, from E, up to the order of each lane. */
+/* Compute the series of the normal force and of the dip of the chord. */
 INLINE void expand_contact(Batch *b, int top)
 {
     const Job *const job = b->job;
@@ -3453,44 +3387,97 @@ INLINE void expand_contact(Batch *b, int top)
     if (job->role->upright >= 0) {
         expand_force(b, b->r + job->role->upright, c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], top);
     }
-    cut(b, c[SERIES_ORDER], top);
 }
 
-/* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. The
- * series of a lane ends as soon as two consecutive terms are negligible. */
-static int expand_by_recurrence(Batch *b, V room, M which)
+/* Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms. The
+ * end is estimated by a parabola. If it is too near, another step follows. */
+INLINE V look_for_end(Batch *b, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V *e = b->r + job->role->omega;
-    V weight[STRIDE];
-    e[0] = c[OMEGA];
+    V product = e[0] * e[2];
+    V square = (e[1] * e[1]) - (4.0 * product);
+    V root = sqrt_of(maximum(square, broadcast(0.0)));
+    V end = (e[1] + root) / ((-2.0) * e[2]);
+    V nearer = minimum(BEYOND * end, room);
+    V path = pick(e[2] < 0.0, nearer, room);
+    V largest = maximum(magnitude(e[2]), path * magnitude(e[3]));
+    largest = maximum(magnitude(e[1]), path * largest);
+    c[LARGEST_OMEGA] = maximum(magnitude(e[0]), path * largest);
+    return path;
+}
+
+/* Set order 0 of the registers that do not result from operations, and the parts that E does not cause. */
+INLINE void begin_powers(Batch *b, V *weight, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    begin_series(b);
+    (b->r + job->role->x)[1] = broadcast(1.0);
+    if (job->role->square >= 0) {
+        (b->r + job->role->square)[0] = c[OMEGA];
+    }
+    if (has_recurrence(b)) {
+        expand_force(b, b->r + job->role->net, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], top);
+        expand_force(b, weight, c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], top);
+    }
+}
+
+/* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. A
+ * series ends as soon as two consecutive terms are negligible, unless water or loads are functions of the
+ * rotation, which may change faster than the motion. */
+static int expand_in_rotation(Batch *b, V room, M which)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int early = 1;
+    for (int t = 0; t < job->tables; t++) {
+        early = early && (job->table[t].kind != OF_ROTATION);
+    }
+    V *e = b->r + job->role->omega;
     V order = pick(which, c[ORDER], broadcast(3.0));
     int top = greatest(order);
-    expand_force(b, b->r + job->role->net, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], top);
-    expand_force(b, weight, c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], top);
-    for (int n = 0; n <= 2; n++) {
-        expand_energy(b, weight, n);
-    }
-    c[STEP] = look_for_end(b, room);
-    V power = (c[STEP] * c[STEP]) * c[STEP];
-    V last = broadcast(3.0);
-    int m = 3;
-    M goes_on = order > 3.0;
-    while (bits(goes_on) && (m < top)) {
-        expand_energy(b, weight, m);
-        m = m + 1;
+    V weight[STRIDE];
+    begin_powers(b, weight, top);
+    V last = broadcast(0.0);
+    V power = broadcast(0.0);
+    M goes_on = which;
+    int n = 0;
+    while ((n < top) && bits(goes_on)) {
+        if (has_recurrence(b)) {
+            find_net(b, weight, n);
+        }
+        if (!has_recurrence(b)) {
+            operate(b, n, 1);
+        }
+        e[n + 1] = (b->r + job->role->net)[n] * (2.0 * b->inverse[n + 1]);
+        if (job->role->square >= 0) {
+            (b->r + job->role->square)[n + 1] = e[n + 1];
+        }
+        n = n + 1;
         power = power * c[STEP];
-        V term = magnitude(e[m]) * power;
-        M counts = goes_on & ~is_negligible(b, term, c[LARGEST_OMEGA]);
-        c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
-        last = pick(counts, broadcast((double)m), last);
-        goes_on = goes_on & (last > (double)(m - 2));
+        M counts = which;
+        if (early && (n > 3)) {
+            counts = next_term_counts(b, n, power, 0);
+        }
+        if (n == 3) {
+            c[STEP] = look_for_end(b, room);
+            power = (c[STEP] * c[STEP]) * c[STEP];
+        }
+        last = pick(counts, broadcast((double)n), last);
+        goes_on = goes_on & (last > (double)(n - 2));
     }
-    order = pick(last < (order - 1.0), last, order);
-    c[SERIES_ORDER] = order;
+    order = pick(last < (order - 1.0), maximum(last, broadcast(3.0)), order);
     top = greatest(order);
-    expand_contact(b, top);
+    if (has_recurrence(b)) {
+        expand_contact(b, top);
+    }
+    if (!has_recurrence(b)) {
+        operate_later(b, top);
+    }
+    cut(b, order, top);
+    c[SERIES_ORDER] = order;
     return top;
 }
 
@@ -3703,7 +3690,7 @@ static void turn_on(Batch *b, M here)
     V omega = 1.0 * c[OMEGA];
     c[OMEGA] = pick(here, omega * omega, c[OMEGA]);
     V room = way_ahead(b);
-    int top = has_recurrence(b) ? expand_by_recurrence(b, room, here) : expand(b, room, here, 0, 1);
+    int top = expand_in_rotation(b, room, here);
     choose_step(b, here, top);
     shorten(b, here);
     find_events(b, here, top, 1);
@@ -4582,7 +4569,7 @@ static void look_ahead(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int top = expand(b, room, here, 1, 0);
+    int top = expand(b, room, here, 1);
     V *net = b->r + job->role->net;
     M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
     M jumps = (net[0] > 0.0) & ~touches;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 89901a01559695cf2c77b623ca916296771f0c2ac35441fa55ef32afae5253f9
+# sha256 of the text below: 3679b9509ef1a789678d859d8fd19876e917b7b3a06a88c18297a28b9c9e54e3
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -369,7 +369,6 @@ NEXT_SHARES = (0.6506981459528086, -1.3904518577536216, 0.739753711800813, 0.739
     0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
-BEYOND = 1.125
 ROUNDING = 1.3877787807814457e-17
 CORRECTIONS = 10
 LARGEST = 1099511627776000.0
@@ -380,6 +379,7 @@ SIXTH = 0.16666666666666666
 LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
 FAR = 1e+300
+BEYOND = 1.125
 LONGEST = 1.0
 REACH = 4.0
 STRAIGHT = 16.0
@@ -974,7 +974,7 @@ def cut(s: Lanes, order: Floats, top: int) -> None:
             s.registers[s.roles.upright][n] = np.where(within, s.registers[s.roles.upright][n], 0.0)
 
 
-def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int, by_rotation: int) -> None:
+def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int) -> None:
     """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     c = s.cells
     begin_series(s)
@@ -985,27 +985,11 @@ def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int, by_rotation: 
             i = np.flatnonzero(which)
             if i.size:
                 expand_sine(s, i, t, top)
-    if by_rotation and s.roles.square >= 0:
-        s.registers[s.roles.square][0] = c[ix.OMEGA]
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
 
 
-def integrate_in_rotation(s: Lanes, n: int, order: Floats, alike: int) -> None:
-    """Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation."""
-    rate = 2.0 * s.registers[s.roles.net][n]
-    coefficient = rate * (1.0 / (n + 1))
-    coefficient = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
-    s.registers[s.roles.omega][n + 1] = coefficient
-    s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
-    if s.roles.square >= 0:
-        s.registers[s.roles.square][n + 1] = coefficient
-
-
-def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int, by_rotation: int) -> None:
+def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -> None:
     """Compute coefficient n + 1 of the states from coefficient n of their rates."""
-    if by_rotation:
-        integrate_in_rotation(s, n, order, alike)
-        return
     for q in s.states:
         coefficient: Floats = 0.0
         if not at_rest:
@@ -1023,54 +1007,21 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     return counts
 
 
-def look_for_end(s: Lanes, room: Floats) -> Floats:
-    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms."""
-    c = s.cells
-    e = s.registers[s.roles.omega]
-    product = e[0] * e[2]
-    square = e[1] * e[1] - 4.0 * product
-    root = np.sqrt(np.maximum(square, 0.0))
-    end = (e[1] + root) / (-2.0 * e[2])
-    nearer = np.minimum(BEYOND * end, room)
-    path = np.where(e[2] < 0.0, nearer, room)
-    largest = np.maximum(np.abs(e[2]), path * np.abs(e[3]))
-    largest = np.maximum(np.abs(e[1]), path * largest)
-    c[ix.LARGEST_OMEGA] = np.maximum(np.abs(e[0]), path * largest)
-    return path
-
-
-def may_end_early(s: Lanes, by_rotation: int) -> int:
-    """Return whether series end as soon as their terms are negligible."""
-    early = s.timed
-    if by_rotation:
-        early = 1
-        for t in s.tables:
-            if t.kind == ix.OF_ROTATION:
-                early = 0
-    return early
-
-
-def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) -> int:
+def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
     alike = all_lanes(order == float(top))
-    begin_expansion(s, which, top, at_rest, by_rotation)
+    begin_expansion(s, which, top, at_rest)
     first = c[ix.LARGEST_OMEGA].copy()
-    early = may_end_early(s, by_rotation)
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
     while n < top:
-        operate(s, n, by_rotation)
-        integrate_rates(s, n, order, alike, at_rest, by_rotation)
-        if by_rotation and n == 3:
-            room = look_for_end(s, room)
-            power = room * room
-            power = power * power
-            in_a_row = 0.0
-        if early:
+        operate(s, n, False)
+        integrate_rates(s, n, order, alike, at_rest)
+        if s.timed:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
@@ -2004,7 +1955,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     c = s.cells
     limit = np.minimum(next_break(s), c[ix.END_TIME])
     room = limit - c[ix.TIME]
-    top = expand(s, room, here, 0, False)
+    top = expand(s, room, here, 0)
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top, False)
@@ -2043,23 +1994,21 @@ def expand_force(s: Lanes, p: Floats, start: Floats, sine: Floats, vers: Floats,
         p[n] = -p[n - 2] * (1.0 / n * (1.0 / (n - 1)))
 
 
-def expand_energy(s: Lanes, weight: Floats, n: int) -> None:
-    """Compute coefficient n of the net moment and n + 1 of E. ``weight`` is the series of the weight."""
+def find_net(s: Lanes, weight: Floats, n: int) -> None:
+    """Compute coefficient n of net moment and weight from their parts that E does not cause."""
     c = s.cells
     e = s.registers[s.roles.omega]
-    whole = 1.0 * s.registers[s.roles.net][n]
+    net = 1.0 * s.registers[s.roles.net][n]
     for t in s.tables:
         most = min(t.degree, n)
         for k in range(1, most + 1):
-            whole = whole + c[t.cells + ix.Q1 + (k - 1)] * weight[n - k]
-    whole = whole + c[s.roles.net_square] * e[n]
+            net = net + c[t.cells + ix.Q1 + (k - 1)] * weight[n - k]
+    s.registers[s.roles.net][n] = net + c[s.roles.net_square] * e[n]
     weight[n] = weight[n] + c[s.roles.net_loss_square] * e[n]
-    s.registers[s.roles.net][n] = whole
-    e[n + 1] = whole * (2.0 * (1.0 / (n + 1)))
 
 
 def expand_contact(s: Lanes, top: int) -> None:
-    """Compute the series of the normal force and of the dip, from E, up to the order of each lane."""
+    """Compute the series of the normal force and of the dip of the chord."""
     c = s.cells
     if s.roles.normal >= 0:
         normal = s.registers[s.roles.normal]
@@ -2069,39 +2018,77 @@ def expand_contact(s: Lanes, top: int) -> None:
     if s.roles.upright >= 0:
         expand_force(s, s.registers[s.roles.upright], c[s.roles.normal_load], c[s.roles.upright_sine],
             c[s.roles.upright_vers], top)
-    cut(s, c[ix.SERIES_ORDER], top)
 
 
-def expand_by_recurrence(s: Lanes, room: Floats, which: Mask) -> int:
-    """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
+def look_for_end(s: Lanes, room: Floats) -> Floats:
+    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms."""
     c = s.cells
     e = s.registers[s.roles.omega]
-    weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    e[0] = c[ix.OMEGA]
+    product = e[0] * e[2]
+    square = e[1] * e[1] - 4.0 * product
+    root = np.sqrt(np.maximum(square, 0.0))
+    end = (e[1] + root) / (-2.0 * e[2])
+    nearer = np.minimum(BEYOND * end, room)
+    path = np.where(e[2] < 0.0, nearer, room)
+    largest = np.maximum(np.abs(e[2]), path * np.abs(e[3]))
+    largest = np.maximum(np.abs(e[1]), path * largest)
+    c[ix.LARGEST_OMEGA] = np.maximum(np.abs(e[0]), path * largest)
+    return path
+
+
+def begin_powers(s: Lanes, weight: Floats, top: int) -> None:
+    """Set order 0 of the registers that do not result from operations, and the parts that E does not cause."""
+    c = s.cells
+    begin_series(s)
+    s.registers[s.roles.x][1] = 1.0
+    if s.roles.square >= 0:
+        s.registers[s.roles.square][0] = c[ix.OMEGA]
+    if has_recurrence(s):
+        expand_force(s, s.registers[s.roles.net], c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], top)
+        expand_force(s, weight, c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], top)
+
+
+def expand_in_rotation(s: Lanes, room: Floats, which: Mask) -> int:
+    """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
+    c = s.cells
+    early = True
+    for t in s.tables:
+        early = early and t.kind != ix.OF_ROTATION
+    e = s.registers[s.roles.omega]
     order = np.where(which, c[ix.ORDER], 3.0)
     top = greatest(order)
-    expand_force(s, s.registers[s.roles.net], c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], top)
-    expand_force(s, weight, c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], top)
-    for n in range(2 + 1):
-        expand_energy(s, weight, n)
-    c[ix.STEP] = look_for_end(s, room)
-    power = c[ix.STEP] * c[ix.STEP] * c[ix.STEP]
-    last: Floats = 3.0
-    m = 3
-    goes_on = order > 3.0
-    while np.any(goes_on) and m < top:
-        expand_energy(s, weight, m)
-        m = m + 1
+    weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    begin_powers(s, weight, top)
+    last: Floats = 0.0
+    power: Floats = 0.0
+    goes_on = which
+    n = 0
+    while n < top and np.any(goes_on):
+        if has_recurrence(s):
+            find_net(s, weight, n)
+        if not has_recurrence(s):
+            operate(s, n, True)
+        e[n + 1] = s.registers[s.roles.net][n] * (2.0 * (1.0 / (n + 1)))
+        if s.roles.square >= 0:
+            s.registers[s.roles.square][n + 1] = e[n + 1]
+        n = n + 1
         power = power * c[ix.STEP]
-        term = np.abs(e[m]) * power
-        counts = goes_on & np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
-        c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
-        last = np.where(counts, float(m), last)
-        goes_on = goes_on & (last > float(m - 2))
-    order = np.where(last < order - 1.0, last, order)
-    c[ix.SERIES_ORDER] = order
+        counts = which
+        if early and n > 3:
+            counts = next_term_counts(s, n, power, False)
+        if n == 3:
+            c[ix.STEP] = look_for_end(s, room)
+            power = c[ix.STEP] * c[ix.STEP] * c[ix.STEP]
+        last = np.where(counts, float(n), last)
+        goes_on = goes_on & (last > float(n - 2))
+    order = np.where(last < order - 1.0, np.maximum(last, 3.0), order)
     top = greatest(order)
-    expand_contact(s, top)
+    if has_recurrence(s):
+        expand_contact(s, top)
+    if not has_recurrence(s):
+        operate_later(s, top)
+    cut(s, order, top)
+    c[ix.SERIES_ORDER] = order
     return top
 
 
@@ -2273,7 +2260,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
     omega = 1.0 * c[ix.OMEGA]
     c[ix.OMEGA] = np.where(here, omega * omega, c[ix.OMEGA])
     room = way_ahead(s)
-    top = expand_by_recurrence(s, room, here) if has_recurrence(s) else expand(s, room, here, 0, True)
+    top = expand_in_rotation(s, room, here)
     choose_step(s, here, top)
     shorten(s, here)
     find_events(s, here, top, True)
@@ -3018,7 +3005,7 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
-    top = expand(s, room, here, 1, False)
+    top = expand(s, room, here, 1)
     net = s.registers[s.roles.net]
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
     jumps = (net[0] > 0.0) & np.logical_not(touches)

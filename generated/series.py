@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 357ea22cc356104a9224bed14adb27d6c32f96dfa8b0dfa4b8a0da93526f9406
+# sha256 of the text below: 9ecf4384185a6802dd181539cbf8f3618a2409dca4c507ef7c40ab2c09b0814f
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "b6898f26a3e494ba7f375e67e6a5ab835e7172df69917e590b13bfc11b51a37b"  # of the compiled integrator's source
+DIGEST = "e412e3aa7cbb1a9f30be024cf4c5eebc764b88c6434664a62f30b88d19d5f16f"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

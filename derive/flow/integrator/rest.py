@@ -55,7 +55,7 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     The net moment at rest is a series of time alone. Slip begins at its root, where the drive is zero, or immediately
     if the net moment is zero and rises, or has jumped above zero.
     """
-    top: N = expand(s, room, here, 1, False)
+    top: N = expand(s, room, here, 1)
     net = s.series.net
     touches = abs(net[0]) <= TOUCHES * s.drive_scale
     jumps = net[0] > 0.0 and not touches

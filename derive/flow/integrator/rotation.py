@@ -34,9 +34,8 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import keep_faster
-from derive.flow.integrator.recurrence import expand_by_recurrence, has_recurrence
+from derive.flow.integrator.recurrence import expand_in_rotation, has_recurrence
 from derive.flow.integrator.roots import falling_root, increment, value, value_and_slope
-from derive.flow.integrator.series import expand
 from derive.flow.integrator.step import arrive, choose_step, enter_phase, find_events
 
 LONGEST = 1.0  # of a step
@@ -233,7 +232,7 @@ def turn_on(s: Lanes, here: M) -> None:
     omega: V = 1.0 * s.omega
     s.omega = omega * omega
     room = way_ahead(s)
-    top: N = expand_by_recurrence(s, room, here) if has_recurrence(s) else expand(s, room, here, 0, True)
+    top: N = expand_in_rotation(s, room, here)
     choose_step(s, here, top)
     shorten(s, here)
     find_events(s, here, top, True)

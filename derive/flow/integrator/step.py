@@ -320,7 +320,7 @@ def make_step(s: Lanes, here: M) -> None:
     """Make one step of moving lanes."""
     limit = minimum(next_break(s), s.end_time)
     room = limit - s.time
-    top: N = expand(s, room, here, 0, False)
+    top: N = expand(s, room, here, 0)
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
     find_events(s, here, top, False)
