@@ -198,7 +198,7 @@ def advance(s: Lanes, here: M) -> None:
     """
     moving = here and s.status == Status.MOVING
     resting = here and s.status == Status.RESTING
-    complete: N = s.has.net_sine and not s.samples
+    complete: N = s.has.net_sine and not (s.samples and s.has.loss_rate)
     for t in s.tables:
         complete = complete and t.kind != Kind.SLIP
     if complete:
