@@ -48,8 +48,8 @@ def expand_force(s: Lanes, p: S, start: V, sine: V, vers: V, top: N) -> None:
         p[n] = -p[n - 2] * (s.inverse[n] * s.inverse[n - 1])
 
 
-def find_net(s: Lanes, weight: S, n: N) -> None:
-    """Compute coefficient n of net moment and weight from their parts that E does not cause."""
+def complete_net(s: Lanes, weight: S, n: N) -> None:
+    """Add the parts that E and its weight cause to coefficient n of net moment and weight."""
     e = s.series.omega
     net = 1.0 * s.series.net[n]
     for t in s.tables:
@@ -89,17 +89,6 @@ def look_for_end(s: Lanes, room: V) -> V:
     return path
 
 
-def begin_powers(s: Lanes, weight: S, top: N) -> None:
-    """Set order 0 of the registers that do not result from operations, and the parts that E does not cause."""
-    begin_series(s)
-    s.series.x[1] = 1.0
-    if s.has.square:
-        s.series.square[0] = s.omega
-    if has_recurrence(s):
-        expand_force(s, s.series.net, s.drive, s.net_sine, s.net_vers, top)
-        expand_force(s, weight, s.net_loss, s.net_loss_sine, s.net_loss_vers, top)
-
-
 def expand_in_rotation(s: Lanes, room: V, which: M) -> N:
     """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order.
 
@@ -113,19 +102,24 @@ def expand_in_rotation(s: Lanes, room: V, which: M) -> N:
     order = where(which, s.order, 3.0)
     top: N = greatest(order)
     weight = new_series()
-    begin_powers(s, weight, top)
+    recurs: N = has_recurrence(s)
+    begin_series(s)
+    if recurs:
+        expand_force(s, s.series.net, s.drive, s.net_sine, s.net_vers, top)
+        expand_force(s, weight, s.net_loss, s.net_loss_sine, s.net_loss_vers, top)
     last: V = 0.0
     power: V = 0.0
     goes_on = which
     n: N = 0
     while n < top and any_lane(goes_on):
-        if has_recurrence(s):
-            find_net(s, weight, n)
-        if not has_recurrence(s):
+        if recurs:
+            complete_net(s, weight, n)
+        if not recurs:
+            if s.has.square:
+                s.series.square[n] = e[n]
             operate(s, n, True)
+            s.series.x[n + 1] = 1.0 if n == 0 else 0.0
         e[n + 1] = s.series.net[n] * (2.0 * s.inverse[n + 1])
-        if s.has.square:
-            s.series.square[n + 1] = e[n + 1]
         n = n + 1
         power = power * s.step
         counts = which
@@ -138,9 +132,9 @@ def expand_in_rotation(s: Lanes, room: V, which: M) -> N:
         goes_on = goes_on and last > number(n - 2)
     order = where(last < order - 1.0, maximum(last, 3.0), order)
     top = greatest(order)
-    if has_recurrence(s):
+    if recurs:
         expand_contact(s, top)
-    if not has_recurrence(s):
+    if not recurs:
         operate_later(s, top)
     cut(s, order, top)
     s.series_order = order

@@ -58,11 +58,14 @@ def integral(p: S, n: N, k_first: N, most: V, side: V, first: V, span: V, per: V
     total: V = 0.0
     last: V = 0.0
     last_but_one: V = 0.0
+    near_second: N = any_lane(per > 0.0)
     for k in up(k_first, 2 * k_first + SHORTEST - 1):
         past = span * NODES[k]
         v = first + past
         square = v * v
-        share = 1.0 / (1.0 + per * square)
+        share: V = 1.0
+        if near_second:
+            share = 1.0 / (1.0 + per * square)
         y = past * (first + v) * share
         speed = sqrt(value(p, n, side * y))
         slowness = v * (share * share) / speed
