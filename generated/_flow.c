@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "abdbd483a851dd8902c43d38df69d356ac7290621ad9a41c752a3225a19c4c7a"
+#define DIGEST "6f65b877292b0667f3c116ffa28917f018052edcffaa1bd83faaf5c7d85aecaf"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3432,6 +3432,24 @@ INLINE V look_for_end(Batch *b, V room)
     return path;
 }
 
+/* Compute coefficient n of the net moment and n + 1 of the states. */
+INLINE void integrate_in_rotation(Batch *b, V *weight, int n)
+{
+    const Job *const job = b->job;
+    V *e = b->r + job->role->omega;
+    if (has_recurrence(b)) {
+        complete_net(b, weight, n);
+    }
+    if (!has_recurrence(b)) {
+        if (job->role->square >= 0) {
+            (b->r + job->role->square)[n] = e[n];
+        }
+        operate(b, n, 1);
+        (b->r + job->role->x)[n + 1] = broadcast((n == 0) ? 1.0 : 0.0);
+    }
+    e[n + 1] = (b->r + job->role->net)[n] * (2.0 * b->inverse[n + 1]);
+}
+
 /* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. A
  * series ends as soon as two consecutive terms are negligible, unless water or loads are functions of the
  * rotation, which may change faster than the motion. */
@@ -3443,7 +3461,6 @@ static int expand_in_rotation(Batch *b, V room, M which)
     for (int t = 0; t < job->tables; t++) {
         early = early && (job->table[t].kind != OF_ROTATION);
     }
-    V *e = b->r + job->role->omega;
     V order = pick(which, c[ORDER], broadcast(3.0));
     int top = greatest(order);
     V weight[STRIDE];
@@ -3458,17 +3475,7 @@ static int expand_in_rotation(Batch *b, V room, M which)
     M goes_on = which;
     int n = 0;
     while ((n < top) && bits(goes_on)) {
-        if (recurs) {
-            complete_net(b, weight, n);
-        }
-        if (!recurs) {
-            if (job->role->square >= 0) {
-                (b->r + job->role->square)[n] = e[n];
-            }
-            operate(b, n, 1);
-            (b->r + job->role->x)[n + 1] = broadcast((n == 0) ? 1.0 : 0.0);
-        }
-        e[n + 1] = (b->r + job->role->net)[n] * (2.0 * b->inverse[n + 1]);
+        integrate_in_rotation(b, weight, n);
         n = n + 1;
         power = power * c[STEP];
         M counts = which;
@@ -4823,7 +4830,7 @@ static void advance(Batch *b, M here)
         if (bits(turning)) {
             turn_on(b, turning);
         }
-        moving = moving & ~turning;
+        moving = moving & ~(turning & (c[CLOCKED] == 0.0));
     }
     if (__builtin_popcount(bits(moving)) > __builtin_popcount(bits(resting))) {
         make_step(b, moving);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8bd3afbd4b34f945ee8b05b1145ab01cf397463f4b0c4ba580cfb599e888f406
+# sha256 of the text below: 97ef6c1d1a3f13f481d6b9e4b99950efba420708a592bfb242219ebb002bfae2
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2053,13 +2053,25 @@ def look_for_end(s: Lanes, room: Floats) -> Floats:
     return path
 
 
+def integrate_in_rotation(s: Lanes, weight: Floats, n: int) -> None:
+    """Compute coefficient n of the net moment and n + 1 of the states."""
+    e = s.registers[s.roles.omega]
+    if has_recurrence(s):
+        complete_net(s, weight, n)
+    if not has_recurrence(s):
+        if s.roles.square >= 0:
+            s.registers[s.roles.square][n] = e[n]
+        operate(s, n, True)
+        s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
+    e[n + 1] = s.registers[s.roles.net][n] * (2.0 * (1.0 / (n + 1)))
+
+
 def expand_in_rotation(s: Lanes, room: Floats, which: Mask) -> int:
     """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
     c = s.cells
     early = True
     for t in s.tables:
         early = early and t.kind != ix.OF_ROTATION
-    e = s.registers[s.roles.omega]
     order = np.where(which, c[ix.ORDER], 3.0)
     top = greatest(order)
     weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
@@ -2073,14 +2085,7 @@ def expand_in_rotation(s: Lanes, room: Floats, which: Mask) -> int:
     goes_on = which
     n = 0
     while n < top and np.any(goes_on):
-        if recurs:
-            complete_net(s, weight, n)
-        if not recurs:
-            if s.roles.square >= 0:
-                s.registers[s.roles.square][n] = e[n]
-            operate(s, n, True)
-            s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
-        e[n + 1] = s.registers[s.roles.net][n] * (2.0 * (1.0 / (n + 1)))
+        integrate_in_rotation(s, weight, n)
         n = n + 1
         power = power * c[ix.STEP]
         counts = which
@@ -3215,7 +3220,7 @@ def advance(s: Lanes, here: Mask) -> None:
             turning = turning & (c[ix.X] == 0.0)
         if np.any(turning):
             turn_on(s, turning)
-        moving = moving & np.logical_not(turning)
+        moving = moving & np.logical_not(turning & (c[ix.CLOCKED] == 0.0))
     if np.count_nonzero(moving) > np.count_nonzero(resting):
         make_step(s, moving)
     if np.any(resting) and np.count_nonzero(resting) >= np.count_nonzero(moving):

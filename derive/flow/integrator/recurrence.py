@@ -89,6 +89,19 @@ def look_for_end(s: Lanes, room: V) -> V:
     return path
 
 
+def integrate_in_rotation(s: Lanes, weight: S, n: N) -> None:
+    """Compute coefficient n of the net moment and n + 1 of the states."""
+    e = s.series.omega
+    if has_recurrence(s):
+        complete_net(s, weight, n)
+    if not has_recurrence(s):
+        if s.has.square:
+            s.series.square[n] = e[n]
+        operate(s, n, True)
+        s.series.x[n + 1] = 1.0 if n == 0 else 0.0
+    e[n + 1] = s.series.net[n] * (2.0 * s.inverse[n + 1])
+
+
 def expand_in_rotation(s: Lanes, room: V, which: M) -> N:
     """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order.
 
@@ -98,7 +111,6 @@ def expand_in_rotation(s: Lanes, room: V, which: M) -> N:
     early: N = True
     for t in s.tables:
         early = early and t.kind != Kind.ROTATION
-    e = s.series.omega
     order = where(which, s.order, 3.0)
     top: N = greatest(order)
     weight = new_series()
@@ -112,14 +124,7 @@ def expand_in_rotation(s: Lanes, room: V, which: M) -> N:
     goes_on = which
     n: N = 0
     while n < top and any_lane(goes_on):
-        if recurs:
-            complete_net(s, weight, n)
-        if not recurs:
-            if s.has.square:
-                s.series.square[n] = e[n]
-            operate(s, n, True)
-            s.series.x[n + 1] = 1.0 if n == 0 else 0.0
-        e[n + 1] = s.series.net[n] * (2.0 * s.inverse[n + 1])
+        integrate_in_rotation(s, weight, n)
         n = n + 1
         power = power * s.step
         counts = which

@@ -209,7 +209,7 @@ def advance(s: Lanes, here: M) -> None:
             turning = turning and s.x == 0.0
         if any_lane(turning):
             turn_on(s, turning)
-        moving = moving and not turning
+        moving = moving and not (turning and s.clocked == 0.0)
     if lanes_in(moving) > lanes_in(resting):
         make_step(s, moving)
     if any_lane(resting) and lanes_in(resting) >= lanes_in(moving):

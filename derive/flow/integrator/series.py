@@ -22,7 +22,6 @@ from derive.flow.integrator.one_lane import (
     operate,
     operate_later,
     power_of_two,
-    sqrt,
     up,
     where,
 )
