@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "6f65b877292b0667f3c116ffa28917f018052edcffaa1bd83faaf5c7d85aecaf"
+#define DIGEST "8eae3a1fbda2e5ceec77ae906093aae5542901b61e1a335907560339ef739152"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3593,6 +3593,18 @@ INLINE void expand_about_end(Batch *b, V *p, int n)
     p[0] = pick(stands, broadcast(0.0), p[0]);
 }
 
+/* Return 1 over the distance of the rest ahead, beyond a peak or estimated from E, or 0 if the path is too long. */
+INLINE V rest_ahead(Batch *b, M peaks, V to_end, V path)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V by_bend = maximum((-e[2]) / e[1], broadcast(0.0));
+    V ahead = pick(peaks, 1.0 / (c[STEP] + to_end), by_bend);
+    M near = (e[1] > 0.0) & ((ahead * path) < NEAREST);
+    return pick(near, ahead, broadcast(0.0));
+}
+
 /* Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain. ``peak``
  * is the rotation at the greatest speed, infinite without one. */
 INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
@@ -3614,16 +3626,10 @@ INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
         to_end = distance_of_rest(of_end, top, broadcast(1.0), far);
         falls = here & ~rises & (of_end[1] < 0.0);
     }
-    V behind = pick(rises, broadcast(0.0), far);
-    M began = here & rises & (e[0] > 0.0);
-    if (bits(began)) {
-        behind = pick(began, distance_of_rest(e, top, broadcast(-1.0), far), behind);
-    }
-    V by_bend = maximum((-e[2]) / e[1], broadcast(0.0));
-    V ahead = pick(peaks, 1.0 / (step + to_end), by_bend);
+    V behind = distance_of_rest(e, top, broadcast(-1.0), far);
+    behind = pick(rises, behind, far);
     V path = minimum(peak, step);
-    M near = rises & ((ahead * path) < NEAREST);
-    ahead = pick(near, ahead, broadcast(0.0));
+    V ahead = rest_ahead(b, peaks, to_end, path);
     V after = broadcast(0.0);
     if (bits(peaks)) {
         V back = pick(peaks, peak - step, broadcast(0.0));

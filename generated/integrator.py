@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 97ef6c1d1a3f13f481d6b9e4b99950efba420708a592bfb242219ebb002bfae2
+# sha256 of the text below: 205bfa5411f5b24d9da1239d491a59f2a15cda9452be93e8d62b04eced46c4fe
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2178,6 +2178,16 @@ def expand_about_end(s: Lanes, p: Floats, n: int) -> None:
     p[0] = np.where(stands, 0.0, p[0])
 
 
+def rest_ahead(s: Lanes, peaks: Mask, to_end: Floats, path: Floats) -> Floats:
+    """Return 1 over the distance of the rest ahead, beyond a peak or estimated from E, or 0 if the path is too long."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    by_bend = np.maximum(-e[2] / e[1], 0.0)
+    ahead = np.where(peaks, 1.0 / (c[ix.STEP] + to_end), by_bend)
+    near = (e[1] > 0.0) & (ahead * path < NEAREST)
+    return np.where(near, ahead, 0.0)
+
+
 def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats, Floats]:
     """Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain."""
     c = s.cells
@@ -2195,15 +2205,10 @@ def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats,
         expand_about_end(s, of_end, top)
         to_end = distance_of_rest(of_end, top, 1.0, far)
         falls = here & np.logical_not(rises) & (of_end[1] < 0.0)
-    behind = np.where(rises, 0.0, far)
-    began = here & rises & (e[0] > 0.0)
-    if np.any(began):
-        behind = np.where(began, distance_of_rest(e, top, -1.0, far), behind)
-    by_bend = np.maximum(-e[2] / e[1], 0.0)
-    ahead = np.where(peaks, 1.0 / (step + to_end), by_bend)
+    behind = distance_of_rest(e, top, -1.0, far)
+    behind = np.where(rises, behind, far)
     path = np.minimum(peak, step)
-    near = rises & (ahead * path < NEAREST)
-    ahead = np.where(near, ahead, 0.0)
+    ahead = rest_ahead(s, peaks, to_end, path)
     after: Floats = 0.0
     if np.any(peaks):
         back = np.where(peaks, peak - step, 0.0)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 448ad8acdb5554c22dc6445487d3801139a000fa4b9c08ea01c7f660f99d007e
+# sha256 of the text below: ff51c57a37c078391566f9e2fd502cb1c67c6aece750fdd5ad9fd43fceb89341
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -296,8 +296,9 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items() if name in definitions.cells}
-    if len(definitions.states) == 2:
-        outputs |= linker.closed_form(registers, outputs)
+    losses = linker.losses()
+    if len(definitions.states) == 2 and len(losses) == len(definitions.tables):
+        outputs |= linker.closed_form(registers, outputs, losses)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
     series = _needed(linker.series, pending)
     scalar = _needed(linker.scalar, pending)
@@ -411,20 +412,23 @@ class Linker:
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
-    def closed_form(self, registers: Mapping[str, str | None], outputs: dict[str, str]) -> dict[str, str]:
+    def losses(self) -> dict[str, str]:
+        """Return the register that a table of slip adds to friction, and its name in roles."""
+        register = str(self.register("dmu"))
+        cells = {*self._made_by(register).cells[1:]}
+        of_slip = [{*table.coefficients} for table in self._definitions.tables if table.kind == "slip"]
+        return {register: "loss"} if cells in of_slip else {}
+
+    def closed_form(
+        self, registers: Mapping[str, str | None], outputs: dict[str, str], losses: dict[str, str]
+    ) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
-        The net moment may also contain exp(a x) - 1, 1/(1 + a x) - 1, or the increment of a table of slip, called loss,
-        and its products with these. There are no factors if other registers or products occur in these sums, or no
-        sine.
+        The net moment may also contain exp(a x) - 1, 1/(1 + a x) - 1, or the register in ``losses``, called loss, and
+        its products with these. There are no factors if other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
-        names = dict(FACTORS)
-        for table in self._definitions.tables:
-            loss = str(self.register("dmu"))
-            if table.kind != "slip" or {*self._made_by(loss).cells[1:]} != {*table.coefficients}:
-                return {}
-            names[loss] = "loss"
+        names = FACTORS | losses
         for operation, results in self.series.items():
             if operation.kind in ("exp", "rec"):
                 argument = self._made_by(operation.registers[-1])

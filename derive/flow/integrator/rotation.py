@@ -134,6 +134,15 @@ def expand_about_end(s: Lanes, p: S, n: N) -> None:
     p[0] = where(stands, 0.0, p[0])
 
 
+def rest_ahead(s: Lanes, peaks: M, to_end: V, path: V) -> V:
+    """Return 1 over the distance of the rest ahead, beyond a peak or estimated from E, or 0 if the path is too long."""
+    e = s.series.omega
+    by_bend = maximum(-e[2] / e[1], 0.0)
+    ahead = where(peaks, 1.0 / (s.step + to_end), by_bend)
+    near = e[1] > 0.0 and ahead * path < NEAREST
+    return where(near, ahead, 0.0)
+
+
 def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     """Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain.
 
@@ -153,15 +162,10 @@ def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
         expand_about_end(s, of_end, top)
         to_end = distance_of_rest(of_end, top, 1.0, far)
         falls = here and not rises and of_end[1] < 0.0
-    behind = where(rises, 0.0, far)
-    began = here and rises and e[0] > 0.0
-    if any_lane(began):
-        behind = where(began, distance_of_rest(e, top, -1.0, far), behind)
-    by_bend = maximum(-e[2] / e[1], 0.0)
-    ahead = where(peaks, 1.0 / (step + to_end), by_bend)
+    behind = distance_of_rest(e, top, -1.0, far)
+    behind = where(rises, behind, far)
     path = minimum(peak, step)
-    near = rises and ahead * path < NEAREST
-    ahead = where(near, ahead, 0.0)
+    ahead = rest_ahead(s, peaks, to_end, path)
     after: V = 0.0
     if any_lane(peaks):
         back = where(peaks, peak - step, 0.0)
