@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "8eae3a1fbda2e5ceec77ae906093aae5542901b61e1a335907560339ef739152"
+#define DIGEST "976b555ea3ec21f821a09351f1c9e677b745a57a546d6dbc026d97bd1a05181a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -55,7 +55,7 @@ typedef struct {
     int64_t samples, times_across;
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
-    void *memory; /* zeros, for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
+    void *memory; /* for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
     int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
@@ -300,7 +300,7 @@ static int64_t run(Job *job, const Held *held, int level, int fits)
         PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
         return -1;
     }
-    void *memory = calloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE) + 1, WIDEST);
+    void *memory = malloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE + 1) * WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         return -1;
@@ -399,13 +399,13 @@ static int fill_runs(const Job *job, PyObject *start, PyObject *places, const do
     PyObject *name, *value;
     for (Py_ssize_t at = 0; PyDict_Next(start, &at, &name, &value);) {
         PyObject *const place = PyDict_GetItemWithError(places, name);
-        if (place == NULL && !PyErr_Occurred()) continue;
+        if (place == NULL) continue;
         const double number = PyFloat_AsDouble(value);
-        const int64_t row = place == NULL ? -1 : PyLong_AsLongLong(place) * job->count;
-        if (PyErr_Occurred() || row < 0 || row >= job->cells * job->count) return 0;
+        const int64_t row = PyLong_AsLongLong(place) * job->count;
+        if (row < 0 || row >= job->cells * job->count) return 0;
         for (int64_t k = row; k < row + job->count; k++) job->all[k] = number * moves[k] + further[k];
     }
-    return 1;
+    return !PyErr_Occurred();
 }
 
 static PyObject *first_lane(const double *cells, int64_t count)
@@ -2070,13 +2070,11 @@ INLINE V elapsed(Batch *b, int top, V at)
     const Job *const job = b->job;
     V *const c = b->c;
     if (job->role->pace >= 0) {
-        V *omega = b->r + job->role->omega;
-        V mean = broadcast(0.0);
-        for (int k = top; k >= 0; k--) {
-            V coefficient = omega[k] * b->inverse[k + 1];
-            mean = (mean * at) + coefficient;
+        V mean[STRIDE];
+        for (int k = 0; k <= top; k++) {
+            mean[k] = (b->r + job->role->omega)[k] * b->inverse[k + 1];
         }
-        return at * (1.0 + (c[job->role->pace] * mean));
+        return at * (1.0 + (c[job->role->pace] * value(mean, top, at)));
     }
     return at;
 }
@@ -2099,15 +2097,12 @@ INLINE V variable_at(Batch *b, int top, V time)
 INLINE void evaluate(Batch *b)
 {
     const Job *const job = b->job;
+    V *const c = b->c;
     begin_series(b);
     operate(b, 0, 0);
     operate_later(b, 1);
-    if (job->role->pace >= 0) {
-        V omega = (b->r + job->role->omega)[0];
-        for (const State *q = job->state; q < job->state + job->states; q++) {
-            V rate = (b->r + q->rate)[0];
-            (b->r + q->rate)[0] = per_time(b, rate, omega);
-        }
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        (b->r + q->rate)[0] = per_time(b, (b->r + q->rate)[0], c[OMEGA]);
     }
 }
 
@@ -4950,6 +4945,9 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
     V *const c = b->c;
     int64_t next = job->begin;
+    memset(job->memory, 0, (size_t)(MOST_WORKING + job->cells) * sizeof(V));
+    for (const Table *t = job->table; t < job->table + job->tables; t++)
+        if (t->reg >= 0) memset(b->r + t->reg, 0, STRIDE * sizeof(V)); /* most of their coefficients stay zero */
     for (int n = 1; n < STRIDE; n++) b->inverse[n] = 1.0 / n;
     if (job->outputs && !job->times) {
         read_registers(b);
@@ -5019,7 +5017,7 @@ __attribute__((export_name("integrate"))) int integrate(const int32_t *program, 
         const Given *const g = tables + t;
         job.data[t] = (Data){g->breaks, g->coefficients, g->jumps, g->pieces, g->across, g->apart, g->terms, g->sine, g->open};
     }
-    void *const memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *const memory = malloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE + 1) * WIDEST);
     if (memory == NULL) return -1;
     job.memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
     const int left = (int)flow_integrate_wasm(&job);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 205bfa5411f5b24d9da1239d491a59f2a15cda9452be93e8d62b04eced46c4fe
+# sha256 of the text below: 02639cb445bf672081208143afeee6b2718ae2d6bc00b500b7d007d5ebdd73e3
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -912,12 +912,10 @@ def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
     """Return the time since the beginning of a step from its variable."""
     c = s.cells
     if s.roles.pace >= 0:
-        omega = s.registers[s.roles.omega]
-        mean: Floats = 0.0
-        for k in range(top, 0 - 1, -1):
-            coefficient = omega[k] * (1.0 / (k + 1))
-            mean = mean * at + coefficient
-        return at * (1.0 + c[s.roles.pace] * mean)
+        mean = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+        for k in range(top + 1):
+            mean[k] = s.registers[s.roles.omega][k] * (1.0 / (k + 1))
+        return at * (1.0 + c[s.roles.pace] * value(mean, top, at))
     return at
 
 
@@ -934,14 +932,12 @@ def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
 
 def evaluate(s: Lanes) -> None:
     """Compute order 0 of all registers. Rates of states are per time."""
+    c = s.cells
     begin_series(s)
     operate(s, 0, False)
     operate_later(s, 1)
-    if s.roles.pace >= 0:
-        omega = s.registers[s.roles.omega][0].copy()
-        for q in s.states:
-            rate = s.registers[q.rate][0].copy()
-            s.registers[q.rate][0] = per_time(s, rate, omega)
+    for q in s.states:
+        s.registers[q.rate][0] = per_time(s, s.registers[q.rate][0], c[ix.OMEGA])
 
 
 def normal_force(s: Lanes) -> Floats:
