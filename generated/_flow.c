@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "976b555ea3ec21f821a09351f1c9e677b745a57a546d6dbc026d97bd1a05181a"
+#define DIGEST "0be63589f6d1dddb77bc208d66adbcfbdd8219fcd74f724de04a5c0f1df64c1c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3541,16 +3541,16 @@ INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
     V most = broadcast(fine ? CLOSER : EVEN);
     int rule = fine ? (3 * SHORTEST) : SHORTEST;
     M moves = size > 0.0;
-    V time = pick(moves, broadcast(INFINITY), broadcast(0.0));
-    M smooth = moves & (size <= beyond) & (per == 0.0);
-    if (bits(smooth)) {
-        time = pick(smooth, integral(p, n, 0, most, side, first, span, per), time);
+    M is_short = moves & (size <= beyond) & (per == 0.0);
+    V total = broadcast(INFINITY);
+    if (bits(is_short)) {
+        total = pick(is_short, integral(p, n, 0, most, side, first, span, per), total);
     }
-    moves = moves & (time == INFINITY);
-    if (bits(moves)) {
-        time = pick(moves, integral(p, n, rule, most, side, first, span, per), time);
+    M remains = moves & (total == INFINITY);
+    if (bits(remains)) {
+        total = pick(remains, integral(p, n, rule, most, side, first, span, per), total);
     }
-    return (span * stretch) * time;
+    return pick(moves, (span * stretch) * total, broadcast(0.0));
 }
 
 /* Return the distance at which the polynomial E has a zero, by Newton's method as far as it converges. It is

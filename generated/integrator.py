@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 02639cb445bf672081208143afeee6b2718ae2d6bc00b500b7d007d5ebdd73e3
+# sha256 of the text below: 1045d3765d49e12f24ec48cd51c89323efbef0e20c9869be0d4b4d2e31d0e2b1
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2139,14 +2139,14 @@ def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Fl
     most: Floats = CLOSER if fine else EVEN
     rule = 3 * SHORTEST if fine else SHORTEST
     moves = size > 0.0
-    time = np.where(moves, INFINITY, 0.0)
-    smooth = moves & (size <= beyond) & (per == 0.0)
-    if np.any(smooth):
-        time = np.where(smooth, integral(p, n, 0, most, side, first, span, per), time)
-    moves = moves & (time == INFINITY)
-    if np.any(moves):
-        time = np.where(moves, integral(p, n, rule, most, side, first, span, per), time)
-    return span * stretch * time
+    is_short = moves & (size <= beyond) & (per == 0.0)
+    total: Floats = INFINITY
+    if np.any(is_short):
+        total = np.where(is_short, integral(p, n, 0, most, side, first, span, per), total)
+    remains = moves & (total == INFINITY)
+    if np.any(remains):
+        total = np.where(remains, integral(p, n, rule, most, side, first, span, per), total)
+    return np.where(moves, span * stretch * total, 0.0)
 
 
 def distance_of_rest(p: Floats, n: int, side: Floats, far: Floats) -> Floats:

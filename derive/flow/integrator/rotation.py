@@ -94,14 +94,14 @@ def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
     most: V = CLOSER if fine else EVEN
     rule: N = 3 * SHORTEST if fine else SHORTEST
     moves = size > 0.0
-    time = where(moves, INFINITY, 0.0)
-    smooth = moves and size <= beyond and per == 0.0
-    if any_lane(smooth):
-        time = where(smooth, integral(p, n, 0, most, side, first, span, per), time)
-    moves = moves and time == INFINITY
-    if any_lane(moves):
-        time = where(moves, integral(p, n, rule, most, side, first, span, per), time)
-    return span * stretch * time
+    is_short = moves and size <= beyond and per == 0.0
+    total: V = INFINITY
+    if any_lane(is_short):
+        total = where(is_short, integral(p, n, 0, most, side, first, span, per), total)
+    remains = moves and total == INFINITY
+    if any_lane(remains):
+        total = where(remains, integral(p, n, rule, most, side, first, span, per), total)
+    return where(moves, span * stretch * total, 0.0)
 
 
 def distance_of_rest(p: S, n: N, side: V, far: V) -> V:
