@@ -87,7 +87,8 @@ class Event(NamedTuple):
 
         The registers are (registers, times), and the result is (times,).
         """
-        return self.sign * (registers[self.register] - self.bound)
+        above_bound = registers[self.register] - self.bound
+        return self.sign * above_bound
 
 
 class _Implicit(integrator.Lanes):
