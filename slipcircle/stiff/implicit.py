@@ -71,7 +71,6 @@ def integrate_implicitly(
         cells[:, number] = lane.stored[:, 0]
 
 
-_ONE = np.arange(1)  # the index of the one lane
 _HERE = np.ones(1, bool)
 
 
@@ -88,7 +87,8 @@ class Event(NamedTuple):
 
         The registers are (registers, times), and the result is (times,).
         """
-        return self.sign * (registers[self.register] - self.bound)
+        above_bound = registers[self.register] - self.bound
+        return self.sign * above_bound
 
 
 class _Implicit(integrator.Lanes):
@@ -141,7 +141,7 @@ class _Implicit(integrator.Lanes):
         self.rates = [rate for _, _, rate in program.states]
         # The step that explicit integration would take.
         endless = np.full(1, np.inf)
-        integrator.choose_step(self, _HERE, integrator.expand(self, endless, _HERE, 0, False))
+        integrator.choose_step(self, _HERE, integrator.expand(self, endless, _HERE, 0))
         step = float(self.cells[ix.STEP, 0])
         self.explicit = min(step, 1e3)
         self.events = self._events()
