@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "0be63589f6d1dddb77bc208d66adbcfbdd8219fcd74f724de04a5c0f1df64c1c"
+#define DIGEST "7e6b689fc8044c4225a1fa1c29cfd5f98d64b2e981ad3cab12146e8ad32eb332"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3720,18 +3720,18 @@ static void turn_on(Batch *b, M here)
     choose_step(b, here, top);
     shorten(b, here);
     find_events(b, here, top, 1);
-    V peak = greatest_speed(b, here, top);
-    const Pair before_after = times_of_step(b, here, top, peak);
-    V before = before_after.one, after = before_after.other;
+    V peak = broadcast(INFINITY);
+    V before = broadcast(0.0);
+    V after = broadcast(0.0);
+    M unsure = here;
     int count = 0;
-    M unsure = here & ~((before + after) < INFINITY);
-    while (bits(unsure) && (count < MOST_HALVINGS)) {
-        c[STEP] = pick(here, pick(unsure, 0.5 * c[STEP], c[STEP]), c[STEP]);
-        c[EVENT] = pick(here, pick(unsure, broadcast(EVENT_NONE), c[EVENT]), c[EVENT]);
+    while (bits(unsure) && (count <= MOST_HALVINGS)) {
         peak = greatest_speed(b, here, top);
         const Pair before_after = times_of_step(b, here, top, peak);
         before = before_after.one, after = before_after.other;
         unsure = here & ~((before + after) < INFINITY);
+        c[STEP] = pick(here, pick(unsure, 0.5 * c[STEP], c[STEP]), c[STEP]);
+        c[EVENT] = pick(here, pick(unsure, broadcast(EVENT_NONE), c[EVENT]), c[EVENT]);
         count = count + 1;
     }
     V duration = before + after;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 015974ddb2537dc70b71478681aa0602253bd123e83bc49936b8f8bfd4648d30
+# sha256 of the text below: 3d1b01811cdf4a690c518c6ccfb3774557dc42c1415087c5796a3a7dc74cfe3d
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "0be63589f6d1dddb77bc208d66adbcfbdd8219fcd74f724de04a5c0f1df64c1c"  # of the compiled integrator's source
+DIGEST = "7e6b689fc8044c4225a1fa1c29cfd5f98d64b2e981ad3cab12146e8ad32eb332"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
