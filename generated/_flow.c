@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7e6b689fc8044c4225a1fa1c29cfd5f98d64b2e981ad3cab12146e8ad32eb332"
+#define DIGEST "b45c51ebbc31c8125ef03942d99c4436deaea68cd141638bd1fb71ce855f9fca"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -67,7 +67,6 @@ enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S
 /* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
  * are operations that rates need. */
 static const struct { int rates, length; const int32_t *operations; } patterns[] = {
-    {21, 39, (const int32_t[]){SQR, 5 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {43, 75, (const int32_t[]){SQR, 11 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {38, 62, (const int32_t[]){SQR, 8 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {55, 85, (const int32_t[]){SQR, 11 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
@@ -79,7 +78,6 @@ static const struct { int rates, length; const int32_t *operations; } patterns[]
     {77, 91, (const int32_t[]){SQR, 15 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {78, 92, (const int32_t[]){SQR, 12 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {101, 115, (const int32_t[]){SQR, 15 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {45, 59, (const int32_t[]){SQR, 6 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE, MUL, 8 * STRIDE, 5 * STRIDE, 7 * STRIDE, LIN, 9 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {67, 81, (const int32_t[]){SQR, 12 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 5 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {68, 82, (const int32_t[]){SQR, 9 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 9 * STRIDE, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE, LIN, 12 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
     {91, 105, (const int32_t[]){SQR, 12 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
@@ -955,32 +953,19 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
 INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 5 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
-}
-INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
-{
-    OPERATION(21, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
-    OPERATION(31, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
-}
-EACH_ORDER(0)
-INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
-{
     if (squares) OPERATION(0, SQR, 11 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
     OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
     OPERATION(11, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE);
     OPERATION(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
-INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
     OPERATION(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(1)
-INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(0)
+INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 8 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -990,13 +975,13 @@ INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n, in
     OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
     OPERATION(22, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
 }
-INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(38, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
     OPERATION(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(2)
-INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(1)
+INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 11 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1009,13 +994,13 @@ INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n, in
     OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
     OPERATION(33, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
-INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(55, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
     OPERATION(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(3)
-INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(2)
+INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 10 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1028,13 +1013,13 @@ INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n, in
     OPERATION(41, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE);
     OPERATION(45, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
 }
-INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(59, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
     OPERATION(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(4)
-INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(3)
+INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 16 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1048,13 +1033,13 @@ INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n, in
     OPERATION(63, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE);
     OPERATION(67, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
-INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(81, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
     OPERATION(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(5)
-INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(4)
+INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 13 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1070,13 +1055,13 @@ INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n, in
     OPERATION(58, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE);
     OPERATION(62, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
 }
-INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(82, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
     OPERATION(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(6)
-INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(5)
+INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 16 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1095,13 +1080,13 @@ INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n, in
     OPERATION(75, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE);
     OPERATION(79, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
-INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(105, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
     OPERATION(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(7)
-INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(6)
+INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 2 * STRIDE, 1 * STRIDE);
     OPERATION(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
@@ -1111,13 +1096,13 @@ INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n, in
     OPERATION(29, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE);
     OPERATION(33, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE);
 }
-INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(45, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
     OPERATION(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
 }
-EACH_ORDER(8)
-INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(7)
+INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 15 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1130,13 +1115,13 @@ INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n, in
     OPERATION(59, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE);
     OPERATION(63, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
-INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(77, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
     OPERATION(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(9)
-INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(8)
+INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1151,13 +1136,13 @@ INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n, i
     OPERATION(54, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
     OPERATION(58, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
-INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(78, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
     OPERATION(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(10)
-INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(9)
+INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 15 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1175,29 +1160,13 @@ INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n, i
     OPERATION(71, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE);
     OPERATION(75, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
-INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(101, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
     OPERATION(107, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(11)
-INLINE void rates_12(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
-{
-    if (squares) OPERATION(0, SQR, 6 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    OPERATION(17, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE);
-    OPERATION(27, MUL, 8 * STRIDE, 5 * STRIDE, 7 * STRIDE);
-    OPERATION(31, LIN, 9 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
-}
-INLINE void others_12(const int32_t *own, V *r, const V *c, int n, double by_n)
-{
-    OPERATION(45, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    OPERATION(51, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
-}
-EACH_ORDER(12)
-INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(10)
+INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1208,13 +1177,13 @@ INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, i
     OPERATION(49, MUL, 14 * STRIDE, 5 * STRIDE, 13 * STRIDE);
     OPERATION(53, LIN, 15 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
-INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(67, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
     OPERATION(73, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(13)
-INLINE void rates_14(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(11)
+INLINE void rates_12(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 9 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1227,13 +1196,13 @@ INLINE void rates_14(const int32_t *own, V *r, const V *c, int n, double by_n, i
     OPERATION(44, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
     OPERATION(48, LIN, 12 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
-INLINE void others_14(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_12(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(68, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
     OPERATION(74, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(14)
-INLINE void rates_15(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+EACH_ORDER(12)
+INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
     if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
     OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
@@ -1249,12 +1218,12 @@ INLINE void rates_15(const int32_t *own, V *r, const V *c, int n, double by_n, i
     OPERATION(61, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
     OPERATION(65, LIN, 15 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
-INLINE void others_15(const int32_t *own, V *r, const V *c, int n, double by_n)
+INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     OPERATION(91, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
     OPERATION(97, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
-EACH_ORDER(15)
+EACH_ORDER(13)
 static const struct {
     void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n, int squares);
     void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
@@ -1273,8 +1242,6 @@ static const struct {
     {order_11, later_11},
     {order_12, later_12},
     {order_13, later_13},
-    {order_14, later_14},
-    {order_15, later_15},
 };
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 1};
 #else

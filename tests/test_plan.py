@@ -19,7 +19,6 @@ from generated.flow import FRAGMENTS, SOIL_TERMS, TERMS
 from slipcircle import Scene, load, plan, solve
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import LayeredSection, Soil, stretches
-from slipcircle.messages.choice import FLOW
 from slipcircle.messages.equation import Equation
 from slipcircle.tables import Series
 from slipcircle.workbench.cost.ladder import effect_ladder
@@ -46,21 +45,28 @@ WET = {"pore_pressure": {"pressure": Series(np.array([0.0, 1.0]), np.array([0.0,
 
 
 @pytest.mark.parametrize(
-    ("planned", "why"),
+    ("planned", "method", "why"),
     [
-        (scene(STILL[1:]), ""),
-        (scene(STILL), "rotation turns the mass"),
+        (scene(STILL[1:]), "Taylor series in time", ""),
+        (scene(STILL), "closed form from rest, otherwise Taylor series in the rotation", "rotation turns the mass"),
+        (
+            scene(("rotation",), SOFTENING | {"law": "linear"}),
+            "Taylor series in the rotation",
+            "rotation turns the mass; friction depends on slip",
+        ),
+        (scene(("rotation",), RATE), "Taylor series in tau", "rotation turns the mass; friction depends on the speed"),
         (
             scene(("rotation", "viscosity", "shaking"), SOFTENING | {"rate": RATE}),
+            "Taylor series in time",
             "rotation turns the mass; viscosity depends on the speed; shaking depends on time; "
             "friction depends on slip; friction depends on the speed",
         ),
-        (Scene(ARC, 0.2, WET), "pore_pressure depends on time"),
+        (Scene(ARC, 0.2, WET), "Taylor series in time", "pore_pressure depends on time"),
     ],
 )
-def test_a_plan_says_what_its_motion_depends_on(planned: Scene, why: str) -> None:
-    method, _, way = plan(planned).method.partition("; ")
-    assert (method, plan(planned).why) == (FLOW, why)
+def test_a_plan_says_how_it_is_solved_and_what_its_motion_depends_on(planned: Scene, method: str, why: str) -> None:
+    said, _, way = plan(planned).method.partition("; ")
+    assert (said, plan(planned).why) == (f"{method}, events as their roots", why)
     assert way in ("straight-line", "interpreted")  # as the integrator is compiled or not
 
 
@@ -126,7 +132,9 @@ def test_ladders_on_the_command_line(name: str, said: Any) -> None:
 
 def test_on_the_command_line(said: Any, records: Any, asked: Any) -> None:
     text = said("plan vaiont")
-    assert all(word in text for word in (*plan(load("vaiont")).effects, FLOW, "not included"))
+    assert all(
+        word in text for word in (*plan(load("vaiont")).effects, "Taylor series in the rotation", "not included")
+    )
     (found,) = records("plan --ladder vaiont")
     assert [r["added"] for r in found["ladder"]] == ["", "rotation", "centripetal"]
     assert asked("plan")[0] == 2

@@ -34,12 +34,17 @@ EACH_ORDER({k})
 
 
 def programs() -> Iterator[Program]:
-    """Link the first smooth law without argument, of slip, of speed, and one in pieces, each with all of `MOVING`."""
+    """Link the first smooth law without argument, of slip, of speed, and one in pieces, each with all of `MOVING`.
+
+    Where nothing moves, the first and the last are solved in the phase plane, without operations on series.
+    """
     smooth = [law for law in LAWS if law.coefficient is not None and not law.kinks]
     laws = {law.depends_on: law for law in reversed(smooth)}
     laws["slip", "kinks"] = next(law for law in LAWS if law.kinks)
     parts = lookup()
     for dependence, moving in product(((), ("slip",), ("speed",), ("slip", "kinks")), MOVING):
+        if not moving and dependence in ((), ("slip", "kinks")):
+            continue
         effects = [e for e in EFFECTS if not e.parameters or not e.symbols.keys().isdisjoint(moving)]
         absent = [x for e in effects for x in e.symbols if x not in moving]
         recipe = Recipe(

@@ -11,7 +11,6 @@ from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import without_soil
 from slipcircle.core.scene.laws import depends_on
 
-FLOW = "Taylor series in time, events as their roots"
 _SOILS = "the strength of the soils"
 WORDS = {"speed": "the speed", "layered_strength": _SOILS, "soil_friction": _SOILS}
 
@@ -27,10 +26,14 @@ class PlanWords(NamedTuple):
 def words_of(plan: Plan) -> PlanWords:
     """Return the description of a plan, with "straight-line" or "interpreted" for its program in the integrator."""
     words = _words(plan.recipe)
+    program = plan.program
+    variable = "tau" if "cell_pace" in program.roles else "the rotation" if program.by_rotation else "time"
+    of_slip = any(table.kind == "slip" for table in program.tables)
+    closed = "closed form from rest, otherwise " if "cell_net_sine" in program.roles and not of_slip else ""
     binary = module()
-    is_straight = binary is not None and binary.straight_line(encoded(plan.program), widest()) >= 0
+    is_straight = binary is not None and binary.straight_line(encoded(program), widest()) >= 0
     way = "straight-line" if is_straight else "interpreted"
-    return words._replace(method=f"{words.method}; {way}")
+    return words._replace(method=f"{closed}Taylor series in {variable}, events as their roots; {way}")
 
 
 def describe_integrator() -> str:
@@ -46,7 +49,7 @@ def describe_integrator() -> str:
 
 @cache
 def _words(recipe: Recipe) -> PlanWords:
-    """Return the description of the plans with a recipe, without the kind of their program."""
+    """Return the description of the plans with a recipe, without their method."""
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
     symbols = {*map(without_soil, recipe.moving)}
     of_rotation = []
@@ -70,7 +73,7 @@ def _words(recipe: Recipe) -> PlanWords:
     if of_soils:
         factors.insert(0, f"{', '.join(dict.fromkeys(of_soils))} by soil")
     law = " times ".join(factors)
-    return PlanWords(law, FLOW, "; ".join(reasons))
+    return PlanWords(law, "", "; ".join(reasons))
 
 
 def _reasons(effect: str, in_time: bool) -> Iterator[str]:
