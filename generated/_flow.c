@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b138b7cee0700205a7ebb835be895d0446deea71e1ee746406657e06aec183df"
+#define DIGEST "cee548d3187703e132b46f1e790f87fea14e73ac0dfeb96331ad3c0c6c2abab1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving_moment_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole, net_record, net_record_sine, net_record_vers, normal_record, normal_record_sine, normal_record_vers;
 } Roles;
 
 typedef struct {
@@ -1457,6 +1457,17 @@ static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.0534934727794
 #define SIXTH 0x1.5555555555555p-3
 #define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
+#define LAST_OF_PIECE 7
+#define LAST_TERMS 0x1.0000000000000p-44
+#define LONGEST_WAY 0x1.0000000000000p-7
+#define PRESSED 0x1.47ae147ae147bp-7
+#define SURELY 0x1.0000000000000p+2
+#define TIME_NOW 0
+#define WAY_NOW 1
+#define SPEED_NOW 2
+#define SINE_NOW 3
+#define VERS_NOW 4
+#define RATE_NOW 5
 #define FAR 0x1.7e43c8800759cp+996
 #define LONGEST 0x1.0000000000000p+0
 #define REACH 0x1.0000000000000p+2
@@ -2985,6 +2996,249 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     }
 }
 
+/* Compute the factors of the net moment of a mass at rest, after a change of the function of time. */
+INLINE void forces_at(Batch *b, V *e, V change)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    e[0] = c[job->role->drive] + (c[job->role->net_record] * change);
+    e[1] = c[job->role->net_sine] + (c[job->role->net_record_sine] * change);
+    e[2] = c[job->role->net_vers] + (c[job->role->net_record_vers] * change);
+}
+
+/* Return the net moment of a mass at rest from its factors. */
+INLINE V moment_at(V *e, V *z)
+{
+    V by_sine = e[1] * z[SINE_NOW];
+    return e[0] + (by_sine + (e[2] * z[VERS_NOW]));
+}
+
+/* Return the normal force of a mass at rest, after a change of the function of time. */
+INLINE V force_after(Batch *b, V *z, V change)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V by_sine = (c[job->role->normal_sine] + (c[job->role->normal_record_sine] * change)) * z[SINE_NOW];
+    V by_vers = (c[job->role->normal_vers] + (c[job->role->normal_record_vers] * change)) * z[VERS_NOW];
+    return (c[job->role->normal0] + (c[job->role->normal_record] * change)) + (by_sine + by_vers);
+}
+
+/* Return the path after a share of a piece, from the series of the speed. */
+INLINE V path_to(Batch *b, V *u, V share)
+{
+    V total = broadcast(0.0);
+    for (int n = LAST_OF_PIECE; n >= 0; n--) {
+        total = (total * share) + (u[n] * b->inverse[n + 1]);
+    }
+    return total * share;
+}
+
+/* Compute the series of speed, sine and versine. The unit of time is a piece, and ``g`` has the factors there. */
+INLINE void expand_piece(Batch *b, V *u, V *sine, V *versine, V *g)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    for (int n = 0; n <= LAST_OF_PIECE - 1; n++) {
+        V net = (g[1] * sine[n]) + (g[2] * versine[n]);
+        if (n == 0) {
+            net = net + g[0];
+        }
+        if (n == 1) {
+            net = net + g[3];
+        }
+        if (n > 0) {
+            V by_rise = (g[4] * sine[n - 1]) + (g[5] * versine[n - 1]);
+            net = net + by_rise;
+        }
+        V square = broadcast(0.0);
+        V along = u[n];
+        V across = broadcast(0.0);
+        for (int k = 0; k <= n; k++) {
+            square = square + (u[k] * u[n - k]);
+            along = along - (versine[k] * u[n - k]);
+            across = across + (sine[k] * u[n - k]);
+        }
+        net = net + (c[job->role->net_square] * square);
+        u[n + 1] = net * b->inverse[n + 1];
+        sine[n + 1] = along * b->inverse[n + 1];
+        versine[n + 1] = across * b->inverse[n + 1];
+    }
+}
+
+/* Advance lanes at rest to the time within a piece at which their net moment is zero, where they start. */
+INLINE void wait_for_start(Batch *b, M here, V *z, V *e, V *f, V after, V until)
+{
+    V rate = moment_at(e, z);
+    V share = pick(here & (rate < 0.0), rate / (rate - after), broadcast(0.0));
+    z[TIME_NOW] = z[TIME_NOW] + (share * (until - z[TIME_NOW]));
+    for (int k = 0; k <= 2; k++) {
+        e[k] = e[k] + (share * (f[k] - e[k]));
+    }
+    z[RATE_NOW] = pick(here, broadcast(0.0), z[RATE_NOW]);
+    count_starts(b, here);
+}
+
+/* Record the greatest speed in a piece in which the rate of the speed falls through zero, to ``after``. */
+static void pass_top(Batch *b, M here, V *z, V *u, V length, V after)
+{
+    V rates[STRIDE];
+    differentiate(rates, u, LAST_OF_PIECE);
+    V one = broadcast(1.0);
+    V share = bracketed_root(rates, LAST_OF_PIECE - 1, 0.0 * one, z[RATE_NOW], one, after, here);
+    V speed = value(u, LAST_OF_PIECE, share) / length;
+    V x = z[WAY_NOW] + path_to(b, u, share);
+    keep_faster(b, here, speed, z[TIME_NOW] + (length * share), x, broadcast(0.0));
+}
+
+/* Stop lanes within a piece, and return them. */
+static M stop_within(Batch *b, M here, V *z, V *e, V *f, V *u, V *sine, V *versine, V length)
+{
+    V *const c = b->c;
+    V one = broadcast(1.0);
+    V share = first_root(u, LAST_OF_PIECE, one, here);
+    M stops = here & (share <= 1.0);
+    share = pick(stops, share, broadcast(0.0));
+    z[TIME_NOW] = z[TIME_NOW] + (length * share);
+    z[WAY_NOW] = z[WAY_NOW] + path_to(b, u, share);
+    z[SPEED_NOW] = pick(stops, broadcast(0.0), z[SPEED_NOW]);
+    z[SINE_NOW] = pick(stops, value(sine, LAST_OF_PIECE, share), z[SINE_NOW]);
+    z[VERS_NOW] = pick(stops, value(versine, LAST_OF_PIECE, share), z[VERS_NOW]);
+    for (int k = 0; k <= 2; k++) {
+        e[k] = e[k] + (share * (f[k] - e[k]));
+    }
+    c[REST_SINCE] = pick(here, pick(stops, z[TIME_NOW], c[REST_SINCE]), c[REST_SINCE]);
+    return stops;
+}
+
+/* Move lanes to the end of a piece, or to a standstill within it, and return lanes that have stopped. ``e`` and
+ * ``f`` are the factors of the net moment now and at the end of the piece. */
+static M pass_part(Batch *b, M here, int t, int piece, V *z, V *e, V *f, V until)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V waiting = moment_at(f, z);
+    M rests = z[SPEED_NOW] == 0.0;
+    M starts = here & rests & (waiting > (SURELY * c[job->role->drive_scale]));
+    if (bits(starts)) {
+        wait_for_start(b, starts, z, e, f, waiting, until);
+    }
+    M acts = here & (starts | ~rests);
+    if (!bits(acts)) {
+        return acts;
+    }
+    V u[STRIDE];
+    V sine[STRIDE];
+    V versine[STRIDE];
+    V g[STRIDE];
+    V length = until - z[TIME_NOW];
+    V per = 1.0 / length;
+    V scale = length * length;
+    for (int k = 0; k <= 2; k++) {
+        g[k] = scale * e[k];
+        g[k + 3] = scale * (f[k] - e[k]);
+    }
+    u[0] = length * z[SPEED_NOW];
+    sine[0] = z[SINE_NOW];
+    versine[0] = z[VERS_NOW];
+    expand_piece(b, u, sine, versine, g);
+    V gain = u[1];
+    V way = u[0] + (0.5 * u[1]);
+    V by_sine = sine[1];
+    V by_vers = versine[1];
+    for (int n = 2; n <= LAST_OF_PIECE; n++) {
+        gain = gain + u[n];
+        way = way + (u[n] * b->inverse[n + 1]);
+        by_sine = by_sine + sine[n];
+        by_vers = by_vers + versine[n];
+    }
+    V largest = u[0] + (magnitude(u[1]) + magnitude(u[2]));
+    V last = magnitude(u[LAST_OF_PIECE]) + magnitude(u[LAST_OF_PIECE - 1]);
+    V turns = magnitude(g[1]) + magnitude(g[2]);
+    M complete = (((turns + largest) * last) <= (LAST_TERMS * largest)) & (largest < LONGEST_WAY);
+    M leaves = acts & ~complete;
+    if (bits(leaves)) {
+        c[CLOCKED] = pick(here, pick(leaves, broadcast(1.0), c[CLOCKED]), c[CLOCKED]);
+        end_slide(b, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW]);
+    }
+    acts = acts & complete;
+    V speed = maximum((u[0] + gain) * per, broadcast(0.0));
+    V at_rest = f[0] + ((f[1] * (sine[0] + by_sine)) + (f[2] * (versine[0] + by_vers)));
+    V after = at_rest + (c[job->role->net_square] * (speed * speed));
+    V most = z[SPEED_NOW] + (length * z[RATE_NOW]);
+    V least = magnitude(c[PEAK_OMEGA]);
+    M peaks = acts & (z[RATE_NOW] > 0.0) & (after <= 0.0) & (most > least);
+    if (bits(peaks)) {
+        pass_top(b, peaks, z, u, length, after);
+    }
+    M dips = (z[RATE_NOW] < 0.0) & (after > 0.0) & (most <= 0.0);
+    M asked = acts & ((speed == 0.0) | dips);
+    M stops = asked;
+    if (bits(asked)) {
+        stops = stop_within(b, asked, z, e, f, u, sine, versine, length);
+    }
+    M goes = acts & ~stops;
+    z[WAY_NOW] = z[WAY_NOW] + pick(goes, way, broadcast(0.0));
+    z[SPEED_NOW] = pick(goes, speed, z[SPEED_NOW]);
+    z[SINE_NOW] = z[SINE_NOW] + pick(goes, by_sine, broadcast(0.0));
+    z[VERS_NOW] = z[VERS_NOW] + pick(goes, by_vers, broadcast(0.0));
+    z[RATE_NOW] = pick(goes, after, z[RATE_NOW]);
+    return stops;
+}
+
+/* Return a rotation up to which weight certainly presses on the slip surface and drives down-slope. */
+INLINE V farthest_of(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V by_drive = c[job->role->driving_moment] / magnitude(c[job->role->driving_moment_slope]);
+    V by_load = c[job->role->normal_load] / magnitude(c[job->role->normal_load_slope]);
+    return 0.5 * minimum(broadcast(1.0), minimum(by_drive, by_load));
+}
+
+/* Move lanes at rest through the pieces of a record. A lane leaves before a piece in which it may lift, in which
+ * its chord may stand upright, or for which series are too short. */
+static void turn_through(Batch *b, M here, int t, int first)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V per = 1.0 / c[job->table[t].cell + SCALE];
+    V before = latest_end(b, t);
+    V farthest = farthest_of(b);
+    V least = PRESSED * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
+    V z[STRIDE];
+    V e[STRIDE];
+    V f[STRIDE];
+    int piece = first;
+    z[TIME_NOW] = c[TIME];
+    for (int k = WAY_NOW; k <= RATE_NOW; k++) {
+        z[k] = broadcast(0.0);
+    }
+    forces_at(b, e, c[job->table[t].cell + INC]);
+    V change = (c[job->table[t].cell + SCALED_BY] * height_after(b, t, piece)) - c[job->table[t].cell + VALUE];
+    M on = here;
+    while (bits(on)) {
+        V until = end_of(b, t, piece, per);
+        forces_at(b, f, change);
+        M acts = on;
+        while (bits(acts)) {
+            acts = pass_part(b, acts, t, piece, z, e, f, until);
+        }
+        z[TIME_NOW] = until;
+        for (int k = 0; k <= 2; k++) {
+            e[k] = f[k];
+        }
+        piece = piece + 1;
+        change = (c[job->table[t].cell + SCALED_BY] * height_after(b, t, piece)) - c[job->table[t].cell + VALUE];
+        on = on & (c[PENDING] == (double)READY);
+        M inside = passes(b, t, piece, before) & (z[WAY_NOW] < farthest) & (force_after(b, z, change) > least);
+        M leaves = on & ~inside;
+        if (bits(leaves)) {
+            end_slide(b, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW]);
+        }
+        on = on & inside;
+    }
+}
+
 /* Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round. So
  * the numbers of a lane do not depend on other lanes. */
 static M slide_together(Batch *b, M here, int t)
@@ -3003,19 +3257,25 @@ static M slide_together(Batch *b, M here, int t)
     V weight = force - (grip * origin);
     M straight = net[2] == 0.0;
     M linear = here & straight & (c[job->table[t].cell + RISE] != 0.0);
-    M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0);
+    M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0) & (c[CLOCKED] == 0.0);
     M forward = linear & down_slope & (c[LIFTED] == 0.0);
     int piece = greatest(pick(forward, c[job->table[t].cell + PIECE], broadcast(-1.0)));
     M same = c[job->table[t].cell + PIECE] == (double)piece;
     M there = forward & same;
     if (bits(there)) {
         V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
-        V press = weight + (grip * ahead);
+        V press = (weight + (grip * ahead)) - (PRESSED * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope])));
         V before = latest_end(b, t);
         M inside = there & passes(b, t, piece, before) & (press > 0.0);
         V by_height = slope * c[job->table[t].cell + SCALED_BY];
         V grip_by_height = grip * c[job->table[t].cell + SCALED_BY];
-        slide(b, inside, t, piece, by_height, base, grip_by_height, weight);
+        int turns = job->role->net_record >= 0;
+        if (turns) {
+            turn_through(b, inside & (net[0] <= 0.0), t, piece);
+        }
+        if (!turns) {
+            slide(b, inside, t, piece, by_height, base, grip_by_height, weight);
+        }
     }
     return forward & ~there;
 }
@@ -4606,7 +4866,7 @@ static void rest_on(Batch *b, M here)
     look_ahead(b, here, room);
     M later = (M){0};
     for (int t = 0; t < job->tables; t++) {
-        int alone = (job->autonomous == 2) && (job->timed == 1);
+        int alone = (job->role->net_record >= 0) || ((job->autonomous == 2) && (job->timed == 1));
         int exact = alone && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
         if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
             later = slide_together(b, here, t);
@@ -4640,7 +4900,7 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0)) {
+    if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0) && !job->timed) {
         moving = moving & ~swing(b, moving);
     }
     if (job->by_rotation && !(job->samples > 0)) {
@@ -4774,7 +5034,7 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
-    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
+    const int least_free = job->timed && (job->autonomous == 2 || job->role->net_record >= 0) ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
         if (round < job->budget && load_neighbours(b, next)) next += LANES;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 189fbd41d6b9638b13b3e621b421cb518dc32aa64d765206e5d9fb7e4abe1c00
+# sha256 of the text below: f9ff2ea482cf9d051348bd201a9e66dd61bc4d75f5771ccb14107a44bf1819e7
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -379,6 +379,17 @@ SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
 LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
+LAST_OF_PIECE = 7
+LAST_TERMS = 5.684341886080802e-14
+LONGEST_WAY = 0.0078125
+PRESSED = 0.01
+SURELY = 4.0
+TIME_NOW = 0
+WAY_NOW = 1
+SPEED_NOW = 2
+SINE_NOW = 3
+VERS_NOW = 4
+RATE_NOW = 5
 FAR = 1e+300
 LONGEST = 1.0
 REACH = 4.0
@@ -1683,6 +1694,211 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
         on = keep_sliding(s, on, t, piece, before, press, x, omega)
 
 
+def forces_at(s: Lanes, e: Floats, change: Floats) -> None:
+    """Compute the factors of the net moment of a mass at rest, after a change of the function of time."""
+    c = s.cells
+    e[0] = c[s.roles.drive] + c[s.roles.net_record] * change
+    e[1] = c[s.roles.net_sine] + c[s.roles.net_record_sine] * change
+    e[2] = c[s.roles.net_vers] + c[s.roles.net_record_vers] * change
+
+
+def moment_at(e: Floats, z: Floats) -> Floats:
+    """Return the net moment of a mass at rest from its factors."""
+    by_sine = e[1] * z[SINE_NOW]
+    return e[0] + (by_sine + e[2] * z[VERS_NOW])
+
+
+def force_after(s: Lanes, z: Floats, change: Floats) -> Floats:
+    """Return the normal force of a mass at rest, after a change of the function of time."""
+    c = s.cells
+    by_sine = (c[s.roles.normal_sine] + c[s.roles.normal_record_sine] * change) * z[SINE_NOW]
+    by_vers = (c[s.roles.normal_vers] + c[s.roles.normal_record_vers] * change) * z[VERS_NOW]
+    return c[s.roles.normal0] + c[s.roles.normal_record] * change + (by_sine + by_vers)
+
+
+def path_to(s: Lanes, u: Floats, share: Floats) -> Floats:
+    """Return the path after a share of a piece, from the series of the speed."""
+    total: Floats = 0.0
+    for n in range(LAST_OF_PIECE, 0 - 1, -1):
+        total = total * share + u[n] * (1.0 / (n + 1))
+    return total * share
+
+
+def expand_piece(s: Lanes, u: Floats, sine: Floats, versine: Floats, g: Floats) -> None:
+    """Compute the series of speed, sine and versine. The unit of time is a piece, and ``g`` has the factors there."""
+    c = s.cells
+    for n in range(LAST_OF_PIECE - 1 + 1):
+        net = g[1] * sine[n] + g[2] * versine[n]
+        if n == 0:
+            net = net + g[0]
+        if n == 1:
+            net = net + g[3]
+        if n > 0:
+            by_rise = g[4] * sine[n - 1] + g[5] * versine[n - 1]
+            net = net + by_rise
+        square: Floats = 0.0
+        along = u[n]
+        across: Floats = 0.0
+        for k in range(n + 1):
+            square = square + u[k] * u[n - k]
+            along = along - versine[k] * u[n - k]
+            across = across + sine[k] * u[n - k]
+        net = net + c[s.roles.net_square] * square
+        u[n + 1] = net * (1.0 / (n + 1))
+        sine[n + 1] = along * (1.0 / (n + 1))
+        versine[n + 1] = across * (1.0 / (n + 1))
+
+
+def wait_for_start(s: Lanes, here: Mask, z: Floats, e: Floats, f: Floats, after: Floats, until: Floats) -> None:
+    """Advance lanes at rest to the time within a piece at which their net moment is zero, where they start."""
+    rate = moment_at(e, z)
+    share = np.where(here & (rate < 0.0), rate / (rate - after), 0.0)
+    z[TIME_NOW] = z[TIME_NOW] + share * (until - z[TIME_NOW])
+    for k in range(2 + 1):
+        e[k] = e[k] + share * (f[k] - e[k])
+    z[RATE_NOW] = np.where(here, 0.0, z[RATE_NOW])
+    count_starts(s, here)
+
+
+def pass_top(s: Lanes, here: Mask, z: Floats, u: Floats, length: Floats, after: Floats) -> None:
+    """Record the greatest speed in a piece in which the rate of the speed falls through zero, to ``after``."""
+    rates = np.zeros((ix.STRIDE, z.shape[1]))
+    differentiate(rates, u, LAST_OF_PIECE)
+    one: Floats = 1.0
+    share = bracketed_root(rates, LAST_OF_PIECE - 1, 0.0 * one, z[RATE_NOW], one, after, here)
+    speed = value(u, LAST_OF_PIECE, share) / length
+    x = z[WAY_NOW] + path_to(s, u, share)
+    keep_faster(s, here, speed, z[TIME_NOW] + length * share, x, 0.0)
+
+
+def stop_within(s: Lanes, here: Mask, z: Floats, e: Floats, f: Floats, u: Floats, sine: Floats, versine: Floats,
+        length: Floats) -> Mask:
+    """Stop lanes within a piece, and return them."""
+    c = s.cells
+    one: Floats = 1.0
+    share = first_root(u, LAST_OF_PIECE, one, here)
+    stops = here & (share <= 1.0)
+    share = np.where(stops, share, 0.0)
+    z[TIME_NOW] = z[TIME_NOW] + length * share
+    z[WAY_NOW] = z[WAY_NOW] + path_to(s, u, share)
+    z[SPEED_NOW] = np.where(stops, 0.0, z[SPEED_NOW])
+    z[SINE_NOW] = np.where(stops, value(sine, LAST_OF_PIECE, share), z[SINE_NOW])
+    z[VERS_NOW] = np.where(stops, value(versine, LAST_OF_PIECE, share), z[VERS_NOW])
+    for k in range(2 + 1):
+        e[k] = e[k] + share * (f[k] - e[k])
+    c[ix.REST_SINCE] = np.where(here, np.where(stops, z[TIME_NOW], c[ix.REST_SINCE]), c[ix.REST_SINCE])
+    return stops
+
+
+def pass_part(s: Lanes, here: Mask, t: Table, piece: int, z: Floats, e: Floats, f: Floats, until: Floats) -> Mask:
+    """Move lanes to the end of a piece, or to a standstill within it, and return lanes that have stopped."""
+    c = s.cells
+    waiting = moment_at(f, z)
+    rests = z[SPEED_NOW] == 0.0
+    starts = here & rests & (waiting > SURELY * c[s.roles.drive_scale])
+    if np.any(starts):
+        wait_for_start(s, starts, z, e, f, waiting, until)
+    acts = here & (starts | np.logical_not(rests))
+    if not np.any(acts):
+        return acts
+    u = np.zeros((ix.STRIDE, z.shape[1]))
+    sine = np.zeros((ix.STRIDE, z.shape[1]))
+    versine = np.zeros((ix.STRIDE, z.shape[1]))
+    g = np.zeros((ix.STRIDE, z.shape[1]))
+    length = until - z[TIME_NOW]
+    per = 1.0 / length
+    scale = length * length
+    for k in range(2 + 1):
+        g[k] = scale * e[k]
+        g[k + 3] = scale * (f[k] - e[k])
+    u[0] = length * z[SPEED_NOW]
+    sine[0] = z[SINE_NOW]
+    versine[0] = z[VERS_NOW]
+    expand_piece(s, u, sine, versine, g)
+    gain = u[1]
+    way = u[0] + 0.5 * u[1]
+    by_sine = sine[1]
+    by_vers = versine[1]
+    for n in range(2, LAST_OF_PIECE + 1):
+        gain = gain + u[n]
+        way = way + u[n] * (1.0 / (n + 1))
+        by_sine = by_sine + sine[n]
+        by_vers = by_vers + versine[n]
+    largest = u[0] + (np.abs(u[1]) + np.abs(u[2]))
+    last = np.abs(u[LAST_OF_PIECE]) + np.abs(u[LAST_OF_PIECE - 1])
+    turns = np.abs(g[1]) + np.abs(g[2])
+    complete = ((turns + largest) * last <= LAST_TERMS * largest) & (largest < LONGEST_WAY)
+    leaves = acts & np.logical_not(complete)
+    if np.any(leaves):
+        c[ix.CLOCKED] = np.where(here, np.where(leaves, 1.0, c[ix.CLOCKED]), c[ix.CLOCKED])
+        end_slide(s, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW])
+    acts = acts & complete
+    speed = np.maximum((u[0] + gain) * per, 0.0)
+    at_rest = f[0] + (f[1] * (sine[0] + by_sine) + f[2] * (versine[0] + by_vers))
+    after = at_rest + c[s.roles.net_square] * (speed * speed)
+    most = z[SPEED_NOW] + length * z[RATE_NOW]
+    least = np.abs(c[ix.PEAK_OMEGA])
+    peaks = acts & (z[RATE_NOW] > 0.0) & (after <= 0.0) & (most > least)
+    if np.any(peaks):
+        pass_top(s, peaks, z, u, length, after)
+    dips = (z[RATE_NOW] < 0.0) & (after > 0.0) & (most <= 0.0)
+    asked = acts & ((speed == 0.0) | dips)
+    stops = asked
+    if np.any(asked):
+        stops = stop_within(s, asked, z, e, f, u, sine, versine, length)
+    goes = acts & np.logical_not(stops)
+    z[WAY_NOW] = z[WAY_NOW] + np.where(goes, way, 0.0)
+    z[SPEED_NOW] = np.where(goes, speed, z[SPEED_NOW])
+    z[SINE_NOW] = z[SINE_NOW] + np.where(goes, by_sine, 0.0)
+    z[VERS_NOW] = z[VERS_NOW] + np.where(goes, by_vers, 0.0)
+    z[RATE_NOW] = np.where(goes, after, z[RATE_NOW])
+    return stops
+
+
+def farthest_of(s: Lanes) -> Floats:
+    """Return a rotation up to which weight certainly presses on the slip surface and drives down-slope."""
+    c = s.cells
+    by_drive = c[s.roles.driving_moment] / np.abs(c[s.roles.driving_moment_slope])
+    by_load = c[s.roles.normal_load] / np.abs(c[s.roles.normal_load_slope])
+    return 0.5 * np.minimum(1.0, np.minimum(by_drive, by_load))
+
+
+def turn_through(s: Lanes, here: Mask, t: Table, first: int) -> None:
+    """Move lanes at rest through the pieces of a record."""
+    c = s.cells
+    per = 1.0 / c[t.cells + ix.SCALE]
+    before = latest_end(s, t)
+    farthest = farthest_of(s)
+    least = PRESSED * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
+    z = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    piece = first
+    z[TIME_NOW] = c[ix.TIME]
+    for k in range(WAY_NOW, RATE_NOW + 1):
+        z[k] = 0.0
+    forces_at(s, e, c[t.cells + ix.INC])
+    change = c[t.cells + ix.SCALED_BY] * height_after(s, t, piece) - c[t.cells + ix.VALUE]
+    on = here
+    while np.any(on):
+        until = end_of(s, t, piece, per)
+        forces_at(s, f, change)
+        acts = on
+        while np.any(acts):
+            acts = pass_part(s, acts, t, piece, z, e, f, until)
+        z[TIME_NOW] = until
+        for k in range(2 + 1):
+            e[k] = f[k]
+        piece = piece + 1
+        change = c[t.cells + ix.SCALED_BY] * height_after(s, t, piece) - c[t.cells + ix.VALUE]
+        on = on & (c[ix.PENDING] == ix.READY)
+        inside = passes(s, t, piece, before) & (z[WAY_NOW] < farthest) & (force_after(s, z, change) > least)
+        leaves = on & np.logical_not(inside)
+        if np.any(leaves):
+            end_slide(s, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW])
+        on = on & inside
+
+
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round."""
     c = s.cells
@@ -1697,19 +1913,24 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     weight = force - grip * origin
     straight = net[2] == 0.0
     linear = here & straight & (c[t.cells + ix.RISE] != 0.0)
-    down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0)
+    down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0) & (c[ix.CLOCKED] == 0.0)
     forward = linear & down_slope & (c[ix.LIFTED] == 0.0)
     piece = greatest(np.where(forward, c[t.cells + ix.PIECE], -1.0))
     same = c[t.cells + ix.PIECE] == float(piece)
     there = forward & same
     if np.any(there):
         ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
-        press = weight + grip * ahead
+        press = weight + grip * ahead - PRESSED *
+             (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
         before = latest_end(s, t)
         inside = there & passes(s, t, piece, before) & (press > 0.0)
         by_height = slope * c[t.cells + ix.SCALED_BY]
         grip_by_height = grip * c[t.cells + ix.SCALED_BY]
-        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
+        turns = s.roles.net_record >= 0
+        if turns:
+            turn_through(s, inside & (net[0] <= 0.0), t, piece)
+        if not turns:
+            slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
     return forward & np.logical_not(there)
 
 
@@ -3045,7 +3266,7 @@ def rest_on(s: Lanes, here: Mask) -> None:
     look_ahead(s, here, room)
     later = none_of(s)
     for t in s.tables:
-        alone = s.autonomous == 2 and s.timed == 1
+        alone = s.roles.net_record >= 0 or (s.autonomous == 2 and s.timed == 1)
         exact = alone and (not s.samples) and (not s.logged) and (t.terms == 2)
         if exact and t.kind == ix.OF_TIME and (not t.sine):
             later = slide_together(s, here, t)
@@ -3071,7 +3292,7 @@ def advance(s: Lanes, here: Mask) -> None:
     c = s.cells
     moving = here & (c[ix.STATUS] == ix.MOVING)
     resting = here & (c[ix.STATUS] == ix.RESTING)
-    if s.roles.net_sine >= 0 and (not s.samples):
+    if s.roles.net_sine >= 0 and (not s.samples) and (not s.timed):
         moving = moving & np.logical_not(swing(s, moving))
     if s.by_rotation and (not s.samples):
         turning = moving & (c[ix.CLOCKED] == 0.0)

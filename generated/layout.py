@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7f4d06af70eb31e757b362203b4615d7282d66b572b8da09622134dcac11e2b8
+# sha256 of the text below: e5eafa43c749928c180885fd507240f39285c25ec6750680208cb76c4d8fa52d
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -123,10 +123,12 @@ CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', '
 TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'RISE', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'square', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
-    'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu',
-    'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers',
-    'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine',
-    'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate', 'cell_per_pole')
+    'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving_moment_slope', 'cell_driving',
+    'cell_resisting', 'cell_mu', 'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine',
+    'cell_normal_vers', 'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss',
+    'cell_net_loss_sine', 'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate', 'cell_per_pole',
+    'cell_net_record', 'cell_net_record_sine', 'cell_net_record_vers', 'cell_normal_record', 'cell_normal_record_sine',
+    'cell_normal_record_vers')
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a1f5dde9ee6f8118afbd97a78c676427c33c520342a8f38b6ccbc9f348d472e1
+# sha256 of the text below: ea1ac72d557d1c940e1fa688dd2b17336862c51e8d408039c17c70786a886d87
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -262,6 +262,7 @@ OUTPUT_CELLS = {
     "cell_driving_moment": "driving_moment_0",
     "cell_normal_load": "normal_load_0",
     "cell_normal_load_slope": "normal_load_slope_0",
+    "cell_driving_moment_slope": "driving_moment_slope_0",
     "cell_driving": "driving_0",
     "cell_resisting": "resisting_0",
     "cell_mu": "mu_0",
@@ -296,7 +297,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items() if name in definitions.cells}
-    if not definitions.tables and len(definitions.states) == 2:
+    if {table.kind for table in definitions.tables} <= {"time"} and len(arguments) < 2 and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
     series = _needed(linker.series, pending)
@@ -418,7 +419,7 @@ class Linker:
         are no factors if other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
-        names = dict(FACTORS)
+        names = FACTORS | {table.argument: "record" for table in self._definitions.tables}
         for operation, results in self.series.items():
             if operation.kind in ("exp", "rec"):
                 argument = self._made_by(operation.registers[-1])

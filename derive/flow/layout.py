@@ -127,6 +127,7 @@ ROLES = (
     "cell_driving_moment",
     "cell_normal_load",
     "cell_normal_load_slope",
+    "cell_driving_moment_slope",
     "cell_driving",
     "cell_resisting",
     "cell_mu",
@@ -145,6 +146,7 @@ ROLES = (
     "cell_net_loss_square",
     "cell_loss_rate",
     "cell_per_pole",
+    *(f"cell_{force}_record{factor}" for force in ("net", "normal") for factor in ("", "_sine", "_vers")),
 )
 HIGHEST = 40  # order of a series
 STRIDE = HIGHEST + 2  # distance of registers: states have one more coefficient, followed by zero

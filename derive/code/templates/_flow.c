@@ -977,7 +977,7 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
-    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
+    const int least_free = job->timed && (job->autonomous == 2 || job->role->net_record >= 0) ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
         if (round < job->budget && load_neighbours(b, next)) next += LANES;

@@ -39,4 +39,4 @@ to cells apply to these lanes.
 
 # Modules, each uses only earlier modules.
 FROM_REST = ("energy", "hyperbolic", "softening", "swing")
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "rotation", *FROM_REST, "rest")
+TEXT = ("roots", "tables", "series", "phases", "records", "shaken", "step", "rotation", *FROM_REST, "rest")

@@ -21,7 +21,6 @@ from derive.flow.integrator.one_lane import (
     any_lane,
     break_of,
     constant_of,
-    greatest,
     integer,
     maximum,
     minimum,
@@ -32,7 +31,6 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
-from derive.flow.integrator.series import normal_force
 from derive.flow.integrator.tables import end_of_piece, pass_break
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
@@ -339,35 +337,3 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
         piece = piece + 1
         press = weight + grip * height_after(s, t, piece)
         on = keep_sliding(s, on, t, piece, before, press, x, omega)
-
-
-def slide_together(s: Lanes, here: M, t: T) -> M:
-    """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round.
-
-    So the numbers of a lane do not depend on other lanes.
-    """
-    net = s.series.net
-    slope = net[1] / t.rise
-    origin = t.value + t.inc
-    base = net[0] - slope * origin
-    grip: V = 0.0
-    if s.has.normal:
-        grip = s.series.normal[1] / t.rise
-    force = normal_force(s)
-    weight = force - grip * origin
-    straight = net[2] == 0.0
-    linear = here and straight and t.rise != 0.0
-    down_slope = s.one_way > 0.0 and s.direction > 0.0
-    forward = linear and down_slope and s.lifted == 0.0
-    piece: N = greatest(where(forward, t.piece, -1.0))
-    same = t.piece == number(piece)
-    there = forward and same
-    if any_lane(there):
-        ahead = t.value + t.lower
-        press = weight + grip * ahead
-        before = latest_end(s, t)
-        inside = there and passes(s, t, piece, before) and press > 0.0
-        by_height = slope * t.scaled_by
-        grip_by_height = grip * t.scaled_by
-        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
-    return forward and not there

@@ -22,10 +22,11 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
-from derive.flow.integrator.records import look_for_quiet, rest_through, slide_together
+from derive.flow.integrator.records import look_for_quiet, rest_through
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.rotation import turn_on
 from derive.flow.integrator.series import expand, radius_of_convergence
+from derive.flow.integrator.shaken import slide_together
 from derive.flow.integrator.step import make_step
 from derive.flow.integrator.swing import swing
 from derive.flow.integrator.tables import next_break, pass_breaks
@@ -167,7 +168,7 @@ def rest_on(s: Lanes, here: M) -> None:
     look_ahead(s, here, room)
     later = none_of(s)
     for t in s.tables:
-        alone: N = s.autonomous == 2 and s.timed == 1
+        alone: N = s.has.net_record or (s.autonomous == 2 and s.timed == 1)
         exact: N = alone and not s.samples and not s.logged and t.terms == 2
         if exact and t.kind == Kind.TIME and not t.sine:
             later = slide_together(s, here, t)
@@ -197,7 +198,7 @@ def advance(s: Lanes, here: M) -> None:
     """
     moving = here and s.status == Status.MOVING
     resting = here and s.status == Status.RESTING
-    if s.has.net_sine and not s.samples:
+    if s.has.net_sine and not s.samples and not s.timed:
         moving = moving and not swing(s, moving)
     if s.by_rotation and not s.samples:
         turning = moving and s.clocked == 0.0

@@ -20,6 +20,7 @@ OUTPUT_CELLS = {
     "cell_driving_moment": "driving_moment_0",
     "cell_normal_load": "normal_load_0",
     "cell_normal_load_slope": "normal_load_slope_0",
+    "cell_driving_moment_slope": "driving_moment_slope_0",
     "cell_driving": "driving_0",
     "cell_resisting": "resisting_0",
     "cell_mu": "mu_0",
@@ -54,7 +55,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items() if name in definitions.cells}
-    if not definitions.tables and len(definitions.states) == 2:
+    if {table.kind for table in definitions.tables} <= {"time"} and len(arguments) < 2 and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
     series = _needed(linker.series, pending)
@@ -176,7 +177,7 @@ class Linker:
         are no factors if other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
-        names = dict(FACTORS)
+        names = FACTORS | {table.argument: "record" for table in self._definitions.tables}
         for operation, results in self.series.items():
             if operation.kind in ("exp", "rec"):
                 argument = self._made_by(operation.registers[-1])
