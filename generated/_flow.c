@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "cee548d3187703e132b46f1e790f87fea14e73ac0dfeb96331ad3c0c6c2abab1"
+#define DIGEST "21c95baa2807d6fe435ee67e05a3d177428b510295e9cb8837088edc96d3346f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1359,31 +1359,32 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* The same of a piece in each lane, and the coefficients of a straight line there. */
+INLINE V gathered(const double *from, V piece, int64_t apart)
+{
+    const M at = ((M)(piece + TO_INTEGER) - (M)broadcast(TO_INTEGER)) * apart;
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = from[at[k]];
+    return x;
+}
 INLINE V breaks_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V jumps_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V heights_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V slopes_at(const Batch *b, int t, V piece)
 {
     const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    if (!d->apart) return gathered(d->breaks, piece, 1);
+    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
     return x;
 }
+INLINE V jumps_at(const Batch *b, int t, V piece) { return gathered(b->job->data[t].jumps, piece, 1); }
+INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
+{
+    const Data *const d = b->job->data + t;
+    V x;
+    if (!d->across) return gathered(d->coefficients + j, piece, d->terms);
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[j * d->across];
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 0); }
+INLINE V slopes_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 1); }
 
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
@@ -2761,7 +2762,7 @@ static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
-INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
+INLINE void end_slide(Batch *b, M here, int t, V piece, V x, V omega)
 {
     V *const c = b->c;
     c[X] = pick(here, x, c[X]);
@@ -2774,7 +2775,7 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
     update_reach(b, here & ~moves);
     advance_origin(b, here);
     EACH(lane, bits(here)) {
-        enter_at(b, lane, t, piece);
+        enter_at(b, lane, t, (int64_t)piece[lane]);
     }
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
@@ -2947,7 +2948,7 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
     if (bits(leaves)) {
-        end_slide(b, leaves, t, piece, x, omega);
+        end_slide(b, leaves, t, broadcast((double)piece), x, omega);
     }
     return on & inside;
 }
@@ -3112,7 +3113,7 @@ static M stop_within(Batch *b, M here, V *z, V *e, V *f, V *u, V *sine, V *versi
 
 /* Move lanes to the end of a piece, or to a standstill within it, and return lanes that have stopped. ``e`` and
  * ``f`` are the factors of the net moment now and at the end of the piece. */
-static M pass_part(Batch *b, M here, int t, int piece, V *z, V *e, V *f, V until)
+static M pass_part(Batch *b, M here, int t, V piece, V *z, V *e, V *f, V until)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3195,29 +3196,39 @@ INLINE V farthest_of(Batch *b)
     return 0.5 * minimum(broadcast(1.0), minimum(by_drive, by_load));
 }
 
+/* Return a normal force that stays positive through a piece. */
+INLINE V least_force(Batch *b)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    return PRESSED * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
+}
+
 /* Move lanes at rest through the pieces of a record. A lane leaves before a piece in which it may lift, in which
  * its chord may stand upright, or for which series are too short. */
-static void turn_through(Batch *b, M here, int t, int first)
+static void turn_through(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V per = 1.0 / c[job->table[t].cell + SCALE];
     V before = latest_end(b, t);
     V farthest = farthest_of(b);
-    V least = PRESSED * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
+    V least = least_force(b);
     V z[STRIDE];
     V e[STRIDE];
     V f[STRIDE];
-    int piece = first;
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    V piece = c[job->table[t].cell + PIECE];
     z[TIME_NOW] = c[TIME];
     for (int k = WAY_NOW; k <= RATE_NOW; k++) {
         z[k] = broadcast(0.0);
     }
     forces_at(b, e, c[job->table[t].cell + INC]);
-    V change = (c[job->table[t].cell + SCALED_BY] * height_after(b, t, piece)) - c[job->table[t].cell + VALUE];
+    V until = c[job->table[t].cell + UPPER];
+    V change = c[job->table[t].cell + LOWER];
+    V beyond = breaks_at(b, t, minimum(piece + 2.0, last));
     M on = here;
     while (bits(on)) {
-        V until = end_of(b, t, piece, per);
         forces_at(b, f, change);
         M acts = on;
         while (bits(acts)) {
@@ -3227,10 +3238,13 @@ static void turn_through(Batch *b, M here, int t, int first)
         for (int k = 0; k <= 2; k++) {
             e[k] = f[k];
         }
-        piece = piece + 1;
-        change = (c[job->table[t].cell + SCALED_BY] * height_after(b, t, piece)) - c[job->table[t].cell + VALUE];
+        piece = minimum(piece + 1.0, last);
+        V following = minimum(piece + 1.0, last);
+        until = per * beyond;
+        beyond = breaks_at(b, t, minimum(piece + 2.0, last));
+        change = (c[job->table[t].cell + SCALED_BY] * heights_at(b, t, following)) - c[job->table[t].cell + VALUE];
         on = on & (c[PENDING] == (double)READY);
-        M inside = passes(b, t, piece, before) & (z[WAY_NOW] < farthest) & (force_after(b, z, change) > least);
+        M inside = ((piece + 1.0) < last) & (beyond < before) & (z[WAY_NOW] < farthest) & (force_after(b, z, change) > least);
         M leaves = on & ~inside;
         if (bits(leaves)) {
             end_slide(b, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW]);
@@ -3257,25 +3271,26 @@ static M slide_together(Batch *b, M here, int t)
     V weight = force - (grip * origin);
     M straight = net[2] == 0.0;
     M linear = here & straight & (c[job->table[t].cell + RISE] != 0.0);
-    M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0) & (c[CLOCKED] == 0.0);
+    M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0);
     M forward = linear & down_slope & (c[LIFTED] == 0.0);
+    V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
+    V press = weight + (grip * ahead);
+    V before = latest_end(b, t);
+    if (job->role->net_record >= 0) {
+        V last = broadcast((double)((int)job->data[t].pieces - 1));
+        M inside = ((c[job->table[t].cell + PIECE] + 1.0) < last) & (breaks_at(b, t, minimum(c[job->table[t].cell + PIECE] + 2.0, last)) < before);
+        M calm = (c[CLOCKED] == 0.0) & (net[0] <= 0.0) & (press > least_force(b));
+        turn_through(b, forward & inside & calm, t);
+        return (M){0};
+    }
     int piece = greatest(pick(forward, c[job->table[t].cell + PIECE], broadcast(-1.0)));
     M same = c[job->table[t].cell + PIECE] == (double)piece;
     M there = forward & same;
     if (bits(there)) {
-        V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
-        V press = (weight + (grip * ahead)) - (PRESSED * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope])));
-        V before = latest_end(b, t);
         M inside = there & passes(b, t, piece, before) & (press > 0.0);
         V by_height = slope * c[job->table[t].cell + SCALED_BY];
         V grip_by_height = grip * c[job->table[t].cell + SCALED_BY];
-        int turns = job->role->net_record >= 0;
-        if (turns) {
-            turn_through(b, inside & (net[0] <= 0.0), t, piece);
-        }
-        if (!turns) {
-            slide(b, inside, t, piece, by_height, base, grip_by_height, weight);
-        }
+        slide(b, inside, t, piece, by_height, base, grip_by_height, weight);
     }
     return forward & ~there;
 }

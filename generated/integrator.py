@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f9ff2ea482cf9d051348bd201a9e66dd61bc4d75f5771ccb14107a44bf1819e7
+# sha256 of the text below: 01657c485e6de7a90f93175afed1bbf964226efae9933c057bd7e3f47a9043ea
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1494,7 +1494,7 @@ def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
     pass_break(lane, i, t)
 
 
-def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
+def end_slide(s: Lanes, here: Mask, t: Table, piece: Floats, x: Floats, omega: Floats) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = s.cells
     c[ix.X] = np.where(here, x, c[ix.X])
@@ -1508,7 +1508,7 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floa
     advance_origin(s, here)
     i = np.flatnonzero(here)
     if i.size:
-        enter_at(s, i, t, np.full(i.size, piece))
+        enter_at(s, i, t, integer(piece[i]))
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
@@ -1654,7 +1654,7 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
     if np.any(leaves):
-        end_slide(s, leaves, t, piece, x, omega)
+        end_slide(s, leaves, t, float(piece), x, omega)
     return on & inside
 
 
@@ -1790,7 +1790,7 @@ def stop_within(s: Lanes, here: Mask, z: Floats, e: Floats, f: Floats, u: Floats
     return stops
 
 
-def pass_part(s: Lanes, here: Mask, t: Table, piece: int, z: Floats, e: Floats, f: Floats, until: Floats) -> Mask:
+def pass_part(s: Lanes, here: Mask, t: Table, piece: Floats, z: Floats, e: Floats, f: Floats, until: Floats) -> Mask:
     """Move lanes to the end of a piece, or to a standstill within it, and return lanes that have stopped."""
     c = s.cells
     waiting = moment_at(f, z)
@@ -1863,25 +1863,33 @@ def farthest_of(s: Lanes) -> Floats:
     return 0.5 * np.minimum(1.0, np.minimum(by_drive, by_load))
 
 
-def turn_through(s: Lanes, here: Mask, t: Table, first: int) -> None:
+def least_force(s: Lanes) -> Floats:
+    """Return a normal force that stays positive through a piece."""
+    c = s.cells
+    return PRESSED * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
+
+
+def turn_through(s: Lanes, here: Mask, t: Table) -> None:
     """Move lanes at rest through the pieces of a record."""
     c = s.cells
     per = 1.0 / c[t.cells + ix.SCALE]
     before = latest_end(s, t)
     farthest = farthest_of(s)
-    least = PRESSED * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
+    least = least_force(s)
     z = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    piece = first
+    last: Floats = float(t.pieces - 1)
+    piece = c[t.cells + ix.PIECE].copy()
     z[TIME_NOW] = c[ix.TIME]
     for k in range(WAY_NOW, RATE_NOW + 1):
         z[k] = 0.0
     forces_at(s, e, c[t.cells + ix.INC])
-    change = c[t.cells + ix.SCALED_BY] * height_after(s, t, piece) - c[t.cells + ix.VALUE]
+    until = c[t.cells + ix.UPPER].copy()
+    change = c[t.cells + ix.LOWER].copy()
+    beyond = breaks_at(s, t, np.minimum(piece + 2.0, last))
     on = here
     while np.any(on):
-        until = end_of(s, t, piece, per)
         forces_at(s, f, change)
         acts = on
         while np.any(acts):
@@ -1889,10 +1897,14 @@ def turn_through(s: Lanes, here: Mask, t: Table, first: int) -> None:
         z[TIME_NOW] = until
         for k in range(2 + 1):
             e[k] = f[k]
-        piece = piece + 1
-        change = c[t.cells + ix.SCALED_BY] * height_after(s, t, piece) - c[t.cells + ix.VALUE]
+        piece = np.minimum(piece + 1.0, last)
+        following = np.minimum(piece + 1.0, last)
+        until = per * beyond
+        beyond = breaks_at(s, t, np.minimum(piece + 2.0, last))
+        change = c[t.cells + ix.SCALED_BY] * heights_at(s, t, following) - c[t.cells + ix.VALUE]
         on = on & (c[ix.PENDING] == ix.READY)
-        inside = passes(s, t, piece, before) & (z[WAY_NOW] < farthest) & (force_after(s, z, change) > least)
+        inside = (piece + 1.0 < last) & (beyond < before) & (z[WAY_NOW] < farthest) & (force_after(s, z,
+            change) > least)
         leaves = on & np.logical_not(inside)
         if np.any(leaves):
             end_slide(s, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW])
@@ -1913,24 +1925,26 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     weight = force - grip * origin
     straight = net[2] == 0.0
     linear = here & straight & (c[t.cells + ix.RISE] != 0.0)
-    down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0) & (c[ix.CLOCKED] == 0.0)
+    down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0)
     forward = linear & down_slope & (c[ix.LIFTED] == 0.0)
+    ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
+    press = weight + grip * ahead
+    before = latest_end(s, t)
+    if s.roles.net_record >= 0:
+        last: Floats = float(t.pieces - 1)
+        inside = (c[t.cells + ix.PIECE] + 1.0 < last) & (breaks_at(s, t, np.minimum(c[t.cells + ix.PIECE] + 2.0,
+            last)) < before)
+        calm = (c[ix.CLOCKED] == 0.0) & (net[0] <= 0.0) & (press > least_force(s))
+        turn_through(s, forward & inside & calm, t)
+        return none_of(s)
     piece = greatest(np.where(forward, c[t.cells + ix.PIECE], -1.0))
     same = c[t.cells + ix.PIECE] == float(piece)
     there = forward & same
     if np.any(there):
-        ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
-        press = weight + grip * ahead - PRESSED *
-             (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
-        before = latest_end(s, t)
         inside = there & passes(s, t, piece, before) & (press > 0.0)
         by_height = slope * c[t.cells + ix.SCALED_BY]
         grip_by_height = grip * c[t.cells + ix.SCALED_BY]
-        turns = s.roles.net_record >= 0
-        if turns:
-            turn_through(s, inside & (net[0] <= 0.0), t, piece)
-        if not turns:
-            slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
+        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
     return forward & np.logical_not(there)
 
 

@@ -788,31 +788,32 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* The same of a piece in each lane, and the coefficients of a straight line there. */
+INLINE V gathered(const double *from, V piece, int64_t apart)
+{
+    const M at = ((M)(piece + TO_INTEGER) - (M)broadcast(TO_INTEGER)) * apart;
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = from[at[k]];
+    return x;
+}
 INLINE V breaks_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V jumps_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V heights_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V slopes_at(const Batch *b, int t, V piece)
 {
     const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    if (!d->apart) return gathered(d->breaks, piece, 1);
+    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
     return x;
 }
+INLINE V jumps_at(const Batch *b, int t, V piece) { return gathered(b->job->data[t].jumps, piece, 1); }
+INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
+{
+    const Data *const d = b->job->data + t;
+    V x;
+    if (!d->across) return gathered(d->coefficients + j, piece, d->terms);
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[j * d->across];
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 0); }
+INLINE V slopes_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 1); }
 
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)

@@ -14,6 +14,9 @@ from derive.flow.integrator.one_lane import (
     T,
     V,
     any_lane,
+    breaks_at,
+    heights_at,
+    none_of,
     down,
     greatest,
     maximum,
@@ -24,7 +27,7 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import keep_faster
-from derive.flow.integrator.records import count_starts, end_of, end_slide, height_after, latest_end, passes, slide
+from derive.flow.integrator.records import count_starts, end_slide, latest_end, passes, slide
 from derive.flow.integrator.roots import bracketed_root, differentiate, first_root, value
 from derive.flow.integrator.series import normal_force
 
@@ -133,7 +136,7 @@ def stop_within(s: Lanes, here: M, z: S, e: S, f: S, u: S, sine: S, versine: S, 
     return stops
 
 
-def pass_part(s: Lanes, here: M, t: T, piece: N, z: S, e: S, f: S, until: V) -> M:
+def pass_part(s: Lanes, here: M, t: T, piece: V, z: S, e: S, f: S, until: V) -> M:
     """Move lanes to the end of a piece, or to a standstill within it, and return lanes that have stopped.
 
     ``e`` and ``f`` are the factors of the net moment now and at the end of the piece.
@@ -207,7 +210,12 @@ def farthest_of(s: Lanes) -> V:
     return 0.5 * minimum(1.0, minimum(by_drive, by_load))
 
 
-def turn_through(s: Lanes, here: M, t: T, first: N) -> None:
+def least_force(s: Lanes) -> V:
+    """Return a normal force that stays positive through a piece."""
+    return PRESSED * (abs(s.normal_load) + abs(s.normal_load_slope))
+
+
+def turn_through(s: Lanes, here: M, t: T) -> None:
     """Move lanes at rest through the pieces of a record.
 
     A lane leaves before a piece in which it may lift, in which its chord may stand upright, or for which series are too
@@ -216,19 +224,21 @@ def turn_through(s: Lanes, here: M, t: T, first: N) -> None:
     per = 1.0 / t.scale
     before = latest_end(s, t)
     farthest = farthest_of(s)
-    least = PRESSED * (abs(s.normal_load) + abs(s.normal_load_slope))
+    least = least_force(s)
     z = new_series()
     e = new_series()
     f = new_series()
-    piece: N = first
+    last: V = number(t.pieces - 1)
+    piece: V = t.piece
     z[TIME_NOW] = s.time
     for k in up(WAY_NOW, RATE_NOW):
         z[k] = 0.0
     forces_at(s, e, t.inc)
-    change = t.scaled_by * height_after(s, t, piece) - t.value
+    until = t.upper
+    change = t.lower
+    beyond = breaks_at(s, t, minimum(piece + 2.0, last))
     on: M = here
     while any_lane(on):
-        until = end_of(s, t, piece, per)
         forces_at(s, f, change)
         acts = on
         while any_lane(acts):
@@ -236,10 +246,13 @@ def turn_through(s: Lanes, here: M, t: T, first: N) -> None:
         z[TIME_NOW] = until
         for k in up(0, 2):
             e[k] = f[k]
-        piece = piece + 1
-        change = t.scaled_by * height_after(s, t, piece) - t.value
+        piece = minimum(piece + 1.0, last)
+        following = minimum(piece + 1.0, last)
+        until = per * beyond
+        beyond = breaks_at(s, t, minimum(piece + 2.0, last))
+        change = t.scaled_by * heights_at(s, t, following) - t.value
         on = on and s.pending == Pending.READY
-        inside = passes(s, t, piece, before) and z[WAY_NOW] < farthest and force_after(s, z, change) > least
+        inside = piece + 1.0 < last and beyond < before and z[WAY_NOW] < farthest and force_after(s, z, change) > least
         leaves = on and not inside
         if any_lane(leaves):
             end_slide(s, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW])
@@ -262,21 +275,23 @@ def slide_together(s: Lanes, here: M, t: T) -> M:
     weight = force - grip * origin
     straight = net[2] == 0.0
     linear = here and straight and t.rise != 0.0
-    down_slope = s.one_way > 0.0 and s.direction > 0.0 and s.clocked == 0.0
+    down_slope = s.one_way > 0.0 and s.direction > 0.0
     forward = linear and down_slope and s.lifted == 0.0
+    ahead = t.value + t.lower
+    press = weight + grip * ahead
+    before = latest_end(s, t)
+    if s.has.net_record:
+        last: V = number(t.pieces - 1)
+        inside = t.piece + 1.0 < last and breaks_at(s, t, minimum(t.piece + 2.0, last)) < before
+        calm = s.clocked == 0.0 and net[0] <= 0.0 and press > least_force(s)
+        turn_through(s, forward and inside and calm, t)
+        return none_of(s)
     piece: N = greatest(where(forward, t.piece, -1.0))
     same = t.piece == number(piece)
     there = forward and same
     if any_lane(there):
-        ahead = t.value + t.lower
-        press = weight + grip * ahead - PRESSED * (abs(s.normal_load) + abs(s.normal_load_slope))
-        before = latest_end(s, t)
         inside = there and passes(s, t, piece, before) and press > 0.0
         by_height = slope * t.scaled_by
         grip_by_height = grip * t.scaled_by
-        turns: N = s.has.net_record
-        if turns:
-            turn_through(s, inside and net[0] <= 0.0, t, piece)
-        if not turns:
-            slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
+        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
     return forward and not there
