@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "21c95baa2807d6fe435ee67e05a3d177428b510295e9cb8837088edc96d3346f"
+#define DIGEST "1da012664eb67d461bd1a80af3566b1994bafccfddbeac6dd184e0d4123bfab6"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving_moment_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole, net_record, net_record_sine, net_record_vers, normal_record, normal_record_sine, normal_record_vers;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole;
 } Roles;
 
 typedef struct {
@@ -1359,32 +1359,31 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* The same of a piece in each lane, and the coefficients of a straight line there. */
-INLINE V gathered(const double *from, V piece, int64_t apart)
-{
-    const M at = ((M)(piece + TO_INTEGER) - (M)broadcast(TO_INTEGER)) * apart;
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = from[at[k]];
-    return x;
-}
 INLINE V breaks_at(const Batch *b, int t, V piece)
 {
-    const Data *const d = b->job->data + t;
     V x;
-    if (!d->apart) return gathered(d->breaks, piece, 1);
     for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
     return x;
 }
-INLINE V jumps_at(const Batch *b, int t, V piece) { return gathered(b->job->data[t].jumps, piece, 1); }
-INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
+INLINE V jumps_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V slopes_at(const Batch *b, int t, V piece)
 {
     const Data *const d = b->job->data + t;
     V x;
-    if (!d->across) return gathered(d->coefficients + j, piece, d->terms);
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[j * d->across];
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
     return x;
 }
-INLINE V heights_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 0); }
-INLINE V slopes_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 1); }
 
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
@@ -1402,7 +1401,7 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 {
     const Job *const job = b->job;
     const V *const c = b->c;
-    if (!job->samples || !(end >= begin)) return;
+    if (!(end >= begin)) return;
     const int64_t across = job->times_across, column = b->column[k];
     const double *times = job->times + (across > 1 ? column : 0);
     int64_t low = 0, high = job->samples;
@@ -1429,6 +1428,23 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
+}
+
+/* A sample time of each lane, and the states of lanes that move then. */
+INLINE V sample_time(const Batch *b, int i)
+{
+    const Job *const job = b->job;
+    const double *times = job->times + i * (int64_t)job->times_across;
+    V time;
+    for (int k = 0; k < LANES; k++) time[k] = times[job->times_across > 1 ? b->column[k] : 0];
+    return time;
+}
+static void keep_sample(const Batch *b, M here, int i, V x, V omega, V rate)
+{
+    const Job *const job = b->job;
+    const V *const c = b->c, side = c[DIRECTION], states[4] = {c[ROTATION] + side * x, side * omega, side * rate, c[SLIP] + x};
+    EACH(k, bits(here))
+        for (int j = 0; j < 4; j++) job->outputs[(j * job->samples + i) * job->count + b->column[k]] = states[j][k];
 }
 
 /* --- the text of derive/flow/integrator --- */
@@ -1458,17 +1474,6 @@ static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.0534934727794
 #define SIXTH 0x1.5555555555555p-3
 #define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
-#define LAST_OF_PIECE 7
-#define LAST_TERMS 0x1.0000000000000p-44
-#define LONGEST_WAY 0x1.0000000000000p-7
-#define PRESSED 0x1.47ae147ae147bp-7
-#define SURELY 0x1.0000000000000p+2
-#define TIME_NOW 0
-#define WAY_NOW 1
-#define SPEED_NOW 2
-#define SINE_NOW 3
-#define VERS_NOW 4
-#define RATE_NOW 5
 #define FAR 0x1.7e43c8800759cp+996
 #define LONGEST 0x1.0000000000000p+0
 #define REACH 0x1.0000000000000p+2
@@ -1506,19 +1511,23 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define SINE 16
 #define VERS 24
 #define PI 0x1.921fb54442d18p+1
+#define QUARTER 0x1.921fb54442d18p-1
+#define PAIRS 8
+#define LONG 17
+#define LAST_WAVE 0x1.0000000000000p-44
+#define MOST_CORRECTIONS 12
+#define LAST_OF_NEWTON 0x1.0000000000000p-26
+#define OMEGA_THERE 1
+#define RATE_THERE 2
+#define ANGLE_THERE 3
+#define SLOPE_THERE 4
 #define FARTHEST 0x1.91eb851eb851fp+1
 #define FADED 0x1.0000000000000p+1
 #define LAST_OF_HALLEY 0x1.0000000000000p-18
 #define CLEAR 0x1.47ae147ae147bp-7
-#define MOST_CORRECTIONS 12
-#define LAST_OF_NEWTON 0x1.0000000000000p-26
 #define CLOSE_TO_REST 0x1.0000000000000p-40
 #define LEAST_DURATION 0x1.8000000000000p+0
-#define PAIRS 8
-#define LONG 17
 #define NEAR_MIDDLE 0x1.b333333333333p-1
-#define QUARTER 0x1.921fb54442d18p-1
-#define LAST_WAVE 0x1.0000000000000p-44
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -2453,7 +2462,7 @@ INLINE void stay(Batch *b, M here, V status)
     c[DIRECTION] = pick(here, broadcast(0.0), c[DIRECTION]);
     c[REST_SINCE] = pick(here, pick(c[REST_SINCE] > c[END_TIME], c[END_TIME], c[REST_SINCE]), c[REST_SINCE]);
     c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
         }
@@ -2721,7 +2730,7 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
     if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
         double now = break_of(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
-        if (job->samples > 0) {
+        if (job->samples) {
             read_samples(b, lane, c[TIME][lane], now, 0, 0);
         }
         stand_before(b, lane, t, piece, now);
@@ -2762,7 +2771,7 @@ static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
-INLINE void end_slide(Batch *b, M here, int t, V piece, V x, V omega)
+INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 {
     V *const c = b->c;
     c[X] = pick(here, x, c[X]);
@@ -2775,7 +2784,7 @@ INLINE void end_slide(Batch *b, M here, int t, V piece, V x, V omega)
     update_reach(b, here & ~moves);
     advance_origin(b, here);
     EACH(lane, bits(here)) {
-        enter_at(b, lane, t, (int64_t)piece[lane]);
+        enter_at(b, lane, t, piece);
     }
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
@@ -2948,7 +2957,7 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
     if (bits(leaves)) {
-        end_slide(b, leaves, t, broadcast((double)piece), x, omega);
+        end_slide(b, leaves, t, piece, x, omega);
     }
     return on & inside;
 }
@@ -2997,262 +3006,6 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     }
 }
 
-/* Compute the factors of the net moment of a mass at rest, after a change of the function of time. */
-INLINE void forces_at(Batch *b, V *e, V change)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    e[0] = c[job->role->drive] + (c[job->role->net_record] * change);
-    e[1] = c[job->role->net_sine] + (c[job->role->net_record_sine] * change);
-    e[2] = c[job->role->net_vers] + (c[job->role->net_record_vers] * change);
-}
-
-/* Return the net moment of a mass at rest from its factors. */
-INLINE V moment_at(V *e, V *z)
-{
-    V by_sine = e[1] * z[SINE_NOW];
-    return e[0] + (by_sine + (e[2] * z[VERS_NOW]));
-}
-
-/* Return the normal force of a mass at rest, after a change of the function of time. */
-INLINE V force_after(Batch *b, V *z, V change)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V by_sine = (c[job->role->normal_sine] + (c[job->role->normal_record_sine] * change)) * z[SINE_NOW];
-    V by_vers = (c[job->role->normal_vers] + (c[job->role->normal_record_vers] * change)) * z[VERS_NOW];
-    return (c[job->role->normal0] + (c[job->role->normal_record] * change)) + (by_sine + by_vers);
-}
-
-/* Return the path after a share of a piece, from the series of the speed. */
-INLINE V path_to(Batch *b, V *u, V share)
-{
-    V total = broadcast(0.0);
-    for (int n = LAST_OF_PIECE; n >= 0; n--) {
-        total = (total * share) + (u[n] * b->inverse[n + 1]);
-    }
-    return total * share;
-}
-
-/* Compute the series of speed, sine and versine. The unit of time is a piece, and ``g`` has the factors there. */
-INLINE void expand_piece(Batch *b, V *u, V *sine, V *versine, V *g)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    for (int n = 0; n <= LAST_OF_PIECE - 1; n++) {
-        V net = (g[1] * sine[n]) + (g[2] * versine[n]);
-        if (n == 0) {
-            net = net + g[0];
-        }
-        if (n == 1) {
-            net = net + g[3];
-        }
-        if (n > 0) {
-            V by_rise = (g[4] * sine[n - 1]) + (g[5] * versine[n - 1]);
-            net = net + by_rise;
-        }
-        V square = broadcast(0.0);
-        V along = u[n];
-        V across = broadcast(0.0);
-        for (int k = 0; k <= n; k++) {
-            square = square + (u[k] * u[n - k]);
-            along = along - (versine[k] * u[n - k]);
-            across = across + (sine[k] * u[n - k]);
-        }
-        net = net + (c[job->role->net_square] * square);
-        u[n + 1] = net * b->inverse[n + 1];
-        sine[n + 1] = along * b->inverse[n + 1];
-        versine[n + 1] = across * b->inverse[n + 1];
-    }
-}
-
-/* Advance lanes at rest to the time within a piece at which their net moment is zero, where they start. */
-INLINE void wait_for_start(Batch *b, M here, V *z, V *e, V *f, V after, V until)
-{
-    V rate = moment_at(e, z);
-    V share = pick(here & (rate < 0.0), rate / (rate - after), broadcast(0.0));
-    z[TIME_NOW] = z[TIME_NOW] + (share * (until - z[TIME_NOW]));
-    for (int k = 0; k <= 2; k++) {
-        e[k] = e[k] + (share * (f[k] - e[k]));
-    }
-    z[RATE_NOW] = pick(here, broadcast(0.0), z[RATE_NOW]);
-    count_starts(b, here);
-}
-
-/* Record the greatest speed in a piece in which the rate of the speed falls through zero, to ``after``. */
-static void pass_top(Batch *b, M here, V *z, V *u, V length, V after)
-{
-    V rates[STRIDE];
-    differentiate(rates, u, LAST_OF_PIECE);
-    V one = broadcast(1.0);
-    V share = bracketed_root(rates, LAST_OF_PIECE - 1, 0.0 * one, z[RATE_NOW], one, after, here);
-    V speed = value(u, LAST_OF_PIECE, share) / length;
-    V x = z[WAY_NOW] + path_to(b, u, share);
-    keep_faster(b, here, speed, z[TIME_NOW] + (length * share), x, broadcast(0.0));
-}
-
-/* Stop lanes within a piece, and return them. */
-static M stop_within(Batch *b, M here, V *z, V *e, V *f, V *u, V *sine, V *versine, V length)
-{
-    V *const c = b->c;
-    V one = broadcast(1.0);
-    V share = first_root(u, LAST_OF_PIECE, one, here);
-    M stops = here & (share <= 1.0);
-    share = pick(stops, share, broadcast(0.0));
-    z[TIME_NOW] = z[TIME_NOW] + (length * share);
-    z[WAY_NOW] = z[WAY_NOW] + path_to(b, u, share);
-    z[SPEED_NOW] = pick(stops, broadcast(0.0), z[SPEED_NOW]);
-    z[SINE_NOW] = pick(stops, value(sine, LAST_OF_PIECE, share), z[SINE_NOW]);
-    z[VERS_NOW] = pick(stops, value(versine, LAST_OF_PIECE, share), z[VERS_NOW]);
-    for (int k = 0; k <= 2; k++) {
-        e[k] = e[k] + (share * (f[k] - e[k]));
-    }
-    c[REST_SINCE] = pick(here, pick(stops, z[TIME_NOW], c[REST_SINCE]), c[REST_SINCE]);
-    return stops;
-}
-
-/* Move lanes to the end of a piece, or to a standstill within it, and return lanes that have stopped. ``e`` and
- * ``f`` are the factors of the net moment now and at the end of the piece. */
-static M pass_part(Batch *b, M here, int t, V piece, V *z, V *e, V *f, V until)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V waiting = moment_at(f, z);
-    M rests = z[SPEED_NOW] == 0.0;
-    M starts = here & rests & (waiting > (SURELY * c[job->role->drive_scale]));
-    if (bits(starts)) {
-        wait_for_start(b, starts, z, e, f, waiting, until);
-    }
-    M acts = here & (starts | ~rests);
-    if (!bits(acts)) {
-        return acts;
-    }
-    V u[STRIDE];
-    V sine[STRIDE];
-    V versine[STRIDE];
-    V g[STRIDE];
-    V length = until - z[TIME_NOW];
-    V per = 1.0 / length;
-    V scale = length * length;
-    for (int k = 0; k <= 2; k++) {
-        g[k] = scale * e[k];
-        g[k + 3] = scale * (f[k] - e[k]);
-    }
-    u[0] = length * z[SPEED_NOW];
-    sine[0] = z[SINE_NOW];
-    versine[0] = z[VERS_NOW];
-    expand_piece(b, u, sine, versine, g);
-    V gain = u[1];
-    V way = u[0] + (0.5 * u[1]);
-    V by_sine = sine[1];
-    V by_vers = versine[1];
-    for (int n = 2; n <= LAST_OF_PIECE; n++) {
-        gain = gain + u[n];
-        way = way + (u[n] * b->inverse[n + 1]);
-        by_sine = by_sine + sine[n];
-        by_vers = by_vers + versine[n];
-    }
-    V largest = u[0] + (magnitude(u[1]) + magnitude(u[2]));
-    V last = magnitude(u[LAST_OF_PIECE]) + magnitude(u[LAST_OF_PIECE - 1]);
-    V turns = magnitude(g[1]) + magnitude(g[2]);
-    M complete = (((turns + largest) * last) <= (LAST_TERMS * largest)) & (largest < LONGEST_WAY);
-    M leaves = acts & ~complete;
-    if (bits(leaves)) {
-        c[CLOCKED] = pick(here, pick(leaves, broadcast(1.0), c[CLOCKED]), c[CLOCKED]);
-        end_slide(b, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW]);
-    }
-    acts = acts & complete;
-    V speed = maximum((u[0] + gain) * per, broadcast(0.0));
-    V at_rest = f[0] + ((f[1] * (sine[0] + by_sine)) + (f[2] * (versine[0] + by_vers)));
-    V after = at_rest + (c[job->role->net_square] * (speed * speed));
-    V most = z[SPEED_NOW] + (length * z[RATE_NOW]);
-    V least = magnitude(c[PEAK_OMEGA]);
-    M peaks = acts & (z[RATE_NOW] > 0.0) & (after <= 0.0) & (most > least);
-    if (bits(peaks)) {
-        pass_top(b, peaks, z, u, length, after);
-    }
-    M dips = (z[RATE_NOW] < 0.0) & (after > 0.0) & (most <= 0.0);
-    M asked = acts & ((speed == 0.0) | dips);
-    M stops = asked;
-    if (bits(asked)) {
-        stops = stop_within(b, asked, z, e, f, u, sine, versine, length);
-    }
-    M goes = acts & ~stops;
-    z[WAY_NOW] = z[WAY_NOW] + pick(goes, way, broadcast(0.0));
-    z[SPEED_NOW] = pick(goes, speed, z[SPEED_NOW]);
-    z[SINE_NOW] = z[SINE_NOW] + pick(goes, by_sine, broadcast(0.0));
-    z[VERS_NOW] = z[VERS_NOW] + pick(goes, by_vers, broadcast(0.0));
-    z[RATE_NOW] = pick(goes, after, z[RATE_NOW]);
-    return stops;
-}
-
-/* Return a rotation up to which weight certainly presses on the slip surface and drives down-slope. */
-INLINE V farthest_of(Batch *b)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V by_drive = c[job->role->driving_moment] / magnitude(c[job->role->driving_moment_slope]);
-    V by_load = c[job->role->normal_load] / magnitude(c[job->role->normal_load_slope]);
-    return 0.5 * minimum(broadcast(1.0), minimum(by_drive, by_load));
-}
-
-/* Return a normal force that stays positive through a piece. */
-INLINE V least_force(Batch *b)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    return PRESSED * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
-}
-
-/* Move lanes at rest through the pieces of a record. A lane leaves before a piece in which it may lift, in which
- * its chord may stand upright, or for which series are too short. */
-static void turn_through(Batch *b, M here, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V per = 1.0 / c[job->table[t].cell + SCALE];
-    V before = latest_end(b, t);
-    V farthest = farthest_of(b);
-    V least = least_force(b);
-    V z[STRIDE];
-    V e[STRIDE];
-    V f[STRIDE];
-    V last = broadcast((double)((int)job->data[t].pieces - 1));
-    V piece = c[job->table[t].cell + PIECE];
-    z[TIME_NOW] = c[TIME];
-    for (int k = WAY_NOW; k <= RATE_NOW; k++) {
-        z[k] = broadcast(0.0);
-    }
-    forces_at(b, e, c[job->table[t].cell + INC]);
-    V until = c[job->table[t].cell + UPPER];
-    V change = c[job->table[t].cell + LOWER];
-    V beyond = breaks_at(b, t, minimum(piece + 2.0, last));
-    M on = here;
-    while (bits(on)) {
-        forces_at(b, f, change);
-        M acts = on;
-        while (bits(acts)) {
-            acts = pass_part(b, acts, t, piece, z, e, f, until);
-        }
-        z[TIME_NOW] = until;
-        for (int k = 0; k <= 2; k++) {
-            e[k] = f[k];
-        }
-        piece = minimum(piece + 1.0, last);
-        V following = minimum(piece + 1.0, last);
-        until = per * beyond;
-        beyond = breaks_at(b, t, minimum(piece + 2.0, last));
-        change = (c[job->table[t].cell + SCALED_BY] * heights_at(b, t, following)) - c[job->table[t].cell + VALUE];
-        on = on & (c[PENDING] == (double)READY);
-        M inside = ((piece + 1.0) < last) & (beyond < before) & (z[WAY_NOW] < farthest) & (force_after(b, z, change) > least);
-        M leaves = on & ~inside;
-        if (bits(leaves)) {
-            end_slide(b, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW]);
-        }
-        on = on & inside;
-    }
-}
-
 /* Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round. So
  * the numbers of a lane do not depend on other lanes. */
 static M slide_together(Batch *b, M here, int t)
@@ -3273,20 +3026,13 @@ static M slide_together(Batch *b, M here, int t)
     M linear = here & straight & (c[job->table[t].cell + RISE] != 0.0);
     M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0);
     M forward = linear & down_slope & (c[LIFTED] == 0.0);
-    V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
-    V press = weight + (grip * ahead);
-    V before = latest_end(b, t);
-    if (job->role->net_record >= 0) {
-        V last = broadcast((double)((int)job->data[t].pieces - 1));
-        M inside = ((c[job->table[t].cell + PIECE] + 1.0) < last) & (breaks_at(b, t, minimum(c[job->table[t].cell + PIECE] + 2.0, last)) < before);
-        M calm = (c[CLOCKED] == 0.0) & (net[0] <= 0.0) & (press > least_force(b));
-        turn_through(b, forward & inside & calm, t);
-        return (M){0};
-    }
     int piece = greatest(pick(forward, c[job->table[t].cell + PIECE], broadcast(-1.0)));
     M same = c[job->table[t].cell + PIECE] == (double)piece;
     M there = forward & same;
     if (bits(there)) {
+        V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
+        V press = weight + (grip * ahead);
+        V before = latest_end(b, t);
         M inside = there & passes(b, t, piece, before) & (press > 0.0);
         V by_height = slope * c[job->table[t].cell + SCALED_BY];
         V grip_by_height = grip * c[job->table[t].cell + SCALED_BY];
@@ -3662,7 +3408,7 @@ static void make_step(Batch *b, M here)
     M at_limit = here & reaches_limit & uneventful & ~endless;
     V time = c[TIME] + elapsed(b, top, step);
     V until = pick(at_limit, limit, time);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
         }
@@ -4326,6 +4072,151 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     return (Pair){before, (before + after)};
 }
 
+/* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
+INLINE V mean_of(V *both, int pairs, int by)
+{
+    V ends = both[0] + both[PAIRS];
+    V total = 0.5 * ends;
+    for (int k = 1; k <= pairs - 1; k++) {
+        total = total + both[k * by];
+    }
+    return total / (double)(2 * pairs);
+}
+
+/* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
+ * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
+ * sums of ``odd``. */
+INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
+{
+    V scale = broadcast(1.0 / (double)pairs);
+    w[0] = pick(here, mean_of(both, pairs, by), w[0]);
+    for (int j = 1; j <= pairs; j++) {
+        V of_odd = broadcast(0.0);
+        V of_even = broadcast(0.0);
+        int even_row = (2 * j) * (PAIRS + 1);
+        int odd_row = even_row - (PAIRS + 1);
+        for (int k = 0; k <= pairs; k++) {
+            int node = k * by;
+            of_odd = of_odd + (COSINES[odd_row + node] * odd[node]);
+            of_even = of_even + (COSINES[even_row + node] * both[node]);
+        }
+        V last = broadcast((j == pairs) ? 0.5 : 1.0);
+        w[(2 * j) - 1] = pick(here, scale * of_odd, w[(2 * j) - 1]);
+        w[2 * j] = pick(here, (scale * last) * of_even, w[2 * j]);
+    }
+}
+
+/* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
+ * -cos(2 u) and sin(2 u). */
+INLINE Pair time_at(V *w, V u, V place, V sine)
+{
+    int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
+    V twice = (-2.0) * place;
+    V cosine = -place;
+    V sine_before = broadcast(0.0);
+    V cosine_before = broadcast(1.0);
+    V time = (2.0 * w[0]) * u;
+    V slope = 2.0 * w[0];
+    for (int m = 1; m <= top; m++) {
+        time = time + (w[m] * sine);
+        slope = slope + (((double)(2 * m) * w[m]) * cosine);
+        V sine_after = (twice * sine) - sine_before;
+        V cosine_after = (twice * cosine) - cosine_before;
+        sine_before = sine;
+        cosine_before = cosine;
+        sine = sine_after;
+        cosine = cosine_after;
+    }
+    return (Pair){time, slope};
+}
+
+/* Return the time from rest to a rotation, with u from the series of the arcsine. */
+INLINE V time_to(V *w, V x, V end)
+{
+    V left = end - x;
+    V place = (x - left) / end;
+    V sine = (2.0 * sqrt_of(x * left)) / end;
+    V z = place / sqrt_of(2.0 + (2.0 * sine));
+    V square = z * z;
+    V total = broadcast(0.0);
+    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
+        total = (total * square) + ARCSINE[k];
+    }
+    const Pair time__ = time_at(w, QUARTER + (z * total), place, sine);
+    V time = time__.one, _ = time__.other;
+    return time;
+}
+
+/* Return whether the last two coefficients of the series of the time are not negligible. */
+INLINE M is_uneven(V *w, int n)
+{
+    V last = magnitude(w[n - 1]) + magnitude(w[n]);
+    return ~(last <= (LAST_WAVE * w[0]));
+}
+
+/* Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move. The
+ * search begins at the angle u in ``there``, to which it is added together with the slope of the time. */
+static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
+{
+    V u = there[ANGLE_THERE];
+    V slope = broadcast(1.0);
+    const Pair lag_versine = turned(2.0 * u);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    M asked = here;
+    int count = 0;
+    while (bits(asked) && (count < MOST_CORRECTIONS)) {
+        const Pair then_slope = time_at(w, u, versine - 1.0, (2.0 * u) - lag);
+        V then = then_slope.one, slope = then_slope.other;
+        V change = (time - then) / slope;
+        u = pick(asked, u + change, u);
+        asked = asked & (magnitude(change) > (LAST_OF_NEWTON * u));
+        const Pair lag_versine = turned(2.0 * u);
+        lag = lag_versine.one, versine = lag_versine.other;
+        count = count + 1;
+    }
+    there[ANGLE_THERE] = u;
+    there[SLOPE_THERE] = slope;
+    V x = (0.5 * end) * versine;
+    V f[STRIDE];
+    functions(f, x, e[4]);
+    V square = energy(e, f);
+    there[0] = x;
+    there[RATE_THERE] = 0.5 * slope_of(e, f);
+    M late = versine > 1.0;
+    if (bits(here & late)) {
+        const Pair __versine_back = turned(PI - (2.0 * u));
+        V _ = __versine_back.one, versine_back = __versine_back.other;
+        functions(f, (0.5 * end) * versine_back, e[4]);
+        reverse(f, e[4]);
+        square = pick(late, energy(back, f), square);
+    }
+    there[OMEGA_THERE] = sqrt_of(square);
+}
+
+/* Store the states at the output times within a phase, which ends at the time ``until``. */
+static void keep_samples(Batch *b, M here, V *e, V *back, V *w, V end, V until)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V there[STRIDE];
+    there[ANGLE_THERE] = broadcast(0.0);
+    there[SLOPE_THERE] = 2.0 * w[0];
+    V before = c[TIME];
+    int k = 0;
+    while (k < job->samples) {
+        V time = sample_time(b, k);
+        M inside = here & (time >= c[TIME]) & (time < until);
+        if (bits(inside)) {
+            V ahead = (time - before) / there[SLOPE_THERE];
+            there[ANGLE_THERE] = pick(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE]);
+            before = pick(inside, time, before);
+            find_state(there, inside, e, back, w, end, time - c[TIME]);
+            keep_sample(b, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE]);
+        }
+        k = k + 1;
+    }
+}
+
 /* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. */
 INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
 {
@@ -4438,88 +4329,6 @@ INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
     odd[k] = near - far;
 }
 
-/* Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``. */
-INLINE V mean_of(V *both, int pairs, int by)
-{
-    V ends = both[0] + both[PAIRS];
-    V total = 0.5 * ends;
-    for (int k = 1; k <= pairs - 1; k++) {
-        total = total + both[k * by];
-    }
-    return total / (double)(2 * pairs);
-}
-
-/* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
- * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
- * sums of ``odd``. */
-INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
-{
-    V scale = broadcast(1.0 / (double)pairs);
-    w[0] = pick(here, mean_of(both, pairs, by), w[0]);
-    for (int j = 1; j <= pairs; j++) {
-        V of_odd = broadcast(0.0);
-        V of_even = broadcast(0.0);
-        int even_row = (2 * j) * (PAIRS + 1);
-        int odd_row = even_row - (PAIRS + 1);
-        for (int k = 0; k <= pairs; k++) {
-            int node = k * by;
-            of_odd = of_odd + (COSINES[odd_row + node] * odd[node]);
-            of_even = of_even + (COSINES[even_row + node] * both[node]);
-        }
-        V last = broadcast((j == pairs) ? 0.5 : 1.0);
-        w[(2 * j) - 1] = pick(here, scale * of_odd, w[(2 * j) - 1]);
-        w[2 * j] = pick(here, (scale * last) * of_even, w[2 * j]);
-    }
-}
-
-/* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
- * -cos(2 u) and sin(2 u). */
-INLINE Pair time_at(V *w, V u, V place, V sine)
-{
-    int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
-    V twice = (-2.0) * place;
-    V cosine = -place;
-    V sine_before = broadcast(0.0);
-    V cosine_before = broadcast(1.0);
-    V time = (2.0 * w[0]) * u;
-    V slope = 2.0 * w[0];
-    for (int m = 1; m <= top; m++) {
-        time = time + (w[m] * sine);
-        slope = slope + (((double)(2 * m) * w[m]) * cosine);
-        V sine_after = (twice * sine) - sine_before;
-        V cosine_after = (twice * cosine) - cosine_before;
-        sine_before = sine;
-        cosine_before = cosine;
-        sine = sine_after;
-        cosine = cosine_after;
-    }
-    return (Pair){time, slope};
-}
-
-/* Return the time from rest to a rotation, with u from the series of the arcsine. */
-INLINE V time_to(V *w, V x, V end)
-{
-    V left = end - x;
-    V place = (x - left) / end;
-    V sine = (2.0 * sqrt_of(x * left)) / end;
-    V z = place / sqrt_of(2.0 + (2.0 * sine));
-    V square = z * z;
-    V total = broadcast(0.0);
-    for (int k = LAST_OF_ARCSINE; k >= 0; k--) {
-        total = (total * square) + ARCSINE[k];
-    }
-    const Pair time__ = time_at(w, QUARTER + (z * total), place, sine);
-    V time = time__.one, _ = time__.other;
-    return time;
-}
-
-/* Return whether the last two coefficients of the series of the time are not negligible. */
-INLINE M is_uneven(V *w, int n)
-{
-    V last = magnitude(w[n - 1]) + magnitude(w[n]);
-    return ~(last <= (LAST_WAVE * w[0]));
-}
-
 /* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
 INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
 {
@@ -4590,38 +4399,17 @@ INLINE void finish(Batch *b, M here, V end, V duration)
     on_standstill(b, here);
 }
 
-/* End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time. */
+/* End lanes at their end time within a phase. */
 static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
 {
     V *const c = b->c;
+    V there[STRIDE];
     V time = c[END_TIME] - c[TIME];
-    V u = (0.5 * time) / w[0];
-    const Pair lag_versine = turned(2.0 * u);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    M asked = here;
-    int count = 0;
-    while (bits(asked) && (count < MOST_CORRECTIONS)) {
-        const Pair then_slope = time_at(w, u, versine - 1.0, (2.0 * u) - lag);
-        V then = then_slope.one, slope = then_slope.other;
-        V change = (time - then) / slope;
-        u = pick(asked, u + change, u);
-        asked = asked & (magnitude(change) > (LAST_OF_NEWTON * u));
-        const Pair lag_versine = turned(2.0 * u);
-        lag = lag_versine.one, versine = lag_versine.other;
-        count = count + 1;
-    }
-    V x = (0.5 * end) * versine;
-    V f[STRIDE];
-    functions(f, x, e[4]);
-    V square = energy(e, f);
-    V rate = 0.5 * slope_of(e, f);
-    const Pair __versine_back = turned(PI - (2.0 * u));
-    V _ = __versine_back.one, versine_back = __versine_back.other;
-    functions(f, (0.5 * end) * versine_back, e[4]);
-    reverse(f, e[4]);
-    square = pick(versine > 1.0, energy(back, f), square);
-    c[X] = pick(here, x, c[X]);
-    c[OMEGA] = pick(here, sqrt_of(square), c[OMEGA]);
+    there[ANGLE_THERE] = (0.5 * time) / w[0];
+    find_state(there, here, e, back, w, end, time);
+    c[X] = pick(here, there[0], c[X]);
+    c[OMEGA] = pick(here, there[OMEGA_THERE], c[OMEGA]);
+    V rate = there[RATE_THERE];
     c[TIME] = pick(here, c[END_TIME], c[TIME]);
     c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
     keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
@@ -4632,6 +4420,7 @@ static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
  * functions of E at the end of the phase. */
 static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     V w[STRIDE];
     V off_middle = magnitude((2.0 * peak) - end);
@@ -4641,6 +4430,9 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     V until = c[TIME] + duration;
     M rests = fits & (until < c[END_TIME]);
     M ends = fits & (until < INFINITY) & (until > (c[END_TIME] * (1.0 + CLOSE_TO_REST)));
+    if (job->samples) {
+        keep_samples(b, rests | ends, e, back, w, end, until);
+    }
     V at_peak[STRIDE];
     evaluate_at(b, e, at_peak, peak);
     pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), at_peak, peak, before);
@@ -4820,7 +4612,7 @@ INLINE void leave_rest(Batch *b, M here, V limit, V room)
     M breaks = (stretch >= room) & ~starts & ~lifts;
     V until = pick(breaks, limit, c[TIME] + stretch);
     M for_ever = ~starts & ~(until < INFINITY);
-    if (job->samples > 0) {
+    if (job->samples) {
         EACH(lane, bits(here)) {
             read_samples(b, lane, c[TIME][lane], fmin(until[lane], c[END_TIME][lane]), 0, 0);
         }
@@ -4881,8 +4673,8 @@ static void rest_on(Batch *b, M here)
     look_ahead(b, here, room);
     M later = (M){0};
     for (int t = 0; t < job->tables; t++) {
-        int alone = (job->role->net_record >= 0) || ((job->autonomous == 2) && (job->timed == 1));
-        int exact = alone && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        int alone = (job->autonomous == 2) && (job->timed == 1);
+        int exact = alone && !job->samples && !(job->notes_room > 0) && (job->data[t].terms == 2);
         if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
             later = slide_together(b, here, t);
         }
@@ -4915,10 +4707,10 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (HAS_CLOSED_FORM(job->role) && !(job->samples > 0) && !job->timed) {
+    if (HAS_CLOSED_FORM(job->role) && !(job->samples && SOFTENS(job->role))) {
         moving = moving & ~swing(b, moving);
     }
-    if (job->by_rotation && !(job->samples > 0)) {
+    if (job->by_rotation && !job->samples) {
         M turning = moving & (c[CLOCKED] == 0.0);
         if (bits(turning)) {
             turn_on(b, turning);
@@ -5049,7 +4841,7 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
-    const int least_free = job->timed && (job->autonomous == 2 || job->role->net_record >= 0) ? LANES : LEAST_FREE;
+    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
         if (round < job->budget && load_neighbours(b, next)) next += LANES;

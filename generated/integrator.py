@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 01657c485e6de7a90f93175afed1bbf964226efae9933c057bd7e3f47a9043ea
+# sha256 of the text below: 034fba0b7f8be483f82c9d1d707e921c3fdf5e5252683db09c72ada89825c31e
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -83,6 +83,7 @@ class Lanes:
         self.autonomous = program.autonomous
         self.by_rotation = program.by_rotation
         self.samples = samples
+        self.sample_count = 0 if samples is None else len(samples.times)
         self.log = log
         self.logged = log is not None
 
@@ -229,8 +230,6 @@ def sampled(s: Lanes, lane: int, begin: float, end: float) -> tuple[Floats, slic
 
 def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: int) -> None:
     """Evaluate the states at the sample times between two times, from series or at rest."""
-    if s.samples is None:
-        return
     ends = np.broadcast_to(end, i.shape)
     registers = [q.register for q in s.states]
     for k, lane in enumerate(i.tolist()):
@@ -259,6 +258,18 @@ def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
     rows = [rotation, direction * omega, direction * rate, s.cells[ix.SLIP, lane] + x, *further]
     for row, values in zip(s.samples.states, rows, strict=False):
         row[which, s.columns[lane]] = values
+
+
+def sample_time(s: Lanes, number: int) -> Floats:
+    """Return a sample time of each lane."""
+    times: Floats = s.samples.times[number]
+    return times[s.columns] if times.size > 1 else np.full(s.columns.size, times[0])
+
+
+def keep_sample(s: Lanes, here: Mask, number: int, x: Floats, omega: Floats, rate: Floats) -> None:
+    """Store the states of lanes at a sample time."""
+    for lane in np.flatnonzero(here).tolist():
+        fill(s, lane, slice(number, number + 1), [x[lane], omega[lane], rate[lane]])
 
 
 # --- the text of derive/flow/integrator ----------------------------------------------------------------------------
@@ -379,17 +390,6 @@ SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
 LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
-LAST_OF_PIECE = 7
-LAST_TERMS = 5.684341886080802e-14
-LONGEST_WAY = 0.0078125
-PRESSED = 0.01
-SURELY = 4.0
-TIME_NOW = 0
-WAY_NOW = 1
-SPEED_NOW = 2
-SINE_NOW = 3
-VERS_NOW = 4
-RATE_NOW = 5
 FAR = 1e+300
 LONGEST = 1.0
 REACH = 4.0
@@ -432,19 +432,23 @@ CONSTANT = 8
 SINE = 16
 VERS = 24
 PI = 3.141592653589793
+QUARTER = 0.7853981633974483
+PAIRS = 8
+LONG = 17
+LAST_WAVE = 5.684341886080802e-14
+MOST_CORRECTIONS = 12
+LAST_OF_NEWTON = 1.4901161193847656e-08
+OMEGA_THERE = 1
+RATE_THERE = 2
+ANGLE_THERE = 3
+SLOPE_THERE = 4
 FARTHEST = 3.14
 FADED = 2.0
 LAST_OF_HALLEY = 3.814697265625e-06
 CLEAR = 0.01
-MOST_CORRECTIONS = 12
-LAST_OF_NEWTON = 1.4901161193847656e-08
 CLOSE_TO_REST = 9.094947017729282e-13
 LEAST_DURATION = 1.5
-PAIRS = 8
-LONG = 17
 NEAR_MIDDLE = 0.85
-QUARTER = 0.7853981633974483
-LAST_WAVE = 5.684341886080802e-14
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -1221,7 +1225,7 @@ def stay(s: Lanes, here: Mask, status: Floats) -> None:
     c[ix.REST_SINCE] = np.where(here, np.where(c[ix.REST_SINCE] > c[ix.END_TIME], c[ix.END_TIME], c[ix.REST_SINCE]),
         c[ix.REST_SINCE])
     c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
-    if s.samples:
+    if s.sample_count:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], INFINITY, 0, 0)
@@ -1459,7 +1463,7 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = among(holds_2, i_2, piece_2)
     if i.size:
         now = break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
-        if lane.samples:
+        if lane.sample_count:
             read_samples(lane, i, c[ix.TIME, i], now, 0, 0)
         stand_before(lane, i, t, piece, now)
     i, piece = (i_2, piece_2)
@@ -1494,7 +1498,7 @@ def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
     pass_break(lane, i, t)
 
 
-def end_slide(s: Lanes, here: Mask, t: Table, piece: Floats, x: Floats, omega: Floats) -> None:
+def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = s.cells
     c[ix.X] = np.where(here, x, c[ix.X])
@@ -1508,7 +1512,7 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: Floats, x: Floats, omega: F
     advance_origin(s, here)
     i = np.flatnonzero(here)
     if i.size:
-        enter_at(s, i, t, integer(piece[i]))
+        enter_at(s, i, t, np.full(i.size, piece))
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
@@ -1654,7 +1658,7 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
     if np.any(leaves):
-        end_slide(s, leaves, t, float(piece), x, omega)
+        end_slide(s, leaves, t, piece, x, omega)
     return on & inside
 
 
@@ -1694,223 +1698,6 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
         on = keep_sliding(s, on, t, piece, before, press, x, omega)
 
 
-def forces_at(s: Lanes, e: Floats, change: Floats) -> None:
-    """Compute the factors of the net moment of a mass at rest, after a change of the function of time."""
-    c = s.cells
-    e[0] = c[s.roles.drive] + c[s.roles.net_record] * change
-    e[1] = c[s.roles.net_sine] + c[s.roles.net_record_sine] * change
-    e[2] = c[s.roles.net_vers] + c[s.roles.net_record_vers] * change
-
-
-def moment_at(e: Floats, z: Floats) -> Floats:
-    """Return the net moment of a mass at rest from its factors."""
-    by_sine = e[1] * z[SINE_NOW]
-    return e[0] + (by_sine + e[2] * z[VERS_NOW])
-
-
-def force_after(s: Lanes, z: Floats, change: Floats) -> Floats:
-    """Return the normal force of a mass at rest, after a change of the function of time."""
-    c = s.cells
-    by_sine = (c[s.roles.normal_sine] + c[s.roles.normal_record_sine] * change) * z[SINE_NOW]
-    by_vers = (c[s.roles.normal_vers] + c[s.roles.normal_record_vers] * change) * z[VERS_NOW]
-    return c[s.roles.normal0] + c[s.roles.normal_record] * change + (by_sine + by_vers)
-
-
-def path_to(s: Lanes, u: Floats, share: Floats) -> Floats:
-    """Return the path after a share of a piece, from the series of the speed."""
-    total: Floats = 0.0
-    for n in range(LAST_OF_PIECE, 0 - 1, -1):
-        total = total * share + u[n] * (1.0 / (n + 1))
-    return total * share
-
-
-def expand_piece(s: Lanes, u: Floats, sine: Floats, versine: Floats, g: Floats) -> None:
-    """Compute the series of speed, sine and versine. The unit of time is a piece, and ``g`` has the factors there."""
-    c = s.cells
-    for n in range(LAST_OF_PIECE - 1 + 1):
-        net = g[1] * sine[n] + g[2] * versine[n]
-        if n == 0:
-            net = net + g[0]
-        if n == 1:
-            net = net + g[3]
-        if n > 0:
-            by_rise = g[4] * sine[n - 1] + g[5] * versine[n - 1]
-            net = net + by_rise
-        square: Floats = 0.0
-        along = u[n]
-        across: Floats = 0.0
-        for k in range(n + 1):
-            square = square + u[k] * u[n - k]
-            along = along - versine[k] * u[n - k]
-            across = across + sine[k] * u[n - k]
-        net = net + c[s.roles.net_square] * square
-        u[n + 1] = net * (1.0 / (n + 1))
-        sine[n + 1] = along * (1.0 / (n + 1))
-        versine[n + 1] = across * (1.0 / (n + 1))
-
-
-def wait_for_start(s: Lanes, here: Mask, z: Floats, e: Floats, f: Floats, after: Floats, until: Floats) -> None:
-    """Advance lanes at rest to the time within a piece at which their net moment is zero, where they start."""
-    rate = moment_at(e, z)
-    share = np.where(here & (rate < 0.0), rate / (rate - after), 0.0)
-    z[TIME_NOW] = z[TIME_NOW] + share * (until - z[TIME_NOW])
-    for k in range(2 + 1):
-        e[k] = e[k] + share * (f[k] - e[k])
-    z[RATE_NOW] = np.where(here, 0.0, z[RATE_NOW])
-    count_starts(s, here)
-
-
-def pass_top(s: Lanes, here: Mask, z: Floats, u: Floats, length: Floats, after: Floats) -> None:
-    """Record the greatest speed in a piece in which the rate of the speed falls through zero, to ``after``."""
-    rates = np.zeros((ix.STRIDE, z.shape[1]))
-    differentiate(rates, u, LAST_OF_PIECE)
-    one: Floats = 1.0
-    share = bracketed_root(rates, LAST_OF_PIECE - 1, 0.0 * one, z[RATE_NOW], one, after, here)
-    speed = value(u, LAST_OF_PIECE, share) / length
-    x = z[WAY_NOW] + path_to(s, u, share)
-    keep_faster(s, here, speed, z[TIME_NOW] + length * share, x, 0.0)
-
-
-def stop_within(s: Lanes, here: Mask, z: Floats, e: Floats, f: Floats, u: Floats, sine: Floats, versine: Floats,
-        length: Floats) -> Mask:
-    """Stop lanes within a piece, and return them."""
-    c = s.cells
-    one: Floats = 1.0
-    share = first_root(u, LAST_OF_PIECE, one, here)
-    stops = here & (share <= 1.0)
-    share = np.where(stops, share, 0.0)
-    z[TIME_NOW] = z[TIME_NOW] + length * share
-    z[WAY_NOW] = z[WAY_NOW] + path_to(s, u, share)
-    z[SPEED_NOW] = np.where(stops, 0.0, z[SPEED_NOW])
-    z[SINE_NOW] = np.where(stops, value(sine, LAST_OF_PIECE, share), z[SINE_NOW])
-    z[VERS_NOW] = np.where(stops, value(versine, LAST_OF_PIECE, share), z[VERS_NOW])
-    for k in range(2 + 1):
-        e[k] = e[k] + share * (f[k] - e[k])
-    c[ix.REST_SINCE] = np.where(here, np.where(stops, z[TIME_NOW], c[ix.REST_SINCE]), c[ix.REST_SINCE])
-    return stops
-
-
-def pass_part(s: Lanes, here: Mask, t: Table, piece: Floats, z: Floats, e: Floats, f: Floats, until: Floats) -> Mask:
-    """Move lanes to the end of a piece, or to a standstill within it, and return lanes that have stopped."""
-    c = s.cells
-    waiting = moment_at(f, z)
-    rests = z[SPEED_NOW] == 0.0
-    starts = here & rests & (waiting > SURELY * c[s.roles.drive_scale])
-    if np.any(starts):
-        wait_for_start(s, starts, z, e, f, waiting, until)
-    acts = here & (starts | np.logical_not(rests))
-    if not np.any(acts):
-        return acts
-    u = np.zeros((ix.STRIDE, z.shape[1]))
-    sine = np.zeros((ix.STRIDE, z.shape[1]))
-    versine = np.zeros((ix.STRIDE, z.shape[1]))
-    g = np.zeros((ix.STRIDE, z.shape[1]))
-    length = until - z[TIME_NOW]
-    per = 1.0 / length
-    scale = length * length
-    for k in range(2 + 1):
-        g[k] = scale * e[k]
-        g[k + 3] = scale * (f[k] - e[k])
-    u[0] = length * z[SPEED_NOW]
-    sine[0] = z[SINE_NOW]
-    versine[0] = z[VERS_NOW]
-    expand_piece(s, u, sine, versine, g)
-    gain = u[1]
-    way = u[0] + 0.5 * u[1]
-    by_sine = sine[1]
-    by_vers = versine[1]
-    for n in range(2, LAST_OF_PIECE + 1):
-        gain = gain + u[n]
-        way = way + u[n] * (1.0 / (n + 1))
-        by_sine = by_sine + sine[n]
-        by_vers = by_vers + versine[n]
-    largest = u[0] + (np.abs(u[1]) + np.abs(u[2]))
-    last = np.abs(u[LAST_OF_PIECE]) + np.abs(u[LAST_OF_PIECE - 1])
-    turns = np.abs(g[1]) + np.abs(g[2])
-    complete = ((turns + largest) * last <= LAST_TERMS * largest) & (largest < LONGEST_WAY)
-    leaves = acts & np.logical_not(complete)
-    if np.any(leaves):
-        c[ix.CLOCKED] = np.where(here, np.where(leaves, 1.0, c[ix.CLOCKED]), c[ix.CLOCKED])
-        end_slide(s, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW])
-    acts = acts & complete
-    speed = np.maximum((u[0] + gain) * per, 0.0)
-    at_rest = f[0] + (f[1] * (sine[0] + by_sine) + f[2] * (versine[0] + by_vers))
-    after = at_rest + c[s.roles.net_square] * (speed * speed)
-    most = z[SPEED_NOW] + length * z[RATE_NOW]
-    least = np.abs(c[ix.PEAK_OMEGA])
-    peaks = acts & (z[RATE_NOW] > 0.0) & (after <= 0.0) & (most > least)
-    if np.any(peaks):
-        pass_top(s, peaks, z, u, length, after)
-    dips = (z[RATE_NOW] < 0.0) & (after > 0.0) & (most <= 0.0)
-    asked = acts & ((speed == 0.0) | dips)
-    stops = asked
-    if np.any(asked):
-        stops = stop_within(s, asked, z, e, f, u, sine, versine, length)
-    goes = acts & np.logical_not(stops)
-    z[WAY_NOW] = z[WAY_NOW] + np.where(goes, way, 0.0)
-    z[SPEED_NOW] = np.where(goes, speed, z[SPEED_NOW])
-    z[SINE_NOW] = z[SINE_NOW] + np.where(goes, by_sine, 0.0)
-    z[VERS_NOW] = z[VERS_NOW] + np.where(goes, by_vers, 0.0)
-    z[RATE_NOW] = np.where(goes, after, z[RATE_NOW])
-    return stops
-
-
-def farthest_of(s: Lanes) -> Floats:
-    """Return a rotation up to which weight certainly presses on the slip surface and drives down-slope."""
-    c = s.cells
-    by_drive = c[s.roles.driving_moment] / np.abs(c[s.roles.driving_moment_slope])
-    by_load = c[s.roles.normal_load] / np.abs(c[s.roles.normal_load_slope])
-    return 0.5 * np.minimum(1.0, np.minimum(by_drive, by_load))
-
-
-def least_force(s: Lanes) -> Floats:
-    """Return a normal force that stays positive through a piece."""
-    c = s.cells
-    return PRESSED * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
-
-
-def turn_through(s: Lanes, here: Mask, t: Table) -> None:
-    """Move lanes at rest through the pieces of a record."""
-    c = s.cells
-    per = 1.0 / c[t.cells + ix.SCALE]
-    before = latest_end(s, t)
-    farthest = farthest_of(s)
-    least = least_force(s)
-    z = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    last: Floats = float(t.pieces - 1)
-    piece = c[t.cells + ix.PIECE].copy()
-    z[TIME_NOW] = c[ix.TIME]
-    for k in range(WAY_NOW, RATE_NOW + 1):
-        z[k] = 0.0
-    forces_at(s, e, c[t.cells + ix.INC])
-    until = c[t.cells + ix.UPPER].copy()
-    change = c[t.cells + ix.LOWER].copy()
-    beyond = breaks_at(s, t, np.minimum(piece + 2.0, last))
-    on = here
-    while np.any(on):
-        forces_at(s, f, change)
-        acts = on
-        while np.any(acts):
-            acts = pass_part(s, acts, t, piece, z, e, f, until)
-        z[TIME_NOW] = until
-        for k in range(2 + 1):
-            e[k] = f[k]
-        piece = np.minimum(piece + 1.0, last)
-        following = np.minimum(piece + 1.0, last)
-        until = per * beyond
-        beyond = breaks_at(s, t, np.minimum(piece + 2.0, last))
-        change = c[t.cells + ix.SCALED_BY] * heights_at(s, t, following) - c[t.cells + ix.VALUE]
-        on = on & (c[ix.PENDING] == ix.READY)
-        inside = (piece + 1.0 < last) & (beyond < before) & (z[WAY_NOW] < farthest) & (force_after(s, z,
-            change) > least)
-        leaves = on & np.logical_not(inside)
-        if np.any(leaves):
-            end_slide(s, leaves, t, piece, z[WAY_NOW], z[SPEED_NOW])
-        on = on & inside
-
-
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round."""
     c = s.cells
@@ -1927,20 +1714,13 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     linear = here & straight & (c[t.cells + ix.RISE] != 0.0)
     down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0)
     forward = linear & down_slope & (c[ix.LIFTED] == 0.0)
-    ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
-    press = weight + grip * ahead
-    before = latest_end(s, t)
-    if s.roles.net_record >= 0:
-        last: Floats = float(t.pieces - 1)
-        inside = (c[t.cells + ix.PIECE] + 1.0 < last) & (breaks_at(s, t, np.minimum(c[t.cells + ix.PIECE] + 2.0,
-            last)) < before)
-        calm = (c[ix.CLOCKED] == 0.0) & (net[0] <= 0.0) & (press > least_force(s))
-        turn_through(s, forward & inside & calm, t)
-        return none_of(s)
     piece = greatest(np.where(forward, c[t.cells + ix.PIECE], -1.0))
     same = c[t.cells + ix.PIECE] == float(piece)
     there = forward & same
     if np.any(there):
+        ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
+        press = weight + grip * ahead
+        before = latest_end(s, t)
         inside = there & passes(s, t, piece, before) & (press > 0.0)
         by_height = slope * c[t.cells + ix.SCALED_BY]
         grip_by_height = grip * c[t.cells + ix.SCALED_BY]
@@ -2248,7 +2028,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
     time = c[ix.TIME] + elapsed(s, top, step)
     until = np.where(at_limit, limit, time)
-    if s.samples:
+    if s.sample_count:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
@@ -2810,6 +2590,125 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
     return (before, before + after)
 
 
+def mean_of(both: Floats, pairs: int, by: int) -> Floats:
+    """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
+    ends = both[0] + both[PAIRS]
+    total = 0.5 * ends
+    for k in range(1, pairs - 1 + 1):
+        total = total + both[k * by]
+    return total / float(2 * pairs)
+
+
+def find_waves(w: Floats, here: Mask, both: Floats, odd: Floats, pairs: int, by: int) -> None:
+    """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule."""
+    scale: Floats = 1.0 / float(pairs)
+    w[0] = np.where(here, mean_of(both, pairs, by), w[0])
+    for j in range(1, pairs + 1):
+        of_odd: Floats = 0.0
+        of_even: Floats = 0.0
+        even_row = 2 * j * (PAIRS + 1)
+        odd_row = even_row - (PAIRS + 1)
+        for k in range(pairs + 1):
+            node = k * by
+            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
+            of_even = of_even + COSINES[even_row + node] * both[node]
+        last: Floats = 0.5 if j == pairs else 1.0
+        w[2 * j - 1] = np.where(here, scale * of_odd, w[2 * j - 1])
+        w[2 * j] = np.where(here, scale * last * of_even, w[2 * j])
+
+
+def time_at(w: Floats, u: Floats, place: Floats, sine: Floats) -> tuple[Floats, Floats]:
+    """Return the time since rest at the rotation end sin(u)^2, and its derivative by u."""
+    top = 2 * PAIRS if np.any(w[LONG] > 0.0) else PAIRS
+    twice = -2.0 * place
+    cosine = -place
+    sine_before: Floats = 0.0
+    cosine_before: Floats = 1.0
+    time = 2.0 * w[0] * u
+    slope = 2.0 * w[0]
+    for m in range(1, top + 1):
+        time = time + w[m] * sine
+        slope = slope + float(2 * m) * w[m] * cosine
+        sine_after = twice * sine - sine_before
+        cosine_after = twice * cosine - cosine_before
+        sine_before = sine
+        cosine_before = cosine
+        sine = sine_after
+        cosine = cosine_after
+    return (time, slope)
+
+
+def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
+    """Return the time from rest to a rotation, with u from the series of the arcsine."""
+    left = end - x
+    place = (x - left) / end
+    sine = 2.0 * np.sqrt(x * left) / end
+    z = place / np.sqrt(2.0 + 2.0 * sine)
+    square = z * z
+    total: Floats = 0.0
+    for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
+        total = total * square + ARCSINE[k]
+    time, _ = time_at(w, QUARTER + z * total, place, sine)
+    return time
+
+
+def is_uneven(w: Floats, n: int) -> Mask:
+    """Return whether the last two coefficients of the series of the time are not negligible."""
+    last = np.abs(w[n - 1]) + np.abs(w[n])
+    return np.logical_not(last <= LAST_WAVE * w[0])
+
+
+def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, time: Floats) -> None:
+    """Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move."""
+    u = there[ANGLE_THERE]
+    slope: Floats = 1.0
+    lag, versine = turned(2.0 * u)
+    asked = here
+    count = 0
+    while np.any(asked) and count < MOST_CORRECTIONS:
+        then, slope = time_at(w, u, versine - 1.0, 2.0 * u - lag)
+        change = (time - then) / slope
+        u = np.where(asked, u + change, u)
+        asked = asked & (np.abs(change) > LAST_OF_NEWTON * u)
+        lag, versine = turned(2.0 * u)
+        count = count + 1
+    there[ANGLE_THERE] = u
+    there[SLOPE_THERE] = slope
+    x = 0.5 * end * versine
+    f = np.zeros((ix.STRIDE, there.shape[1]))
+    functions(f, x, e[4])
+    square = energy(e, f)
+    there[0] = x
+    there[RATE_THERE] = 0.5 * slope_of(e, f)
+    late = versine > 1.0
+    if np.any(here & late):
+        _, versine_back = turned(PI - 2.0 * u)
+        functions(f, 0.5 * end * versine_back, e[4])
+        reverse(f, e[4])
+        square = np.where(late, energy(back, f), square)
+    there[OMEGA_THERE] = np.sqrt(square)
+
+
+def keep_samples(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, until: Floats) -> None:
+    """Store the states at the output times within a phase, which ends at the time ``until``."""
+    c = s.cells
+    there = np.zeros((ix.STRIDE, e.shape[1]))
+    there[ANGLE_THERE] = 0.0
+    there[SLOPE_THERE] = 2.0 * w[0]
+    before = c[ix.TIME].copy()
+    k = 0
+    while k < s.sample_count:
+        time = sample_time(s, k)
+        inside = here & (time >= c[ix.TIME]) & (time < until)
+        if np.any(inside):
+            ahead = (time - before) / there[SLOPE_THERE]
+            there[ANGLE_THERE] = np.where(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE])
+            before = np.where(inside, time, before)
+            find_state(there, inside, e, back, w, end, time - c[ix.TIME])
+            keep_sample(s, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE])
+        k = k + 1
+
+
 def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
     if s.roles.loss_rate >= 0:
@@ -2908,74 +2807,6 @@ def add_node(e: Floats, back: Floats, end: Floats, both: Floats, odd: Floats, k:
     odd[k] = near - far
 
 
-def mean_of(both: Floats, pairs: int, by: int) -> Floats:
-    """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
-    ends = both[0] + both[PAIRS]
-    total = 0.5 * ends
-    for k in range(1, pairs - 1 + 1):
-        total = total + both[k * by]
-    return total / float(2 * pairs)
-
-
-def find_waves(w: Floats, here: Mask, both: Floats, odd: Floats, pairs: int, by: int) -> None:
-    """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule."""
-    scale: Floats = 1.0 / float(pairs)
-    w[0] = np.where(here, mean_of(both, pairs, by), w[0])
-    for j in range(1, pairs + 1):
-        of_odd: Floats = 0.0
-        of_even: Floats = 0.0
-        even_row = 2 * j * (PAIRS + 1)
-        odd_row = even_row - (PAIRS + 1)
-        for k in range(pairs + 1):
-            node = k * by
-            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
-            of_even = of_even + COSINES[even_row + node] * both[node]
-        last: Floats = 0.5 if j == pairs else 1.0
-        w[2 * j - 1] = np.where(here, scale * of_odd, w[2 * j - 1])
-        w[2 * j] = np.where(here, scale * last * of_even, w[2 * j])
-
-
-def time_at(w: Floats, u: Floats, place: Floats, sine: Floats) -> tuple[Floats, Floats]:
-    """Return the time since rest at the rotation end sin(u)^2, and its derivative by u."""
-    top = 2 * PAIRS if np.any(w[LONG] > 0.0) else PAIRS
-    twice = -2.0 * place
-    cosine = -place
-    sine_before: Floats = 0.0
-    cosine_before: Floats = 1.0
-    time = 2.0 * w[0] * u
-    slope = 2.0 * w[0]
-    for m in range(1, top + 1):
-        time = time + w[m] * sine
-        slope = slope + float(2 * m) * w[m] * cosine
-        sine_after = twice * sine - sine_before
-        cosine_after = twice * cosine - cosine_before
-        sine_before = sine
-        cosine_before = cosine
-        sine = sine_after
-        cosine = cosine_after
-    return (time, slope)
-
-
-def time_to(w: Floats, x: Floats, end: Floats) -> Floats:
-    """Return the time from rest to a rotation, with u from the series of the arcsine."""
-    left = end - x
-    place = (x - left) / end
-    sine = 2.0 * np.sqrt(x * left) / end
-    z = place / np.sqrt(2.0 + 2.0 * sine)
-    square = z * z
-    total: Floats = 0.0
-    for k in range(LAST_OF_ARCSINE, 0 - 1, -1):
-        total = total * square + ARCSINE[k]
-    time, _ = time_at(w, QUARTER + z * total, place, sine)
-    return time
-
-
-def is_uneven(w: Floats, n: int) -> Mask:
-    """Return whether the last two coefficients of the series of the time are not negligible."""
-    last = np.abs(w[n - 1]) + np.abs(w[n])
-    return np.logical_not(last <= LAST_WAVE * w[0])
-
-
 def duration_of_swing(e: Floats, back: Floats, end: Floats, w: Floats, which: Mask) -> Floats:
     """Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``."""
     both = np.zeros((ix.STRIDE, e.shape[1]))
@@ -3036,31 +2867,15 @@ def finish(s: Lanes, here: Mask, end: Floats, duration: Floats) -> None:
 
 
 def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats) -> None:
-    """End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time."""
+    """End lanes at their end time within a phase."""
     c = s.cells
+    there = np.zeros((ix.STRIDE, e.shape[1]))
     time = c[ix.END_TIME] - c[ix.TIME]
-    u = 0.5 * time / w[0]
-    lag, versine = turned(2.0 * u)
-    asked = here
-    count = 0
-    while np.any(asked) and count < MOST_CORRECTIONS:
-        then, slope = time_at(w, u, versine - 1.0, 2.0 * u - lag)
-        change = (time - then) / slope
-        u = np.where(asked, u + change, u)
-        asked = asked & (np.abs(change) > LAST_OF_NEWTON * u)
-        lag, versine = turned(2.0 * u)
-        count = count + 1
-    x = 0.5 * end * versine
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    functions(f, x, e[4])
-    square = energy(e, f)
-    rate = 0.5 * slope_of(e, f)
-    _, versine_back = turned(PI - 2.0 * u)
-    functions(f, 0.5 * end * versine_back, e[4])
-    reverse(f, e[4])
-    square = np.where(versine > 1.0, energy(back, f), square)
-    c[ix.X] = np.where(here, x, c[ix.X])
-    c[ix.OMEGA] = np.where(here, np.sqrt(square), c[ix.OMEGA])
+    there[ANGLE_THERE] = 0.5 * time / w[0]
+    find_state(there, here, e, back, w, end, time)
+    c[ix.X] = np.where(here, there[0], c[ix.X])
+    c[ix.OMEGA] = np.where(here, there[OMEGA_THERE], c[ix.OMEGA])
+    rate = there[RATE_THERE]
     c[ix.TIME] = np.where(here, c[ix.END_TIME], c[ix.TIME])
     c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
     keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
@@ -3078,6 +2893,8 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     until = c[ix.TIME] + duration
     rests = fits & (until < c[ix.END_TIME])
     ends = fits & (until < INFINITY) & (until > c[ix.END_TIME] * (1.0 + CLOSE_TO_REST))
+    if s.sample_count:
+        keep_samples(s, rests | ends, e, back, w, end, until)
     at_peak = np.zeros((ix.STRIDE, e.shape[1]))
     evaluate_at(s, e, at_peak, peak)
     pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), at_peak, peak, before)
@@ -3226,7 +3043,7 @@ def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     breaks = (stretch >= room) & np.logical_not(starts) & np.logical_not(lifts)
     until = np.where(breaks, limit, c[ix.TIME] + stretch)
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
-    if s.samples:
+    if s.sample_count:
         i = np.flatnonzero(here)
         if i.size:
             read_samples(s, i, c[ix.TIME, i], np.fmin(until[i], c[ix.END_TIME, i]), 0, 0)
@@ -3280,8 +3097,8 @@ def rest_on(s: Lanes, here: Mask) -> None:
     look_ahead(s, here, room)
     later = none_of(s)
     for t in s.tables:
-        alone = s.roles.net_record >= 0 or (s.autonomous == 2 and s.timed == 1)
-        exact = alone and (not s.samples) and (not s.logged) and (t.terms == 2)
+        alone = s.autonomous == 2 and s.timed == 1
+        exact = alone and (not s.sample_count) and (not s.logged) and (t.terms == 2)
         if exact and t.kind == ix.OF_TIME and (not t.sine):
             later = slide_together(s, here, t)
     rest_to_change(s, here & (c[ix.PENDING] == ix.READY) & np.logical_not(later), limit, room)
@@ -3306,9 +3123,9 @@ def advance(s: Lanes, here: Mask) -> None:
     c = s.cells
     moving = here & (c[ix.STATUS] == ix.MOVING)
     resting = here & (c[ix.STATUS] == ix.RESTING)
-    if s.roles.net_sine >= 0 and (not s.samples) and (not s.timed):
+    if s.roles.net_sine >= 0 and (not (s.sample_count and s.roles.loss_rate >= 0)):
         moving = moving & np.logical_not(swing(s, moving))
-    if s.by_rotation and (not s.samples):
+    if s.by_rotation and (not s.sample_count):
         turning = moving & (c[ix.CLOCKED] == 0.0)
         if np.any(turning):
             turn_on(s, turning)

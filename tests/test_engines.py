@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor, CancelledError, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, CancelledError, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import lru_cache, partial
@@ -167,6 +167,29 @@ def test_blocks_of_a_killed_dask_worker_go_to_another(cluster: Cluster, tmp_path
         found = ensemble(SCENE, executor=pool, folder=tmp_path, **STUDY)
         done.result()
     same(ensemble(SCENE, **STUDY), found)
+
+
+@pytest.mark.parametrize("times", [1, 2])
+def test_a_block_whose_result_is_lost_is_computed_once_more(times: int) -> None:
+    """Dask's executor may fail to unpack the result of a worker that has died since."""
+    losses = iter([ValueError("lost")] * times)
+
+    class Losing(ThreadPoolExecutor):
+        def submit(self, work: Any, /, *given: Any, **named: Any) -> Any:
+            future = super().submit(work, *given, **named)
+            loss = next(losses, None) if given[0] == 0 else None
+            if loss is None:
+                return future
+            lost: Future[Any] = Future()
+            lost.set_exception(loss)
+            return lost
+
+    with Losing(2) as pool:
+        if times == 1:
+            same(ensemble(SCENE, **STUDY), ensemble(SCENE, executor=pool, **STUDY))
+        else:
+            with pytest.raises(ValueError, match="lost"):
+                ensemble(SCENE, executor=pool, **STUDY)
 
 
 def test_a_killed_dask_scheduler_loses_no_stored_block(cluster: Cluster, tmp_path: Path) -> None:

@@ -16,45 +16,18 @@ from derive.algebra import phase_plane
 from derive.algebra.phase_plane import drive, q, sine, vers, x
 from derive.check.proof import ProofError
 from derive.flow import closed
-from derive.flow.integrator import energy, hyperbolic, one_lane, softening, swing
+from derive.flow.integrator import energy, hyperbolic, one_lane, softening, swing, waves
 from derive.flow.layout import STRIDE
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
 from tests.campaigns import estimates
 from tests.support import lanes, oracle, taylor
+from tests.support.phases import COUNT, EFFECTS, TURNING, in_time, random_scene
 
-TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
-COUNT = 40
 SOFTENING_LAWS = ("exponential", "hyperbolic")
 DECIDED = [ix.STATUS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED]
 MEASURED = [ix.REST_SINCE, ix.PEAK_TIME, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.REACH_ROTATION, ix.REACH_TIME]
 AT_END = [ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE]
-_RNG = np.random.default_rng(64)
-EFFECTS: dict[str, dict[str, Any]] = {
-    "plain": {},
-    "drag": {"drag": {"xi": 300.0}},
-    "water": {"pore_pressure": {"ratio": _RNG.uniform(0.0, 0.6, COUNT)}},
-    "lift": {"pore_pressure": {"pressure": _RNG.uniform(0.0, 3e6, COUNT)}},
-    "cohesion": {"cohesion": {"cohesion": _RNG.uniform(0.0, 4e5, COUNT)}},
-}
-
-
-def in_time(problem: lanes.Problem) -> lanes.Problem:
-    """Return the same lanes without closed form and series in the rotation, so that they are integrated in time."""
-    roles = {role: place for role, place in problem.program.roles.items() if "cell_net_" not in role}
-    return replace(problem, program=replace(problem.program, roles=roles, by_rotation=0))
-
-
-def random_scene(effects: dict[str, Any], end: float | None, softens: str = "") -> Scene[Any]:
-    rng = np.random.default_rng(64)  # the same in every order of tests
-    middle, half = 1.5 * np.pi + rng.uniform(-1.2, 1.2, COUNT), rng.uniform(0.05, 1.5, COUNT)
-    arc: Any = Arc(rng.uniform(100.0, 2000.0, COUNT), middle - half, middle + half, 20e3)
-    pushed = np.where(rng.random(COUNT) < 0.3, rng.normal(size=COUNT) * 5.0, 0.0)
-    friction: Any = rng.uniform(0.0, 0.6, COUNT)
-    if softens:
-        residual, length = friction * rng.uniform(0.0, 1.1, COUNT), 10.0 ** rng.uniform(-1.0, 3.0, COUNT)
-        friction = {"law": softens, "peak": friction, "residual": residual, "length": length}
-    return Scene(arc, friction, TURNING | effects, pushed, end)
 
 
 def agree(one: Any, other: Any, within: float) -> bool:
@@ -74,6 +47,25 @@ def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
         assert agree(found, expected, 1e-12)
         assert np.allclose(found[AT_END], expected[AT_END], rtol=1e-12, atol=1e-15)
         assert end or found[ix.STEPS].sum() < expected[ix.STEPS].sum()
+
+
+@pytest.mark.parametrize("name", EFFECTS)
+@pytest.mark.parametrize("backend", lanes.BACKENDS)
+def test_states_at_output_times_are_those_integrated_in_time(name: str, backend: str) -> None:
+    """Output times change no result, and one of them is a time of rest."""
+    which = slice(COUNT if backend == "C" else 8)
+    problem = lanes.posed(random_scene(EFFECTS[name], 30.0), 1e-15)
+    ends = lanes.integrate(problem, which, backend)
+    times = np.sort(np.append(np.linspace(0.0, 1.2 * ends[ix.REST_SINCE].min(), 12), ends[ix.REST_SINCE].min()))
+    times = np.repeat(times[:, None], ends.shape[1], axis=1)
+    states = []
+    for posed in (problem, in_time(problem)):
+        samples = lanes.OutputSamples(times, np.full((4, *times.shape), np.nan))
+        found = lanes.integrate(posed, which, backend, samples=samples)
+        states.append(samples.states)
+        if posed is problem:
+            assert agree(found, ends, 1e-12)
+    assert np.allclose(states[0], states[1], rtol=1e-11, atol=1e-14)
 
 
 def test_an_end_time_just_before_rest_keeps_the_digits_of_the_speed() -> None:
@@ -317,9 +309,10 @@ def test_a_phase_keeps_its_digits(numbers: tuple[float, float, float, float]) ->
     energy.functions(b, end, numbers[3])
     energy.mirror(back, *numbers, b)
     peak = swing.peak_of_swing(s, e, 0.5 * end, end, True)
-    waves = [0.0] * STRIDE
-    duration = swing.duration_of_swing(e, back, end, waves, True)
-    before = swing.time_to(waves, peak, end)
+    w = [0.0] * STRIDE
+    duration = swing.duration_of_swing(e, back, end, w, True)
+    before = waves.time_to(w, peak, end)
+    there = [0.0] * STRIDE
     with mpmath.workdps(60):
         given = [mpmath.mpf(x) for x in numbers]
         exact = mpmath.findroot(lambda x: energy_at(x, given) / x, end)
@@ -331,6 +324,18 @@ def test_a_phase_keeps_its_digits(numbers: tuple[float, float, float, float]) ->
 
         whole = mpmath.quad(spent, [0, mpmath.pi / 4, mpmath.pi / 2])
         part = mpmath.quad(spent, [0, mpmath.asin(mpmath.sqrt(top / exact))])
+        for share in (0.1, 0.6, 0.99):
+            time = share * duration
+            there[waves.ANGLE_THERE] = 0.5 * time / w[0]
+            waves.find_state(there, True, e, back, w, end, time)
+            place = mpmath.mpf(there[0])
+            since = mpmath.quad(spent, [0, mpmath.asin(mpmath.sqrt(place / exact))])
+            speed, rate = (
+                mpmath.sqrt(energy_at(place, given)),
+                mpmath.diff(partial(energy_at, numbers=given), place) / 2,
+            )
+            assert time == pytest.approx(float(since), rel=2e-14)
+            assert there[1:3] == pytest.approx([float(speed), float(rate)], rel=1e-13)
     found = (end, duration, peak, before)
     assert found == pytest.approx([float(x) for x in (exact, whole, top, part)], rel=2e-14)
 

@@ -68,10 +68,14 @@ PRIMITIVES = {
         ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt", "number"), ""
     ),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
-    **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at"), "V"),
+    **dict.fromkeys(
+        ("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at", "sample_time"), "V"
+    ),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
     "integer": "I",
-    **dict.fromkeys(("coefficients_of", "operate", "operate_later", "prologue", "note", "read_samples"), "NONE"),
+    **dict.fromkeys(
+        ("coefficients_of", "operate", "operate_later", "prologue", "note", "read_samples", "keep_sample"), "NONE"
+    ),
     "new_series": "S",
     "tail": "S",
     "numbers": "A",

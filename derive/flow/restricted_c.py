@@ -34,7 +34,6 @@ FORMS = {
     "HAS.net_sine": "HAS_CLOSED_FORM(job->role)",
     "HAS.loss_rate": "SOFTENS(job->role)",
     "SHARED": "job->{x}",
-    "SHARED.samples": "(job->samples > 0)",
     "SHARED.logged": "(job->notes_room > 0)",
     "SHARED.highest": "job->order",
     "PART": "c[job->table[{of}].cell + {X}]{at}",

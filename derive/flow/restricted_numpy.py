@@ -37,6 +37,7 @@ FORMS = {
     "SERIES": "{s}.registers[{s}.roles.{x}]",
     "HAS": "({s}.roles.{x} >= 0)",
     "SHARED": "{s}.{x}",
+    "SHARED.samples": "{s}.sample_count",
     "PART": "c[{of}.cells + ix.{X}{at}]",
     "TABLE": "{of}.{x}",
     "TABLE.series": "{s}.registers[{of}.register]",

@@ -169,7 +169,8 @@ class Writer:
         if name not in PRIMITIVES and not function:
             self.refuse(e, f"there is no function {name}")
         kind = self._kind_of_call(name, values)
-        expected = function.parameters.values() if function else [kind if kind == "V" else "NONE"] * len(values)
+        cast = "V" if kind == "V" and not PRIMITIVES.get(name) else "NONE"
+        expected = function.parameters.values() if function else [cast] * len(values)
         texts = [self.as_kind(v, k) for v, k in zip(values, expected, strict=True)]
         if values and values[0].kind in ("LANES", "LANE"):
             one = function.of == "LANE" if function else self.lane

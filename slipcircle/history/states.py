@@ -18,8 +18,6 @@ class States(NamedTuple):
 
     The arrays have one element per state. `further` are arrays of the slip and of further states, or None to retain the
     initial ones.
-
-    The arrays have one element per state. `further` are arrays of the slip and further states, or None at the start.
     """
 
     time: Any
@@ -63,8 +61,6 @@ def read(problem: Problem, times: Floats) -> Floats:
     """Return rotation, omega, its rate, slip and further states at increasing dimensionless times.
 
     The times are (times, lanes), and the result is (rows, times, lanes).
-
-    The shape is (rows, times, lanes).
     """
     rows = np.zeros((2 + len(problem.program.states), *times.shape))
     integrate_problem(problem, samples=OutputSamples(np.ascontiguousarray(times), rows))

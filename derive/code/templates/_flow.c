@@ -831,7 +831,7 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
 {
     const Job *const job = b->job;
     const V *const c = b->c;
-    if (!job->samples || !(end >= begin)) return;
+    if (!(end >= begin)) return;
     const int64_t across = job->times_across, column = b->column[k];
     const double *times = job->times + (across > 1 ? column : 0);
     int64_t low = 0, high = job->samples;
@@ -858,6 +858,23 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
+}
+
+/* A sample time of each lane, and the states of lanes that move then. */
+INLINE V sample_time(const Batch *b, int i)
+{
+    const Job *const job = b->job;
+    const double *times = job->times + i * (int64_t)job->times_across;
+    V time;
+    for (int k = 0; k < LANES; k++) time[k] = times[job->times_across > 1 ? b->column[k] : 0];
+    return time;
+}
+static void keep_sample(const Batch *b, M here, int i, V x, V omega, V rate)
+{
+    const Job *const job = b->job;
+    const V *const c = b->c, side = c[DIRECTION], states[4] = {c[ROTATION] + side * x, side * omega, side * rate, c[SLIP] + x};
+    EACH(k, bits(here))
+        for (int j = 0; j < 4; j++) job->outputs[(j * job->samples + i) * job->count + b->column[k]] = states[j][k];
 }
 
 /* --- the text of derive/flow/integrator --- */

@@ -22,6 +22,7 @@ rotation   steps in powers of the rotation, with omega^2 as the state
 energy     closed form of omega^2 in the rotation
 hyperbolic  the same under hyperbolically softening friction
 softening  the same under exponentially softening friction, and the duration of both
+waves      time in phases that have a closed form
 swing      phases from rest that have a closed form
 rest       lanes at rest, until the next break of a function of time or the root of the net moment
 phases     stick or slip at a standstill; the numbers of the phase that begins; greatest speed and rotation
@@ -38,5 +39,5 @@ to cells apply to these lanes.
 """
 
 # Modules, each uses only earlier modules.
-FROM_REST = ("energy", "hyperbolic", "softening", "swing")
-TEXT = ("roots", "tables", "series", "phases", "records", "shaken", "step", "rotation", *FROM_REST, "rest")
+FROM_REST = ("energy", "hyperbolic", "softening", "waves", "swing")
+TEXT = ("roots", "tables", "series", "phases", "records", "step", "shaken", "rotation", *FROM_REST, "rest")

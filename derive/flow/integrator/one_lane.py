@@ -118,4 +118,4 @@ sin = cos = log = generated
 break_of = jump_of = constant_of = coefficients_of = generated
 breaks_at = heights_at = slopes_at = jumps_at = generated
 prologue = operate = operate_later = generated
-note = read_samples = generated
+note = read_samples = sample_time = keep_sample = generated

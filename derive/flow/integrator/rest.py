@@ -198,7 +198,7 @@ def advance(s: Lanes, here: M) -> None:
     """
     moving = here and s.status == Status.MOVING
     resting = here and s.status == Status.RESTING
-    if s.has.net_sine and not s.samples and not s.timed:
+    if s.has.net_sine and not s.timed and not (s.samples and s.has.loss_rate):
         moving = moving and not swing(s, moving)
     if s.by_rotation and not s.samples:
         turning = moving and s.clocked == 0.0

@@ -5,16 +5,14 @@ friction the duration is an integral of dx/sqrt(E) over the angle u with x = end
 regular, by the trapezoidal rule, whose error squares with each halving.
 
 A phase is complete if the mass stays pressed on its slip surface, with its chord not upright, until it stops within
-half a turn, and before its end time. All other phases are integrated in time.
+half a turn. Under constant friction it may end earlier, at the end time, and have output times; otherwise such phases
+are integrated in time, like all others.
 """
 
-from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of, turned
+from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of
 from derive.flow.integrator.one_lane import (
-    ARCSINE,
-    COSINES,
     EPS,
     INFINITY,
-    LAST_OF_ARCSINE,
     SINES,
     Lanes,
     M,
@@ -24,10 +22,8 @@ from derive.flow.integrator.one_lane import (
     Status,
     V,
     any_lane,
-    down,
     minimum,
     new_series,
-    number,
     sqrt,
     up,
     where,
@@ -36,21 +32,28 @@ from derive.flow.integrator.phases import keep_faster, stick
 from derive.flow.integrator.roots import inside_or_middle
 from derive.flow.integrator.softening import duration_of_softening, series_suffices, soften, softening_factors
 from derive.flow.integrator.step import end_motion, on_standstill
+from derive.flow.integrator.waves import (
+    ANGLE_THERE,
+    LAST_OF_NEWTON,
+    LONG,
+    MOST_CORRECTIONS,
+    OMEGA_THERE,
+    PI,
+    RATE_THERE,
+    find_state,
+    find_waves,
+    is_uneven,
+    keep_samples,
+    time_to,
+)
 
-PI = 3.141592653589793
 FARTHEST = 3.14  # greatest rotation of a phase: net moment and normal force have two zeros in a turn
 FADED = 2.0  # greatest q x, for which the series of E are complete
 LAST_OF_HALLEY = 2.0**-18  # relative step of Halley's method after which the next one would be below rounding
 CLEAR = 0.01  # excess of resistance over the driving moment, relative to their terms, that is no matter of rounding
-MOST_CORRECTIONS = 12  # of a root by Newton's method
-LAST_OF_NEWTON = 2.0**-26  # the same for Newton's method
 CLOSE_TO_REST = 2.0**-40  # an end time that is closer to the standstill, relatively, is left to the integration in time
 LEAST_DURATION = 1.5  # of a phase over the time that its path takes at the greatest speed; pi/2 if E is a parabola
-PAIRS = 8  # of nodes at most
-LONG = 2 * PAIRS + 1  # place behind the coefficients of the time: 1 if those beyond PAIRS are not 0
 NEAR_MIDDLE = 0.85  # distance of the peak from the middle over half of the way, for which the arcsine is complete
-QUARTER = PI / 4.0
-LAST_WAVE = 2.0**-44  # last coefficients of the series of the time over the first one, up to which it is complete
 
 
 def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
@@ -153,81 +156,6 @@ def add_node(e: S, back: S, end: V, both: S, odd: S, k: N) -> None:
     odd[k] = near - far
 
 
-def mean_of(both: S, pairs: N, by: N) -> V:
-    """Return the mean of the integrand by the trapezoidal rule of twice so many intervals, of every node in ``by``."""
-    ends = both[0] + both[PAIRS]
-    total = 0.5 * ends
-    for k in up(1, pairs - 1):
-        total = total + both[k * by]
-    return total / number(2 * pairs)
-
-
-def find_waves(w: S, here: M, both: S, odd: S, pairs: N, by: N) -> None:
-    """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule.
-
-    It is the integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients
-    are sums of ``odd``.
-    """
-    scale: V = 1.0 / number(pairs)
-    w[0] = where(here, mean_of(both, pairs, by), w[0])
-    for j in up(1, pairs):
-        of_odd: V = 0.0
-        of_even: V = 0.0
-        even_row: N = 2 * j * (PAIRS + 1)
-        odd_row: N = even_row - (PAIRS + 1)
-        for k in up(0, pairs):
-            node: N = k * by
-            of_odd = of_odd + COSINES[odd_row + node] * odd[node]
-            of_even = of_even + COSINES[even_row + node] * both[node]
-        last: V = 0.5 if j == pairs else 1.0
-        w[2 * j - 1] = where(here, scale * of_odd, w[2 * j - 1])
-        w[2 * j] = where(here, scale * last * of_even, w[2 * j])
-
-
-def time_at(w: S, u: V, place: V, sine: V) -> tuple[V, V]:
-    """Return the time since rest at the rotation end sin(u)^2, and its derivative by u.
-
-    ``place`` and ``sine`` are -cos(2 u) and sin(2 u).
-    """
-    top: N = 2 * PAIRS if any_lane(w[LONG] > 0.0) else PAIRS
-    twice = -2.0 * place
-    cosine = -place
-    sine_before: V = 0.0
-    cosine_before: V = 1.0
-    time = 2.0 * w[0] * u
-    slope = 2.0 * w[0]
-    for m in up(1, top):
-        time = time + w[m] * sine
-        slope = slope + number(2 * m) * w[m] * cosine
-        sine_after = twice * sine - sine_before
-        cosine_after = twice * cosine - cosine_before
-        sine_before = sine
-        cosine_before = cosine
-        sine = sine_after
-        cosine = cosine_after
-    return time, slope
-
-
-def time_to(w: S, x: V, end: V) -> V:
-    """Return the time from rest to a rotation, with u from the series of the arcsine."""
-    left = end - x
-    place = (x - left) / end
-    sine = 2.0 * sqrt(x * left) / end
-    z = place / sqrt(2.0 + 2.0 * sine)
-    square = z * z
-    total: V = 0.0
-    for k in down(LAST_OF_ARCSINE, 0):
-        total = total * square + ARCSINE[k]
-    time, _ = time_at(w, QUARTER + z * total, place, sine)
-    return time
-
-
-def is_uneven(w: S, n: N) -> M:
-    """Return whether the last two coefficients of the series of the time are not negligible."""
-    last = abs(w[n - 1]) + abs(w[n])
-    return not last <= LAST_WAVE * w[0]
-
-
 def duration_of_swing(e: S, back: S, end: V, w: S, which: M) -> V:
     """Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``."""
     both = new_series()
@@ -291,30 +219,14 @@ def finish(s: Lanes, here: M, end: V, duration: V) -> None:
 
 
 def end_within(s: Lanes, here: M, e: S, back: S, w: S, end: V) -> None:
-    """End lanes at their end time within a phase, where Newton's method finds the rotation from the series of time."""
+    """End lanes at their end time within a phase."""
+    there = new_series()
     time = s.end_time - s.time
-    u = 0.5 * time / w[0]
-    lag, versine = turned(2.0 * u)
-    asked = here
-    count: N = 0
-    while any_lane(asked) and count < MOST_CORRECTIONS:
-        then, slope = time_at(w, u, versine - 1.0, 2.0 * u - lag)
-        change = (time - then) / slope
-        u = where(asked, u + change, u)
-        asked = asked and abs(change) > LAST_OF_NEWTON * u
-        lag, versine = turned(2.0 * u)
-        count = count + 1
-    x = 0.5 * end * versine
-    f = new_series()
-    functions(f, x, e[4])
-    square = energy(e, f)
-    rate = 0.5 * slope_of(e, f)
-    _, versine_back = turned(PI - 2.0 * u)
-    functions(f, 0.5 * end * versine_back, e[4])
-    reverse(f, e[4])
-    square = where(versine > 1.0, energy(back, f), square)
-    s.x = x
-    s.omega = sqrt(square)
+    there[ANGLE_THERE] = 0.5 * time / w[0]
+    find_state(there, here, e, back, w, end, time)
+    s.x = there[0]
+    s.omega = there[OMEGA_THERE]
+    rate = there[RATE_THERE]
     s.time = s.end_time
     s.steps = 0.0
     keep_faster(s, here, s.omega, s.time, s.x, rate)
@@ -334,6 +246,8 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M
     until = s.time + duration
     rests = fits and until < s.end_time
     ends = fits and until < INFINITY and until > s.end_time * (1.0 + CLOSE_TO_REST)
+    if s.samples:
+        keep_samples(s, rests or ends, e, back, w, end, until)
     at_peak = new_series()
     evaluate_at(s, e, at_peak, peak)
     pass_peak(s, rests or (ends and s.time + before < s.end_time), at_peak, peak, before)

@@ -200,12 +200,24 @@ def stored(folder: PathName) -> ValueDict | None:
 def compute(
     design: Design, executor: Executor, store: Store, progress: Callable[[int, int], None] = lambda *_: None
 ) -> None:
-    """Compute and store the blocks that are not stored yet; ``progress(scenes, stored scenes)`` is called for each."""
+    """Compute and store the blocks that are not stored yet; ``progress(scenes, stored scenes)`` is called for each.
+
+    A block that fails is computed once more, since a cluster may lose a result together with its worker.
+    """
     under_way: dict[Future[Columns], int] = {}
+    repeated = set[int]()
+
+    def start(index: int) -> None:
+        work, argument = design.task(index)
+        under_way[executor.submit(work, argument)] = index
 
     def save(futures: Iterable[Future[Columns]]) -> None:
         for future in futures:
             index = under_way.pop(future)
+            if not future.cancelled() and future.exception() is not None and index not in repeated:
+                repeated.add(index)
+                start(index)
+                continue
             store.save(index, future.result())
             progress(design.scenes(index), 0)
 
@@ -223,8 +235,7 @@ def compute(
                 if store.has(index):
                     progress(design.scenes(index), design.scenes(index))
                     continue
-                work, argument = design.task(index)
-                under_way[executor.submit(work, argument)] = index
+                start(index)
             save_until(0)
         finally:  # after an error or Ctrl-C, finished blocks are stored as well
             for future in [*under_way]:
