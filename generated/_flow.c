@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "1da012664eb67d461bd1a80af3566b1994bafccfddbeac6dd184e0d4123bfab6"
+#define DIGEST "176a948374a970e2c644a92e442550c66c5cb823ee5c794a8848902d1636041c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving_moment_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole, net_record, net_record_sine, net_record_vers, normal_record, normal_record_sine, normal_record_vers;
 } Roles;
 
 typedef struct {
@@ -137,7 +137,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #include <string.h>
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, CLOCKED };
+enum { PENDING = -19, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -550,7 +550,7 @@ typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, CLOCKED };
+enum { PENDING = -19, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -1359,31 +1359,32 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* The same of a piece in each lane, and the coefficients of a straight line there. */
+INLINE V gathered(const double *from, V piece, int64_t apart)
+{
+    const M at = ((M)(piece + TO_INTEGER) - (M)broadcast(TO_INTEGER)) * apart;
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = from[at[k]];
+    return x;
+}
 INLINE V breaks_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V jumps_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V heights_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V slopes_at(const Batch *b, int t, V piece)
 {
     const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    if (!d->apart) return gathered(d->breaks, piece, 1);
+    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
     return x;
 }
+INLINE V jumps_at(const Batch *b, int t, V piece) { return gathered(b->job->data[t].jumps, piece, 1); }
+INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
+{
+    const Data *const d = b->job->data + t;
+    V x;
+    if (!d->across) return gathered(d->coefficients + j, piece, d->terms);
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[j * d->across];
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 0); }
+INLINE V slopes_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 1); }
 
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
@@ -1475,6 +1476,10 @@ static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.0534934727794
 #define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
+#define TOP 7
+#define SHORT 0x1.0000000000000p-7
+#define PRESSED 0x1.47ae147ae147bp-7
+#define SURELY 0x1.0000000000000p+2
 #define LONGEST 0x1.0000000000000p+0
 #define REACH 0x1.0000000000000p+2
 #define STRAIGHT 0x1.0000000000000p+4
@@ -2771,7 +2776,7 @@ static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
-INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
+INLINE void end_slide(Batch *b, M here, int t, V piece, V x, V omega)
 {
     V *const c = b->c;
     c[X] = pick(here, x, c[X]);
@@ -2784,7 +2789,7 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
     update_reach(b, here & ~moves);
     advance_origin(b, here);
     EACH(lane, bits(here)) {
-        enter_at(b, lane, t, piece);
+        enter_at(b, lane, t, (int64_t)piece[lane]);
     }
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
@@ -2957,7 +2962,7 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
     if (bits(leaves)) {
-        end_slide(b, leaves, t, piece, x, omega);
+        end_slide(b, leaves, t, (double)piece + (0.0 * x), x, omega);
     }
     return on & inside;
 }
@@ -3006,8 +3011,8 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     }
 }
 
-/* Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round. So
- * the numbers of a lane do not depend on other lanes. */
+/* Move lanes that rest in the same piece, down-slope; return lanes that follow in a later round. So the numbers of
+ * a lane do not depend on other lanes. */
 static M slide_together(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
@@ -3023,9 +3028,7 @@ static M slide_together(Batch *b, M here, int t)
     V force = normal_force(b);
     V weight = force - (grip * origin);
     M straight = net[2] == 0.0;
-    M linear = here & straight & (c[job->table[t].cell + RISE] != 0.0);
-    M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0);
-    M forward = linear & down_slope & (c[LIFTED] == 0.0);
+    M forward = here & straight & (c[job->table[t].cell + RISE] != 0.0);
     int piece = greatest(pick(forward, c[job->table[t].cell + PIECE], broadcast(-1.0)));
     M same = c[job->table[t].cell + PIECE] == (double)piece;
     M there = forward & same;
@@ -3418,6 +3421,210 @@ static void make_step(Batch *b, M here)
     advance_states(b, here, top);
     rate = per_time(b, rate, c[OMEGA]);
     arrive(b, here, until, rate, steady, at_limit, endless);
+}
+
+/* Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment after a change of the function of time. */
+INLINE void factors_at(Batch *b, V *e, V change)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    e[0] = c[job->role->drive] + (c[job->role->net_record] * change);
+    e[1] = c[job->role->net_sine] + (c[job->role->net_record_sine] * change);
+    e[2] = c[job->role->net_vers] + (c[job->role->net_record_vers] * change);
+}
+
+/* Return the net moment of a mass at rest from its factors. */
+INLINE V net_at_rest(Batch *b, V *e)
+{
+    V *const c = b->c;
+    V turned = (e[1] * c[SINE_X]) + (e[2] * c[VERSINE_X]);
+    return e[0] + turned;
+}
+
+/* Return whether the normal force of a mass at rest is clearly positive after a change of the function of time. */
+INLINE M pressed(Batch *b, V change)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V of_sine = c[job->role->normal_sine] + (c[job->role->normal_record_sine] * change);
+    V of_versine = c[job->role->normal_vers] + (c[job->role->normal_record_vers] * change);
+    V turned = (of_sine * c[SINE_X]) + (of_versine * c[VERSINE_X]);
+    V force = (c[job->role->normal0] + (c[job->role->normal_record] * change)) + turned;
+    return force > (PRESSED * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope])));
+}
+
+/* Compute the series of a piece from the factors of the net moment and their rates. */
+INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *x = b->r + job->role->x;
+    V *omega = b->r + job->role->omega;
+    V *net = b->r + job->role->net;
+    x[0] = c[X];
+    omega[0] = c[OMEGA];
+    sine[0] = c[SINE_X];
+    versine[0] = c[VERSINE_X];
+    for (int n = 0; n <= TOP - 1; n++) {
+        V square = broadcast(0.0);
+        V along = omega[n];
+        V across = broadcast(0.0);
+        for (int k = 0; k <= n; k++) {
+            square = square + (omega[k] * omega[n - k]);
+            along = along - (versine[k] * omega[n - k]);
+            across = across + (sine[k] * omega[n - k]);
+        }
+        V total = ((e[1] * sine[n]) + (e[2] * versine[n])) + (c[job->role->net_square] * square);
+        if (n == 0) {
+            total = total + e[0];
+        }
+        if (n == 1) {
+            total = total + rise[0];
+        }
+        if (n > 0) {
+            total = total + ((rise[1] * sine[n - 1]) + (rise[2] * versine[n - 1]));
+        }
+        net[n] = total;
+        x[n + 1] = omega[n] * b->inverse[n + 1];
+        omega[n + 1] = total * b->inverse[n + 1];
+        sine[n + 1] = along * b->inverse[n + 1];
+        versine[n + 1] = across * b->inverse[n + 1];
+    }
+}
+
+/* Advance lanes at rest to the time within a piece at which their net moment is zero, where they start. */
+INLINE void start_within(Batch *b, M here, V *e, V *f, V until)
+{
+    V *const c = b->c;
+    V now = net_at_rest(b, e);
+    V then = net_at_rest(b, f);
+    V share = pick(here & (now < 0.0), now / (now - then), broadcast(0.0));
+    for (int k = 0; k <= 2; k++) {
+        e[k] = e[k] + (share * (f[k] - e[k]));
+    }
+    c[TIME] = pick(here, c[TIME] + (share * (until - c[TIME])), c[TIME]);
+    count_starts(b, here);
+}
+
+/* Move lanes to the end of a piece or to a standstill within it. ``e`` and ``f`` are the factors of the net moment
+ * now and at the end of the piece. */
+static void move_within(Batch *b, M here, V *e, V *f, V until)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V rise[STRIDE];
+    V sine[STRIDE];
+    V versine[STRIDE];
+    V left = until - c[TIME];
+    V per = 1.0 / left;
+    for (int k = 0; k <= 2; k++) {
+        rise[k] = per * (f[k] - e[k]);
+    }
+    expand_piece(b, e, rise, sine, versine);
+    V *omega = b->r + job->role->omega;
+    V *net = b->r + job->role->net;
+    c[STEP] = pick(here, left, c[STEP]);
+    c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
+    V loss = left * minimum(net[0], broadcast(0.0));
+    V bend = (left * left) * magnitude(omega[2]);
+    M slow = here & (omega[0] > 0.0) & ((omega[0] + loss) <= (2.0 * bend));
+    if (bits(slow)) {
+        find_standstill(b, slow, TOP);
+    }
+    V step = c[STEP];
+    V most = omega[0] + (step * net[0]);
+    V rate = value(net, TOP - 1, step);
+    M peaks = here & (net[0] > 0.0) & (rate <= 0.0) & (most > magnitude(c[PEAK_OMEGA]));
+    if (bits(peaks)) {
+        const Pair again_slope = value_and_slope(net, TOP - 1, step);
+        V again = again_slope.one, slope = again_slope.other;
+        keep_peak(b, peaks, TOP, again, slope);
+    }
+    V speed = omega[0] + increment(omega, TOP, step);
+    M stops = here & ((c[EVENT] == (double)EVENT_STANDSTILL) | (speed <= 0.0));
+    c[X] = pick(here, c[X] + increment(b->r + job->role->x, TOP, step), c[X]);
+    c[OMEGA] = pick(here, pick(stops, broadcast(0.0), speed), c[OMEGA]);
+    c[SINE_X] = pick(here, c[SINE_X] + increment(sine, TOP, step), c[SINE_X]);
+    c[VERSINE_X] = pick(here, c[VERSINE_X] + increment(versine, TOP, step), c[VERSINE_X]);
+    for (int k = 0; k <= 2; k++) {
+        e[k] = e[k] + pick(here, step * rise[k], broadcast(0.0));
+    }
+    V then = pick(stops, c[TIME] + step, until);
+    keep_faster(b, here, c[OMEGA], then, c[X], rate);
+    c[REST_SINCE] = pick(here, pick(stops, then, c[REST_SINCE]), c[REST_SINCE]);
+    c[TIME] = pick(here, then, c[TIME]);
+}
+
+/* Pass a piece, or a part of it up to a standstill; return the lanes that have stopped within it. */
+static M pass_part(Batch *b, M here, V *e, V *f, V until)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M rests = c[OMEGA] == 0.0;
+    M starts = here & rests & (net_at_rest(b, f) > (SURELY * c[job->role->drive_scale]));
+    if (bits(starts)) {
+        start_within(b, starts, e, f, until);
+    }
+    M acts = here & (starts | ~rests);
+    if (bits(acts)) {
+        move_within(b, acts, e, f, until);
+    }
+    return acts & (c[TIME] < until);
+}
+
+/* Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place.
+ * The piece must end before the end time, and not at the last break, where the function may jump. */
+INLINE M fits(Batch *b, int t, V piece, V *f, V until, V change)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    V beyond = breaks_at(b, t, minimum(piece + 2.0, last));
+    M inside = ((piece + 1.0) < last) & (beyond < latest_end(b, t));
+    M near = ((magnitude(c[job->role->driving_moment_slope]) * c[X]) < (0.5 * c[job->role->driving_moment])) & (c[X] < 0.5);
+    V length = until - c[TIME];
+    V forces = (magnitude(f[0]) + magnitude(f[1])) + magnitude(f[2]);
+    V path = length * (c[OMEGA] + ((32.0 * length) * forces));
+    return inside & near & (path < SHORT) & pressed(b, change);
+}
+
+/* Move lanes at rest through the pieces of a record, down-slope, as far as they fit. A lane leaves at the left end
+ * of a piece, where another phase begins. */
+static void turn_through(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V per = 1.0 / c[job->table[t].cell + SCALE];
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    V e[STRIDE];
+    V f[STRIDE];
+    c[SINE_X] = pick(here, broadcast(0.0), c[SINE_X]);
+    c[VERSINE_X] = pick(here, broadcast(0.0), c[VERSINE_X]);
+    factors_at(b, e, c[job->table[t].cell + INC]);
+    V piece = c[job->table[t].cell + PIECE];
+    V until = c[job->table[t].cell + UPPER];
+    V change = c[job->table[t].cell + LOWER];
+    while (bits(here)) {
+        factors_at(b, f, change);
+        M fit = fits(b, t, piece, f, until, change);
+        M leaves = here & ~fit & (piece > c[job->table[t].cell + PIECE]);
+        if (bits(leaves)) {
+            end_slide(b, leaves, t, piece, c[X], c[OMEGA]);
+        }
+        here = here & fit;
+        M acts = here;
+        while (bits(acts)) {
+            acts = pass_part(b, acts, e, f, until);
+        }
+        c[TIME] = pick(here, until, c[TIME]);
+        for (int k = 0; k <= 2; k++) {
+            e[k] = f[k];
+        }
+        piece = minimum(piece + 1.0, last);
+        V following = minimum(piece + 1.0, last);
+        until = per * breaks_at(b, t, following);
+        change = (c[job->table[t].cell + SCALED_BY] * heights_at(b, t, following)) - c[job->table[t].cell + VALUE];
+    }
 }
 
 /* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain. E
@@ -4674,9 +4881,15 @@ static void rest_on(Batch *b, M here)
     M later = (M){0};
     for (int t = 0; t < job->tables; t++) {
         int alone = (job->autonomous == 2) && (job->timed == 1);
-        int exact = alone && !job->samples && !(job->notes_room > 0) && (job->data[t].terms == 2);
-        if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
-            later = slide_together(b, here, t);
+        int linear = !job->samples && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        if ((alone || (job->role->net_record >= 0)) && linear && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
+            M down_slope = here & (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0) & (c[LIFTED] == 0.0);
+            if (job->role->net_record >= 0) {
+                turn_through(b, down_slope, t);
+            }
+            if (!(job->role->net_record >= 0)) {
+                later = slide_together(b, down_slope, t);
+            }
         }
     }
     rest_to_change(b, here & (c[PENDING] == (double)READY) & ~later, limit, room);
@@ -4707,7 +4920,7 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (HAS_CLOSED_FORM(job->role) && !(job->samples && SOFTENS(job->role))) {
+    if (HAS_CLOSED_FORM(job->role) && !job->timed && !(job->samples && SOFTENS(job->role))) {
         moving = moving & ~swing(b, moving);
     }
     if (job->by_rotation && !job->samples) {
@@ -4841,7 +5054,7 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
-    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
+    const int least_free = job->timed && (job->autonomous == 2 || job->role->net_record >= 0) ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
         if (round < job->budget && load_neighbours(b, next)) next += LANES;

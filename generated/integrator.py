@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 034fba0b7f8be483f82c9d1d707e921c3fdf5e5252683db09c72ada89825c31e
+# sha256 of the text below: d16a064bb58c5b6822445c0ce3aad8ae57aaa8e61ba2a27ba188439a1ea523f2
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -391,6 +391,10 @@ SIXTH = 0.16666666666666666
 LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
 FAR = 1e+300
+TOP = 7
+SHORT = 0.0078125
+PRESSED = 0.01
+SURELY = 4.0
 LONGEST = 1.0
 REACH = 4.0
 STRAIGHT = 16.0
@@ -1498,7 +1502,7 @@ def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
     pass_break(lane, i, t)
 
 
-def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
+def end_slide(s: Lanes, here: Mask, t: Table, piece: Floats, x: Floats, omega: Floats) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = s.cells
     c[ix.X] = np.where(here, x, c[ix.X])
@@ -1512,7 +1516,7 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floa
     advance_origin(s, here)
     i = np.flatnonzero(here)
     if i.size:
-        enter_at(s, i, t, np.full(i.size, piece))
+        enter_at(s, i, t, integer(piece[i]))
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
@@ -1658,7 +1662,7 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
     if np.any(leaves):
-        end_slide(s, leaves, t, piece, x, omega)
+        end_slide(s, leaves, t, piece + 0.0 * x, x, omega)
     return on & inside
 
 
@@ -1699,7 +1703,7 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
 
 
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
-    """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round."""
+    """Move lanes that rest in the same piece, down-slope; return lanes that follow in a later round."""
     c = s.cells
     net = s.registers[s.roles.net]
     slope = net[1] / c[t.cells + ix.RISE]
@@ -1711,9 +1715,7 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     force = normal_force(s)
     weight = force - grip * origin
     straight = net[2] == 0.0
-    linear = here & straight & (c[t.cells + ix.RISE] != 0.0)
-    down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0)
-    forward = linear & down_slope & (c[ix.LIFTED] == 0.0)
+    forward = here & straight & (c[t.cells + ix.RISE] != 0.0)
     piece = greatest(np.where(forward, c[t.cells + ix.PIECE], -1.0))
     same = c[t.cells + ix.PIECE] == float(piece)
     there = forward & same
@@ -2037,6 +2039,174 @@ def make_step(s: Lanes, here: Mask) -> None:
     advance_states(s, here, top)
     rate = per_time(s, rate, c[ix.OMEGA])
     arrive(s, here, until, rate, steady, at_limit, endless)
+
+
+def factors_at(s: Lanes, e: Floats, change: Floats) -> None:
+    """Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment after a change of the function of time."""
+    c = s.cells
+    e[0] = c[s.roles.drive] + c[s.roles.net_record] * change
+    e[1] = c[s.roles.net_sine] + c[s.roles.net_record_sine] * change
+    e[2] = c[s.roles.net_vers] + c[s.roles.net_record_vers] * change
+
+
+def net_at_rest(s: Lanes, e: Floats) -> Floats:
+    """Return the net moment of a mass at rest from its factors."""
+    c = s.cells
+    turned = e[1] * c[ix.SINE_X] + e[2] * c[ix.VERSINE_X]
+    return e[0] + turned
+
+
+def pressed(s: Lanes, change: Floats) -> Mask:
+    """Return whether the normal force of a mass at rest is clearly positive after a change of the function of time."""
+    c = s.cells
+    of_sine = c[s.roles.normal_sine] + c[s.roles.normal_record_sine] * change
+    of_versine = c[s.roles.normal_vers] + c[s.roles.normal_record_vers] * change
+    turned = of_sine * c[ix.SINE_X] + of_versine * c[ix.VERSINE_X]
+    force = c[s.roles.normal0] + c[s.roles.normal_record] * change + turned
+    return force > PRESSED * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
+
+
+def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Floats) -> None:
+    """Compute the series of a piece from the factors of the net moment and their rates."""
+    c = s.cells
+    x = s.registers[s.roles.x]
+    omega = s.registers[s.roles.omega]
+    net = s.registers[s.roles.net]
+    x[0] = c[ix.X]
+    omega[0] = c[ix.OMEGA]
+    sine[0] = c[ix.SINE_X]
+    versine[0] = c[ix.VERSINE_X]
+    for n in range(TOP - 1 + 1):
+        square: Floats = 0.0
+        along = omega[n]
+        across: Floats = 0.0
+        for k in range(n + 1):
+            square = square + omega[k] * omega[n - k]
+            along = along - versine[k] * omega[n - k]
+            across = across + sine[k] * omega[n - k]
+        total = e[1] * sine[n] + e[2] * versine[n] + c[s.roles.net_square] * square
+        if n == 0:
+            total = total + e[0]
+        if n == 1:
+            total = total + rise[0]
+        if n > 0:
+            total = total + (rise[1] * sine[n - 1] + rise[2] * versine[n - 1])
+        net[n] = total
+        x[n + 1] = omega[n] * (1.0 / (n + 1))
+        omega[n + 1] = total * (1.0 / (n + 1))
+        sine[n + 1] = along * (1.0 / (n + 1))
+        versine[n + 1] = across * (1.0 / (n + 1))
+
+
+def start_within(s: Lanes, here: Mask, e: Floats, f: Floats, until: Floats) -> None:
+    """Advance lanes at rest to the time within a piece at which their net moment is zero, where they start."""
+    c = s.cells
+    now = net_at_rest(s, e)
+    then = net_at_rest(s, f)
+    share = np.where(here & (now < 0.0), now / (now - then), 0.0)
+    for k in range(2 + 1):
+        e[k] = e[k] + share * (f[k] - e[k])
+    c[ix.TIME] = np.where(here, c[ix.TIME] + share * (until - c[ix.TIME]), c[ix.TIME])
+    count_starts(s, here)
+
+
+def move_within(s: Lanes, here: Mask, e: Floats, f: Floats, until: Floats) -> None:
+    """Move lanes to the end of a piece or to a standstill within it."""
+    c = s.cells
+    rise = np.zeros((ix.STRIDE, e.shape[1]))
+    sine = np.zeros((ix.STRIDE, e.shape[1]))
+    versine = np.zeros((ix.STRIDE, e.shape[1]))
+    left = until - c[ix.TIME]
+    per = 1.0 / left
+    for k in range(2 + 1):
+        rise[k] = per * (f[k] - e[k])
+    expand_piece(s, e, rise, sine, versine)
+    omega = s.registers[s.roles.omega]
+    net = s.registers[s.roles.net]
+    c[ix.STEP] = np.where(here, left, c[ix.STEP])
+    c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
+    loss = left * np.minimum(net[0], 0.0)
+    bend = left * left * np.abs(omega[2])
+    slow = here & (omega[0] > 0.0) & (omega[0] + loss <= 2.0 * bend)
+    if np.any(slow):
+        find_standstill(s, slow, TOP)
+    step = c[ix.STEP].copy()
+    most = omega[0] + step * net[0]
+    rate = value(net, TOP - 1, step)
+    peaks = here & (net[0] > 0.0) & (rate <= 0.0) & (most > np.abs(c[ix.PEAK_OMEGA]))
+    if np.any(peaks):
+        again, slope = value_and_slope(net, TOP - 1, step)
+        keep_peak(s, peaks, TOP, again, slope)
+    speed = omega[0] + increment(omega, TOP, step)
+    stops = here & ((c[ix.EVENT] == ix.EVENT_STANDSTILL) | (speed <= 0.0))
+    c[ix.X] = np.where(here, c[ix.X] + increment(s.registers[s.roles.x], TOP, step), c[ix.X])
+    c[ix.OMEGA] = np.where(here, np.where(stops, 0.0, speed), c[ix.OMEGA])
+    c[ix.SINE_X] = np.where(here, c[ix.SINE_X] + increment(sine, TOP, step), c[ix.SINE_X])
+    c[ix.VERSINE_X] = np.where(here, c[ix.VERSINE_X] + increment(versine, TOP, step), c[ix.VERSINE_X])
+    for k in range(2 + 1):
+        e[k] = e[k] + np.where(here, step * rise[k], 0.0)
+    then = np.where(stops, c[ix.TIME] + step, until)
+    keep_faster(s, here, c[ix.OMEGA], then, c[ix.X], rate)
+    c[ix.REST_SINCE] = np.where(here, np.where(stops, then, c[ix.REST_SINCE]), c[ix.REST_SINCE])
+    c[ix.TIME] = np.where(here, then, c[ix.TIME])
+
+
+def pass_part(s: Lanes, here: Mask, e: Floats, f: Floats, until: Floats) -> Mask:
+    """Pass a piece, or a part of it up to a standstill; return the lanes that have stopped within it."""
+    c = s.cells
+    rests = c[ix.OMEGA] == 0.0
+    starts = here & rests & (net_at_rest(s, f) > SURELY * c[s.roles.drive_scale])
+    if np.any(starts):
+        start_within(s, starts, e, f, until)
+    acts = here & (starts | np.logical_not(rests))
+    if np.any(acts):
+        move_within(s, acts, e, f, until)
+    return acts & (c[ix.TIME] < until)
+
+
+def fits(s: Lanes, t: Table, piece: Floats, f: Floats, until: Floats, change: Floats) -> Mask:
+    """Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place."""
+    c = s.cells
+    last: Floats = float(t.pieces - 1)
+    beyond = breaks_at(s, t, np.minimum(piece + 2.0, last))
+    inside = (piece + 1.0 < last) & (beyond < latest_end(s, t))
+    near = (np.abs(c[s.roles.driving_moment_slope]) * c[ix.X] < 0.5 * c[s.roles.driving_moment]) & (c[ix.X] < 0.5)
+    length = until - c[ix.TIME]
+    forces = np.abs(f[0]) + np.abs(f[1]) + np.abs(f[2])
+    path = length * (c[ix.OMEGA] + 32.0 * length * forces)
+    return inside & near & (path < SHORT) & pressed(s, change)
+
+
+def turn_through(s: Lanes, here: Mask, t: Table) -> None:
+    """Move lanes at rest through the pieces of a record, down-slope, as far as they fit."""
+    c = s.cells
+    per = 1.0 / c[t.cells + ix.SCALE]
+    last: Floats = float(t.pieces - 1)
+    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    c[ix.SINE_X] = np.where(here, 0.0, c[ix.SINE_X])
+    c[ix.VERSINE_X] = np.where(here, 0.0, c[ix.VERSINE_X])
+    factors_at(s, e, c[t.cells + ix.INC])
+    piece = c[t.cells + ix.PIECE].copy()
+    until = c[t.cells + ix.UPPER].copy()
+    change = c[t.cells + ix.LOWER].copy()
+    while np.any(here):
+        factors_at(s, f, change)
+        fit = fits(s, t, piece, f, until, change)
+        leaves = here & np.logical_not(fit) & (piece > c[t.cells + ix.PIECE])
+        if np.any(leaves):
+            end_slide(s, leaves, t, piece, c[ix.X], c[ix.OMEGA])
+        here = here & fit
+        acts = here
+        while np.any(acts):
+            acts = pass_part(s, acts, e, f, until)
+        c[ix.TIME] = np.where(here, until, c[ix.TIME])
+        for k in range(2 + 1):
+            e[k] = f[k]
+        piece = np.minimum(piece + 1.0, last)
+        following = np.minimum(piece + 1.0, last)
+        until = per * breaks_at(s, t, following)
+        change = c[t.cells + ix.SCALED_BY] * heights_at(s, t, following) - c[t.cells + ix.VALUE]
 
 
 def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Floats) -> Floats:
@@ -3098,9 +3268,13 @@ def rest_on(s: Lanes, here: Mask) -> None:
     later = none_of(s)
     for t in s.tables:
         alone = s.autonomous == 2 and s.timed == 1
-        exact = alone and (not s.sample_count) and (not s.logged) and (t.terms == 2)
-        if exact and t.kind == ix.OF_TIME and (not t.sine):
-            later = slide_together(s, here, t)
+        linear = not s.sample_count and (not s.logged) and (t.terms == 2)
+        if (alone or s.roles.net_record >= 0) and linear and (t.kind == ix.OF_TIME) and (not t.sine):
+            down_slope = here & (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0) & (c[ix.LIFTED] == 0.0)
+            if s.roles.net_record >= 0:
+                turn_through(s, down_slope, t)
+            if not s.roles.net_record >= 0:
+                later = slide_together(s, down_slope, t)
     rest_to_change(s, here & (c[ix.PENDING] == ix.READY) & np.logical_not(later), limit, room)
 
 
@@ -3123,7 +3297,7 @@ def advance(s: Lanes, here: Mask) -> None:
     c = s.cells
     moving = here & (c[ix.STATUS] == ix.MOVING)
     resting = here & (c[ix.STATUS] == ix.RESTING)
-    if s.roles.net_sine >= 0 and (not (s.sample_count and s.roles.loss_rate >= 0)):
+    if s.roles.net_sine >= 0 and (not s.timed) and (not (s.sample_count and s.roles.loss_rate >= 0)):
         moving = moving & np.logical_not(swing(s, moving))
     if s.by_rotation and (not s.sample_count):
         turning = moving & (c[ix.CLOCKED] == 0.0)

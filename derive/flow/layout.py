@@ -97,6 +97,8 @@ WORKING = {
     "LIFT_AHEAD": "time until contact is lost or regained",
     "QUIET_FROM": "least value of the function of time at which it certainly stays at rest",
     "QUIET_TO": "greatest such value",
+    "SINE_X": "sine of the rotation of a mass that passes a record by short series",
+    "VERSINE_X": "1 - cosine of this rotation",
     "CLOCKED": "1 if its steps are series in time to the end, although series in the rotation exist",
 }
 PENDING = {

@@ -21,6 +21,7 @@ from derive.flow.integrator.one_lane import (
     any_lane,
     break_of,
     constant_of,
+    greatest,
     integer,
     maximum,
     minimum,
@@ -31,6 +32,7 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
+from derive.flow.integrator.series import normal_force
 from derive.flow.integrator.tables import end_of_piece, pass_break
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
@@ -297,7 +299,7 @@ def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, ome
     inside = passes(s, t, piece, before) and press > 0.0
     leaves = on and not inside
     if any_lane(leaves):
-        end_slide(s, leaves, t, number(piece), x, omega)
+        end_slide(s, leaves, t, piece + 0.0 * x, x, omega)
     return on and inside
 
 
@@ -337,3 +339,33 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
         piece = piece + 1
         press = weight + grip * height_after(s, t, piece)
         on = keep_sliding(s, on, t, piece, before, press, x, omega)
+
+
+def slide_together(s: Lanes, here: M, t: T) -> M:
+    """Move lanes that rest in the same piece, down-slope; return lanes that follow in a later round.
+
+    So the numbers of a lane do not depend on other lanes.
+    """
+    net = s.series.net
+    slope = net[1] / t.rise
+    origin = t.value + t.inc
+    base = net[0] - slope * origin
+    grip: V = 0.0
+    if s.has.normal:
+        grip = s.series.normal[1] / t.rise
+    force = normal_force(s)
+    weight = force - grip * origin
+    straight = net[2] == 0.0
+    forward = here and straight and t.rise != 0.0
+    piece: N = greatest(where(forward, t.piece, -1.0))
+    same = t.piece == number(piece)
+    there = forward and same
+    if any_lane(there):
+        ahead = t.value + t.lower
+        press = weight + grip * ahead
+        before = latest_end(s, t)
+        inside = there and passes(s, t, piece, before) and press > 0.0
+        by_height = slope * t.scaled_by
+        grip_by_height = grip * t.scaled_by
+        slide(s, inside, t, piece, by_height, base, grip_by_height, weight)
+    return forward and not there

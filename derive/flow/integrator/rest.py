@@ -22,11 +22,11 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
-from derive.flow.integrator.records import look_for_quiet, rest_through
+from derive.flow.integrator.records import look_for_quiet, rest_through, slide_together
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.rotation import turn_on
 from derive.flow.integrator.series import expand, radius_of_convergence
-from derive.flow.integrator.shaken import slide_together
+from derive.flow.integrator.shaken import turn_through
 from derive.flow.integrator.step import make_step
 from derive.flow.integrator.swing import swing
 from derive.flow.integrator.tables import next_break, pass_breaks
@@ -168,10 +168,14 @@ def rest_on(s: Lanes, here: M) -> None:
     look_ahead(s, here, room)
     later = none_of(s)
     for t in s.tables:
-        alone: N = s.has.net_record or (s.autonomous == 2 and s.timed == 1)
-        exact: N = alone and not s.samples and not s.logged and t.terms == 2
-        if exact and t.kind == Kind.TIME and not t.sine:
-            later = slide_together(s, here, t)
+        alone: N = s.autonomous == 2 and s.timed == 1
+        linear: N = not s.samples and not s.logged and t.terms == 2
+        if (alone or s.has.net_record) and linear and t.kind == Kind.TIME and not t.sine:
+            down_slope = here and s.one_way > 0.0 and s.direction > 0.0 and s.lifted == 0.0
+            if s.has.net_record:
+                turn_through(s, down_slope, t)
+            if not s.has.net_record:
+                later = slide_together(s, down_slope, t)
     rest_to_change(s, here and s.pending == Pending.READY and not later, limit, room)
 
 
