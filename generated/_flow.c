@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "176a948374a970e2c644a92e442550c66c5cb823ee5c794a8848902d1636041c"
+#define DIGEST "c5c6d0fcf1ed3dfe52dd865daa0883bcf9095082e482eb60a442bcde421948bf"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -946,7 +946,7 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 /* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
 #if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
 #define HAS_STRAIGHT
-#define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
+#define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
     static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n, int squares) \
@@ -1359,32 +1359,31 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* The same of a piece in each lane, and the coefficients of a straight line there. */
-INLINE V gathered(const double *from, V piece, int64_t apart)
-{
-    const M at = ((M)(piece + TO_INTEGER) - (M)broadcast(TO_INTEGER)) * apart;
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = from[at[k]];
-    return x;
-}
 INLINE V breaks_at(const Batch *b, int t, V piece)
 {
-    const Data *const d = b->job->data + t;
     V x;
-    if (!d->apart) return gathered(d->breaks, piece, 1);
     for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
     return x;
 }
-INLINE V jumps_at(const Batch *b, int t, V piece) { return gathered(b->job->data[t].jumps, piece, 1); }
-INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
+INLINE V jumps_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V slopes_at(const Batch *b, int t, V piece)
 {
     const Data *const d = b->job->data + t;
     V x;
-    if (!d->across) return gathered(d->coefficients + j, piece, d->terms);
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[j * d->across];
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
     return x;
 }
-INLINE V heights_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 0); }
-INLINE V slopes_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 1); }
 
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
@@ -2742,6 +2741,18 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
+/* Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests. */
+static void enter_pieces(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    for (int t = 0; t < job->tables; t++) {
+        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
+            rest_through(b, lane, t);
+        }
+    }
+    pass_breaks(b, lane);
+}
+
 /* Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly. */
 INLINE V path(V time, V omega, V net, V rise)
 {
@@ -3423,37 +3434,33 @@ static void make_step(Batch *b, M here)
     arrive(b, here, until, rate, steady, at_limit, endless);
 }
 
-/* Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment after a change of the function of time. */
-INLINE void factors_at(Batch *b, V *e, V change)
+/* Return a sum with sine and 1 - cosine of the current rotation. */
+INLINE V at_rotation(Batch *b, V constant, V sine, V versine)
+{
+    V *const c = b->c;
+    V turned = (sine * c[SINE_X]) + (versine * c[VERSINE_X]);
+    return constant + turned;
+}
+
+/* Return the net moment of a mass at rest after a change of the function of time. */
+INLINE V net_at_rest(Batch *b, V change)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    e[0] = c[job->role->drive] + (c[job->role->net_record] * change);
-    e[1] = c[job->role->net_sine] + (c[job->role->net_record_sine] * change);
-    e[2] = c[job->role->net_vers] + (c[job->role->net_record_vers] * change);
+    V steady = at_rotation(b, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers]);
+    return steady + (change * at_rotation(b, c[job->role->net_record], c[job->role->net_record_sine], c[job->role->net_record_vers]));
 }
 
-/* Return the net moment of a mass at rest from its factors. */
-INLINE V net_at_rest(Batch *b, V *e)
-{
-    V *const c = b->c;
-    V turned = (e[1] * c[SINE_X]) + (e[2] * c[VERSINE_X]);
-    return e[0] + turned;
-}
-
-/* Return whether the normal force of a mass at rest is clearly positive after a change of the function of time. */
-INLINE M pressed(Batch *b, V change)
+/* Return the normal force of a mass at rest after a change of the function of time. */
+INLINE V force_at_rest(Batch *b, V change)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V of_sine = c[job->role->normal_sine] + (c[job->role->normal_record_sine] * change);
-    V of_versine = c[job->role->normal_vers] + (c[job->role->normal_record_vers] * change);
-    V turned = (of_sine * c[SINE_X]) + (of_versine * c[VERSINE_X]);
-    V force = (c[job->role->normal0] + (c[job->role->normal_record] * change)) + turned;
-    return force > (PRESSED * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope])));
+    V steady = at_rotation(b, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers]);
+    return steady + (change * at_rotation(b, c[job->role->normal_record], c[job->role->normal_record_sine], c[job->role->normal_record_vers]));
 }
 
-/* Compute the series of a piece from the factors of the net moment and their rates. */
+/* Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates. */
 INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
 {
     const Job *const job = b->job;
@@ -3492,37 +3499,25 @@ INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
     }
 }
 
-/* Advance lanes at rest to the time within a piece at which their net moment is zero, where they start. */
-INLINE void start_within(Batch *b, M here, V *e, V *f, V until)
-{
-    V *const c = b->c;
-    V now = net_at_rest(b, e);
-    V then = net_at_rest(b, f);
-    V share = pick(here & (now < 0.0), now / (now - then), broadcast(0.0));
-    for (int k = 0; k <= 2; k++) {
-        e[k] = e[k] + (share * (f[k] - e[k]));
-    }
-    c[TIME] = pick(here, c[TIME] + (share * (until - c[TIME])), c[TIME]);
-    count_starts(b, here);
-}
-
-/* Move lanes to the end of a piece or to a standstill within it. ``e`` and ``f`` are the factors of the net moment
- * now and at the end of the piece. */
-static void move_within(Batch *b, M here, V *e, V *f, V until)
+/* Move lanes to the end of a piece, or to a standstill within it. */
+static void move_within(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    V factors[STRIDE];
     V rise[STRIDE];
     V sine[STRIDE];
     V versine[STRIDE];
-    V left = until - c[TIME];
-    V per = 1.0 / left;
-    for (int k = 0; k <= 2; k++) {
-        rise[k] = per * (f[k] - e[k]);
-    }
-    expand_piece(b, e, rise, sine, versine);
+    rise[0] = c[job->role->net_record] * c[job->table[t].cell + RISE];
+    rise[1] = c[job->role->net_record_sine] * c[job->table[t].cell + RISE];
+    rise[2] = c[job->role->net_record_vers] * c[job->table[t].cell + RISE];
+    factors[0] = c[job->role->drive] + (c[job->role->net_record] * c[job->table[t].cell + INC]);
+    factors[1] = c[job->role->net_sine] + (c[job->role->net_record_sine] * c[job->table[t].cell + INC]);
+    factors[2] = c[job->role->net_vers] + (c[job->role->net_record_vers] * c[job->table[t].cell + INC]);
+    expand_piece(b, factors, rise, sine, versine);
     V *omega = b->r + job->role->omega;
     V *net = b->r + job->role->net;
+    V left = c[job->table[t].cell + UPPER] - c[TIME];
     c[STEP] = pick(here, left, c[STEP]);
     c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     V loss = left * minimum(net[0], broadcast(0.0));
@@ -3546,84 +3541,96 @@ static void move_within(Batch *b, M here, V *e, V *f, V until)
     c[OMEGA] = pick(here, pick(stops, broadcast(0.0), speed), c[OMEGA]);
     c[SINE_X] = pick(here, c[SINE_X] + increment(sine, TOP, step), c[SINE_X]);
     c[VERSINE_X] = pick(here, c[VERSINE_X] + increment(versine, TOP, step), c[VERSINE_X]);
-    for (int k = 0; k <= 2; k++) {
-        e[k] = e[k] + pick(here, step * rise[k], broadcast(0.0));
-    }
-    V then = pick(stops, c[TIME] + step, until);
+    c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + (step * c[job->table[t].cell + RISE]), c[job->table[t].cell + INC]);
+    V then = pick(stops, c[TIME] + step, c[job->table[t].cell + UPPER]);
     keep_faster(b, here, c[OMEGA], then, c[X], rate);
     c[REST_SINCE] = pick(here, pick(stops, then, c[REST_SINCE]), c[REST_SINCE]);
     c[TIME] = pick(here, then, c[TIME]);
 }
 
-/* Pass a piece, or a part of it up to a standstill; return the lanes that have stopped within it. */
-static M pass_part(Batch *b, M here, V *e, V *f, V until)
+/* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. */
+INLINE M wait_for_start(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M rests = c[OMEGA] == 0.0;
-    M starts = here & rests & (net_at_rest(b, f) > (SURELY * c[job->role->drive_scale]));
-    if (bits(starts)) {
-        start_within(b, starts, e, f, until);
+    V *net = b->r + job->role->net;
+    V *normal = b->r + job->role->normal;
+    net[0] = net_at_rest(b, c[job->table[t].cell + INC]);
+    net[1] = net_at_rest(b, c[job->table[t].cell + INC] + c[job->table[t].cell + RISE]) - net[0];
+    net[2] = broadcast(0.0);
+    normal[0] = force_at_rest(b, c[job->table[t].cell + INC]);
+    normal[1] = force_at_rest(b, c[job->table[t].cell + INC] + c[job->table[t].cell + RISE]) - normal[0];
+    normal[2] = broadcast(0.0);
+    c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
+    c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
+    look_for_quiet(b, here);
+    EACH(lane, bits(here)) {
+        enter_pieces(b, lane);
     }
-    M acts = here & (starts | ~rests);
-    if (bits(acts)) {
-        move_within(b, acts, e, f, until);
-    }
-    return acts & (c[TIME] < until);
+    V now = minimum(net_at_rest(b, c[job->table[t].cell + INC]), broadcast(0.0));
+    V then = net_at_rest(b, c[job->table[t].cell + LOWER]);
+    M starts = here & (then > (SURELY * c[job->role->drive_scale]));
+    V share = pick(starts, now / (now - then), broadcast(0.0));
+    c[TIME] = pick(here, c[TIME] + (share * (c[job->table[t].cell + UPPER] - c[TIME])), c[TIME]);
+    c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + (share * (c[job->table[t].cell + LOWER] - c[job->table[t].cell + INC])), c[job->table[t].cell + INC]);
+    return starts;
 }
 
 /* Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place.
  * The piece must end before the end time, and not at the last break, where the function may jump. */
-INLINE M fits(Batch *b, int t, V piece, V *f, V until, V change)
+INLINE M fits(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V last = broadcast((double)((int)job->data[t].pieces - 1));
-    V beyond = breaks_at(b, t, minimum(piece + 2.0, last));
-    M inside = ((piece + 1.0) < last) & (beyond < latest_end(b, t));
+    V beyond = breaks_at(b, t, minimum(c[job->table[t].cell + PIECE] + 2.0, last));
+    M inside = ((c[job->table[t].cell + PIECE] + 1.0) < last) & (beyond < INFINITY) & (c[job->table[t].cell + UPPER] < c[END_TIME]);
     M near = ((magnitude(c[job->role->driving_moment_slope]) * c[X]) < (0.5 * c[job->role->driving_moment])) & (c[X] < 0.5);
-    V length = until - c[TIME];
-    V forces = (magnitude(f[0]) + magnitude(f[1])) + magnitude(f[2]);
-    V path = length * (c[OMEGA] + ((32.0 * length) * forces));
-    return inside & near & (path < SHORT) & pressed(b, change);
+    V length = c[job->table[t].cell + UPPER] - c[TIME];
+    V turning = magnitude(c[job->role->net_record_sine]) + magnitude(c[job->role->net_record_vers]);
+    V moments = (magnitude(c[job->role->net_sine]) + magnitude(c[job->role->net_vers])) + (turning * magnitude(c[job->table[t].cell + LOWER]));
+    V path = length * (c[OMEGA] + ((32.0 * length) * moments));
+    V terms = magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]);
+    return inside & near & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
 }
 
-/* Move lanes at rest through the pieces of a record, down-slope, as far as they fit. A lane leaves at the left end
- * of a piece, where another phase begins. */
+/* Leave moving lanes to the integration in time, and begin another phase for lanes at rest. */
+INLINE void leave_series(Batch *b, M here)
+{
+    V *const c = b->c;
+    M moves = c[OMEGA] > 0.0;
+    c[STATUS] = pick(here, pick(moves, broadcast(MOVING), broadcast(RESTING)), c[STATUS]);
+    c[PENDING] = pick(here, pick(moves, broadcast(READY), broadcast(BEGIN_PHASE)), c[PENDING]);
+    here = here & ~moves;
+    update_reach(b, here);
+    advance_origin(b, here);
+}
+
+/* Move lanes at rest through the pieces of a record, down-slope, as far as the series of a piece fit. */
 static void turn_through(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V per = 1.0 / c[job->table[t].cell + SCALE];
-    V last = broadcast((double)((int)job->data[t].pieces - 1));
-    V e[STRIDE];
-    V f[STRIDE];
     c[SINE_X] = pick(here, broadcast(0.0), c[SINE_X]);
     c[VERSINE_X] = pick(here, broadcast(0.0), c[VERSINE_X]);
-    factors_at(b, e, c[job->table[t].cell + INC]);
-    V piece = c[job->table[t].cell + PIECE];
-    V until = c[job->table[t].cell + UPPER];
-    V change = c[job->table[t].cell + LOWER];
     while (bits(here)) {
-        factors_at(b, f, change);
-        M fit = fits(b, t, piece, f, until, change);
-        M leaves = here & ~fit & (piece > c[job->table[t].cell + PIECE]);
+        M moves = here & (c[OMEGA] > 0.0);
+        M rests = here & (c[OMEGA] == 0.0);
+        M starts = (M){0};
+        if (bits(rests)) {
+            starts = wait_for_start(b, rests, t);
+        }
+        M goes = (moves | starts) & fits(b, t);
+        M leaves = here & ~goes;
         if (bits(leaves)) {
-            end_slide(b, leaves, t, piece, c[X], c[OMEGA]);
+            leave_series(b, leaves);
         }
-        here = here & fit;
-        M acts = here;
-        while (bits(acts)) {
-            acts = pass_part(b, acts, e, f, until);
+        count_starts(b, starts & goes);
+        here = goes;
+        if (bits(here)) {
+            move_within(b, here, t);
+            enter_line(b, here & (c[TIME] == c[job->table[t].cell + UPPER]), t);
         }
-        c[TIME] = pick(here, until, c[TIME]);
-        for (int k = 0; k <= 2; k++) {
-            e[k] = f[k];
-        }
-        piece = minimum(piece + 1.0, last);
-        V following = minimum(piece + 1.0, last);
-        until = per * breaks_at(b, t, following);
-        change = (c[job->table[t].cell + SCALED_BY] * heights_at(b, t, following)) - c[job->table[t].cell + VALUE];
     }
 }
 
@@ -4796,18 +4803,6 @@ INLINE void start_again(Batch *b, M here)
     c[PENDING] = pick(here, broadcast(START_AGAIN), c[PENDING]);
 }
 
-/* Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests. */
-static void enter_pieces(Batch *b, unsigned lane)
-{
-    const Job *const job = b->job;
-    for (int t = 0; t < job->tables; t++) {
-        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
-            rest_through(b, lane, t);
-        }
-    }
-    pass_breaks(b, lane);
-}
-
 /* Advance to the first change: start of slip, change of contact, break or end. */
 INLINE void leave_rest(Batch *b, M here, V limit, V room)
 {
@@ -5054,7 +5049,7 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
-    const int least_free = job->timed && (job->autonomous == 2 || job->role->net_record >= 0) ? LANES : LEAST_FREE;
+    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
         if (round < job->budget && load_neighbours(b, next)) next += LANES;

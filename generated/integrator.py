@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d16a064bb58c5b6822445c0ce3aad8ae57aaa8e61ba2a27ba188439a1ea523f2
+# sha256 of the text below: 7fdc2f66fea360f612c417187960d53c297a6b41ed96ceb58d23e1577956f023
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1473,6 +1473,14 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = (i_2, piece_2)
 
 
+def enter_pieces(lane: Lanes, i: Index) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
+    for t in lane.tables:
+        if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+            rest_through(lane, i, t)
+    pass_breaks(lane, i)
+
+
 def path(time: Floats, omega: Floats, net: Floats, rise: Floats) -> Floats:
     """Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly."""
     by_rise = SIXTH * time * rise
@@ -2041,33 +2049,31 @@ def make_step(s: Lanes, here: Mask) -> None:
     arrive(s, here, until, rate, steady, at_limit, endless)
 
 
-def factors_at(s: Lanes, e: Floats, change: Floats) -> None:
-    """Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment after a change of the function of time."""
+def at_rotation(s: Lanes, constant: Floats, sine: Floats, versine: Floats) -> Floats:
+    """Return a sum with sine and 1 - cosine of the current rotation."""
     c = s.cells
-    e[0] = c[s.roles.drive] + c[s.roles.net_record] * change
-    e[1] = c[s.roles.net_sine] + c[s.roles.net_record_sine] * change
-    e[2] = c[s.roles.net_vers] + c[s.roles.net_record_vers] * change
+    turned = sine * c[ix.SINE_X] + versine * c[ix.VERSINE_X]
+    return constant + turned
 
 
-def net_at_rest(s: Lanes, e: Floats) -> Floats:
-    """Return the net moment of a mass at rest from its factors."""
+def net_at_rest(s: Lanes, change: Floats) -> Floats:
+    """Return the net moment of a mass at rest after a change of the function of time."""
     c = s.cells
-    turned = e[1] * c[ix.SINE_X] + e[2] * c[ix.VERSINE_X]
-    return e[0] + turned
+    steady = at_rotation(s, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers])
+    return steady + change * at_rotation(s, c[s.roles.net_record], c[s.roles.net_record_sine],
+        c[s.roles.net_record_vers])
 
 
-def pressed(s: Lanes, change: Floats) -> Mask:
-    """Return whether the normal force of a mass at rest is clearly positive after a change of the function of time."""
+def force_at_rest(s: Lanes, change: Floats) -> Floats:
+    """Return the normal force of a mass at rest after a change of the function of time."""
     c = s.cells
-    of_sine = c[s.roles.normal_sine] + c[s.roles.normal_record_sine] * change
-    of_versine = c[s.roles.normal_vers] + c[s.roles.normal_record_vers] * change
-    turned = of_sine * c[ix.SINE_X] + of_versine * c[ix.VERSINE_X]
-    force = c[s.roles.normal0] + c[s.roles.normal_record] * change + turned
-    return force > PRESSED * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
+    steady = at_rotation(s, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers])
+    return steady + change * at_rotation(s, c[s.roles.normal_record], c[s.roles.normal_record_sine],
+        c[s.roles.normal_record_vers])
 
 
 def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Floats) -> None:
-    """Compute the series of a piece from the factors of the net moment and their rates."""
+    """Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates."""
     c = s.cells
     x = s.registers[s.roles.x]
     omega = s.registers[s.roles.omega]
@@ -2098,31 +2104,23 @@ def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Float
         versine[n + 1] = across * (1.0 / (n + 1))
 
 
-def start_within(s: Lanes, here: Mask, e: Floats, f: Floats, until: Floats) -> None:
-    """Advance lanes at rest to the time within a piece at which their net moment is zero, where they start."""
+def move_within(s: Lanes, here: Mask, t: Table) -> None:
+    """Move lanes to the end of a piece, or to a standstill within it."""
     c = s.cells
-    now = net_at_rest(s, e)
-    then = net_at_rest(s, f)
-    share = np.where(here & (now < 0.0), now / (now - then), 0.0)
-    for k in range(2 + 1):
-        e[k] = e[k] + share * (f[k] - e[k])
-    c[ix.TIME] = np.where(here, c[ix.TIME] + share * (until - c[ix.TIME]), c[ix.TIME])
-    count_starts(s, here)
-
-
-def move_within(s: Lanes, here: Mask, e: Floats, f: Floats, until: Floats) -> None:
-    """Move lanes to the end of a piece or to a standstill within it."""
-    c = s.cells
-    rise = np.zeros((ix.STRIDE, e.shape[1]))
-    sine = np.zeros((ix.STRIDE, e.shape[1]))
-    versine = np.zeros((ix.STRIDE, e.shape[1]))
-    left = until - c[ix.TIME]
-    per = 1.0 / left
-    for k in range(2 + 1):
-        rise[k] = per * (f[k] - e[k])
-    expand_piece(s, e, rise, sine, versine)
+    factors = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    rise = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    sine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    versine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    rise[0] = c[s.roles.net_record] * c[t.cells + ix.RISE]
+    rise[1] = c[s.roles.net_record_sine] * c[t.cells + ix.RISE]
+    rise[2] = c[s.roles.net_record_vers] * c[t.cells + ix.RISE]
+    factors[0] = c[s.roles.drive] + c[s.roles.net_record] * c[t.cells + ix.INC]
+    factors[1] = c[s.roles.net_sine] + c[s.roles.net_record_sine] * c[t.cells + ix.INC]
+    factors[2] = c[s.roles.net_vers] + c[s.roles.net_record_vers] * c[t.cells + ix.INC]
+    expand_piece(s, factors, rise, sine, versine)
     omega = s.registers[s.roles.omega]
     net = s.registers[s.roles.net]
+    left = c[t.cells + ix.UPPER] - c[ix.TIME]
     c[ix.STEP] = np.where(here, left, c[ix.STEP])
     c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     loss = left * np.minimum(net[0], 0.0)
@@ -2143,70 +2141,86 @@ def move_within(s: Lanes, here: Mask, e: Floats, f: Floats, until: Floats) -> No
     c[ix.OMEGA] = np.where(here, np.where(stops, 0.0, speed), c[ix.OMEGA])
     c[ix.SINE_X] = np.where(here, c[ix.SINE_X] + increment(sine, TOP, step), c[ix.SINE_X])
     c[ix.VERSINE_X] = np.where(here, c[ix.VERSINE_X] + increment(versine, TOP, step), c[ix.VERSINE_X])
-    for k in range(2 + 1):
-        e[k] = e[k] + np.where(here, step * rise[k], 0.0)
-    then = np.where(stops, c[ix.TIME] + step, until)
+    c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + step * c[t.cells + ix.RISE], c[t.cells + ix.INC])
+    then = np.where(stops, c[ix.TIME] + step, c[t.cells + ix.UPPER])
     keep_faster(s, here, c[ix.OMEGA], then, c[ix.X], rate)
     c[ix.REST_SINCE] = np.where(here, np.where(stops, then, c[ix.REST_SINCE]), c[ix.REST_SINCE])
     c[ix.TIME] = np.where(here, then, c[ix.TIME])
 
 
-def pass_part(s: Lanes, here: Mask, e: Floats, f: Floats, until: Floats) -> Mask:
-    """Pass a piece, or a part of it up to a standstill; return the lanes that have stopped within it."""
+def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
+    """Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach."""
     c = s.cells
-    rests = c[ix.OMEGA] == 0.0
-    starts = here & rests & (net_at_rest(s, f) > SURELY * c[s.roles.drive_scale])
-    if np.any(starts):
-        start_within(s, starts, e, f, until)
-    acts = here & (starts | np.logical_not(rests))
-    if np.any(acts):
-        move_within(s, acts, e, f, until)
-    return acts & (c[ix.TIME] < until)
+    net = s.registers[s.roles.net]
+    normal = s.registers[s.roles.normal]
+    net[0] = net_at_rest(s, c[t.cells + ix.INC])
+    net[1] = net_at_rest(s, c[t.cells + ix.INC] + c[t.cells + ix.RISE]) - net[0]
+    net[2] = 0.0
+    normal[0] = force_at_rest(s, c[t.cells + ix.INC])
+    normal[1] = force_at_rest(s, c[t.cells + ix.INC] + c[t.cells + ix.RISE]) - normal[0]
+    normal[2] = 0.0
+    c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
+    c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
+    look_for_quiet(s, here)
+    i = np.flatnonzero(here)
+    if i.size:
+        enter_pieces(s, i)
+    now = np.minimum(net_at_rest(s, c[t.cells + ix.INC]), 0.0)
+    then = net_at_rest(s, c[t.cells + ix.LOWER])
+    starts = here & (then > SURELY * c[s.roles.drive_scale])
+    share = np.where(starts, now / (now - then), 0.0)
+    c[ix.TIME] = np.where(here, c[ix.TIME] + share * (c[t.cells + ix.UPPER] - c[ix.TIME]), c[ix.TIME])
+    c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + share * (c[t.cells + ix.LOWER] - c[t.cells + ix.INC]),
+        c[t.cells + ix.INC])
+    return starts
 
 
-def fits(s: Lanes, t: Table, piece: Floats, f: Floats, until: Floats, change: Floats) -> Mask:
+def fits(s: Lanes, t: Table) -> Mask:
     """Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place."""
     c = s.cells
     last: Floats = float(t.pieces - 1)
-    beyond = breaks_at(s, t, np.minimum(piece + 2.0, last))
-    inside = (piece + 1.0 < last) & (beyond < latest_end(s, t))
+    beyond = breaks_at(s, t, np.minimum(c[t.cells + ix.PIECE] + 2.0, last))
+    inside = (c[t.cells + ix.PIECE] + 1.0 < last) & (beyond < INFINITY) & (c[t.cells + ix.UPPER] < c[ix.END_TIME])
     near = (np.abs(c[s.roles.driving_moment_slope]) * c[ix.X] < 0.5 * c[s.roles.driving_moment]) & (c[ix.X] < 0.5)
-    length = until - c[ix.TIME]
-    forces = np.abs(f[0]) + np.abs(f[1]) + np.abs(f[2])
-    path = length * (c[ix.OMEGA] + 32.0 * length * forces)
-    return inside & near & (path < SHORT) & pressed(s, change)
+    length = c[t.cells + ix.UPPER] - c[ix.TIME]
+    turning = np.abs(c[s.roles.net_record_sine]) + np.abs(c[s.roles.net_record_vers])
+    moments = np.abs(c[s.roles.net_sine]) + np.abs(c[s.roles.net_vers]) + turning * np.abs(c[t.cells + ix.LOWER])
+    path = length * (c[ix.OMEGA] + 32.0 * length * moments)
+    terms = np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope])
+    return inside & near & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
+
+
+def leave_series(s: Lanes, here: Mask) -> None:
+    """Leave moving lanes to the integration in time, and begin another phase for lanes at rest."""
+    c = s.cells
+    moves = c[ix.OMEGA] > 0.0
+    c[ix.STATUS] = np.where(here, np.where(moves, ix.MOVING, ix.RESTING), c[ix.STATUS])
+    c[ix.PENDING] = np.where(here, np.where(moves, ix.READY, ix.BEGIN_PHASE), c[ix.PENDING])
+    here = here & np.logical_not(moves)
+    update_reach(s, here)
+    advance_origin(s, here)
 
 
 def turn_through(s: Lanes, here: Mask, t: Table) -> None:
-    """Move lanes at rest through the pieces of a record, down-slope, as far as they fit."""
+    """Move lanes at rest through the pieces of a record, down-slope, as far as the series of a piece fit."""
     c = s.cells
-    per = 1.0 / c[t.cells + ix.SCALE]
-    last: Floats = float(t.pieces - 1)
-    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    f = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     c[ix.SINE_X] = np.where(here, 0.0, c[ix.SINE_X])
     c[ix.VERSINE_X] = np.where(here, 0.0, c[ix.VERSINE_X])
-    factors_at(s, e, c[t.cells + ix.INC])
-    piece = c[t.cells + ix.PIECE].copy()
-    until = c[t.cells + ix.UPPER].copy()
-    change = c[t.cells + ix.LOWER].copy()
     while np.any(here):
-        factors_at(s, f, change)
-        fit = fits(s, t, piece, f, until, change)
-        leaves = here & np.logical_not(fit) & (piece > c[t.cells + ix.PIECE])
+        moves = here & (c[ix.OMEGA] > 0.0)
+        rests = here & (c[ix.OMEGA] == 0.0)
+        starts = none_of(s)
+        if np.any(rests):
+            starts = wait_for_start(s, rests, t)
+        goes = (moves | starts) & fits(s, t)
+        leaves = here & np.logical_not(goes)
         if np.any(leaves):
-            end_slide(s, leaves, t, piece, c[ix.X], c[ix.OMEGA])
-        here = here & fit
-        acts = here
-        while np.any(acts):
-            acts = pass_part(s, acts, e, f, until)
-        c[ix.TIME] = np.where(here, until, c[ix.TIME])
-        for k in range(2 + 1):
-            e[k] = f[k]
-        piece = np.minimum(piece + 1.0, last)
-        following = np.minimum(piece + 1.0, last)
-        until = per * breaks_at(s, t, following)
-        change = c[t.cells + ix.SCALED_BY] * heights_at(s, t, following) - c[t.cells + ix.VALUE]
+            leave_series(s, leaves)
+        count_starts(s, starts & goes)
+        here = goes
+        if np.any(here):
+            move_within(s, here, t)
+            enter_line(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
 
 
 def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Floats) -> Floats:
@@ -3194,14 +3208,6 @@ def start_again(s: Lanes, here: Mask) -> None:
     c = s.cells
     face(s, here, c[ix.START_DIRECTION])
     c[ix.PENDING] = np.where(here, ix.START_AGAIN, c[ix.PENDING])
-
-
-def enter_pieces(lane: Lanes, i: Index) -> None:
-    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
-    for t in lane.tables:
-        if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
-            rest_through(lane, i, t)
-    pass_breaks(lane, i)
 
 
 def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: edff8941b09f8deb10950a057d09c61ddc2d712c2b5b72f6540ce1601ef50f48
+# sha256 of the text below: 653fed5f9469dc3b6baf68a6ecf810ec2520ac09d91864ae829a8b2f3598a9c6
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "176a948374a970e2c644a92e442550c66c5cb823ee5c794a8848902d1636041c"  # of the compiled integrator's source
+DIGEST = "c5c6d0fcf1ed3dfe52dd865daa0883bcf9095082e482eb60a442bcde421948bf"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

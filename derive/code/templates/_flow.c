@@ -691,7 +691,7 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 /* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
 #if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
 #define HAS_STRAIGHT
-#define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
+#define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
     static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n, int squares) \
@@ -788,32 +788,31 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* The same of a piece in each lane, and the coefficients of a straight line there. */
-INLINE V gathered(const double *from, V piece, int64_t apart)
-{
-    const M at = ((M)(piece + TO_INTEGER) - (M)broadcast(TO_INTEGER)) * apart;
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = from[at[k]];
-    return x;
-}
 INLINE V breaks_at(const Batch *b, int t, V piece)
 {
-    const Data *const d = b->job->data + t;
     V x;
-    if (!d->apart) return gathered(d->breaks, piece, 1);
     for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
     return x;
 }
-INLINE V jumps_at(const Batch *b, int t, V piece) { return gathered(b->job->data[t].jumps, piece, 1); }
-INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
+INLINE V jumps_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V heights_at(const Batch *b, int t, V piece)
+{
+    V x;
+    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
+    return x;
+}
+INLINE V slopes_at(const Batch *b, int t, V piece)
 {
     const Data *const d = b->job->data + t;
     V x;
-    if (!d->across) return gathered(d->coefficients + j, piece, d->terms);
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[j * d->across];
+    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
     return x;
 }
-INLINE V heights_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 0); }
-INLINE V slopes_at(const Batch *b, int t, V piece) { return coefficients_at(b, t, piece, 1); }
 
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
@@ -995,7 +994,7 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
     /* Motions under a record whose series end early begin side by side. */
-    const int least_free = job->timed && (job->autonomous == 2 || job->role->net_record >= 0) ? LANES : LEAST_FREE;
+    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
         if (round < job->budget && load_neighbours(b, next)) next += LANES;

@@ -33,7 +33,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
 from derive.flow.integrator.series import normal_force
-from derive.flow.integrator.tables import end_of_piece, pass_break
+from derive.flow.integrator.tables import end_of_piece, pass_break, pass_breaks
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
 SIXTH = 1.0 / 6.0
@@ -103,6 +103,14 @@ def rest_through(lane: Lane, t: T) -> None:
         if lane.samples:
             read_samples(lane, lane.time, now, 0, 0)
         stand_before(lane, t, piece, now)
+
+
+def enter_pieces(lane: Lane) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
+    for t in lane.tables:
+        if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
+            rest_through(lane, t)
+    pass_breaks(lane)
 
 
 # --- side by side ----------------------------------------------------------------------------------------------------

@@ -22,14 +22,14 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
-from derive.flow.integrator.records import look_for_quiet, rest_through, slide_together
+from derive.flow.integrator.records import enter_pieces, look_for_quiet, slide_together
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.rotation import turn_on
 from derive.flow.integrator.series import expand, radius_of_convergence
 from derive.flow.integrator.shaken import turn_through
 from derive.flow.integrator.step import make_step
 from derive.flow.integrator.swing import swing
-from derive.flow.integrator.tables import next_break, pass_breaks
+from derive.flow.integrator.tables import next_break
 
 TOUCHES = 2.0  # units of rounding of the drive below which the net moment at rest is zero
 TOGETHER = 1e-9  # relative difference below which two times are equal
@@ -101,14 +101,6 @@ def start_again(s: Lanes, here: M) -> None:
     """Start slip from rest."""
     face(s, here, s.start_direction)
     s.pending = Pending.START_AGAIN
-
-
-def enter_pieces(lane: Lane) -> None:
-    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
-    for t in lane.tables:
-        if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
-            rest_through(lane, t)
-    pass_breaks(lane)
 
 
 def leave_rest(s: Lanes, here: M, limit: V, room: V) -> None:
