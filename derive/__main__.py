@@ -1,4 +1,4 @@
-"""The compiler `python -m derive [--check | --again | flow]`, and `python -m derive verify | hard | prove | theorem`.
+"""The compiler `python -m derive [--check | --again]`, and `python -m derive verify | hard | prove | theorem`.
 
 =======  =======================================================  =====================================================
 stage    input                                                    output
@@ -20,7 +20,6 @@ import traceback
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import NamedTuple
 
 from derive import stages
 from derive.check.proof import ProofError
@@ -80,30 +79,15 @@ def derive_all() -> TextDict:
         compared = partial(integrate.compare, integrate.derive(moment), 30)
         stage(moment.name, "integrate", compared, "quadrature within {}")
     stage("equation of motion", "balance", dynamics.prove)
-    stage("slopes", "balance", partial(slopes.prove, *MOMENTS))
+    stage("slopes", "balance", slopes.prove)
     return write.slope_files() | write.kernel_files() | flow()
 
 
-class Command(NamedTuple):
-    """A command: its help, and the formats of its report with their help."""
-
-    help: str
-    forms: TextDict
-
-
-_JSON = {"json": "a list of objects on stdout"}
 COMMANDS = {
-    "flow": Command("derive and prove only what depends on derive/flow", {}),
-    "verify": Command(
-        "judge the paper: a table of its wrong claims and misprints, or selected claims in full",
-        _JSON | {"markdown": "a page for a colleague"},
-    ),
-    "hard": Command("the hard cases: errors of the printed form, of the kernel and of solve", {}),
-    "prove": Command("prove the error bounds of the kernels again, from their certificates alone", {}),
-    "theorem": Command(
-        "enclose and prove the motion of an arc with friction; without a quantity, of the slide of Vaiont",
-        {"json": "an object for the given slide, or a list with the slides of Vaiont"},
-    ),
+    "verify": "judge the paper: a table of its wrong claims and misprints, or selected claims in full",
+    "hard": "the hard cases: errors of the printed form, of the kernel and of solve",
+    "prove": "prove the error bounds of the kernels again, from their certificates alone",
+    "theorem": "enclose and prove the motion of an arc with friction; without a quantity, of the slide of Vaiont",
 }
 # Quantities of `theorem`: decimals, which are exact, and may have an uncertainty: 10+-0.1.
 QUANTITIES = {
@@ -130,22 +114,24 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
     parser.add_argument("--again", action="store_true", help="prove everything again, in spite of the record")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
-    for name, (words, forms) in COMMANDS.items():
-        command = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
-        choice = command.add_mutually_exclusive_group() if forms else command
-        for form, shown in forms.items():
-            choice.add_argument(f"--{form}", dest="form", action="store_const", const=form, default="text", help=shown)
-        if name == "verify":
-            command.add_argument("claims", nargs="*", metavar="CLAIM", help='place of a claim: 3.15, "Table 4-1", ...')
-            command.add_argument("--verdict", metavar="VERDICT", help="report the claims with this verdict: wrong, ...")
-            choice.add_argument("--all", action="store_true", help="report all claims in full")
-        if name == "theorem":
-            _add_quantities(command)
+    by_name = {}
+    for name, words in COMMANDS.items():
+        by_name[name] = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
+    verify = by_name["verify"]
+    verify.add_argument("claims", nargs="*", metavar="CLAIM", help='place of a claim: 3.15, "Table 4-1", ...')
+    verify.add_argument("--verdict", metavar="VERDICT", help="report the claims with this verdict: wrong, ...")
+    choice = verify.add_mutually_exclusive_group()
+    choice.add_argument("--json", action="store_true", help="a list of objects on stdout")
+    choice.add_argument("--markdown", action="store_true", help="a page for a colleague")
+    choice.add_argument("--all", action="store_true", help="report all claims in full")
+    _add_quantities(by_name["theorem"])
     return parser
 
 
 def _add_quantities(command: argparse.ArgumentParser) -> None:
     """Add the options of `theorem`: the quantities of a slide, its effects, digits and parts."""
+    of_json = "an object for the given slide, or a list with the slides of Vaiont"
+    command.add_argument("--json", action="store_true", help=of_json)
     for quantity, help in QUANTITIES.items():
         command.add_argument(f"--{quantity}", metavar="X", default=argparse.SUPPRESS, help=help)
     for effect, help in {"rotation": "the mass slides as it stands", "centripetal": "speed does not press"}.items():
@@ -163,7 +149,7 @@ def _prove_motion(options: argparse.Namespace) -> int:
     given = vars(options)
     chosen = {name: given[name] for name in given if name.replace("_", "-") in (*QUANTITIES, "rotation", "centripetal")}
     try:
-        text, decided = theorem_report(chosen, options.digits, options.form, options.parts)
+        text, decided = theorem_report(chosen, options.digits, "json" if options.json else "text", options.parts)
     except ValueError as faults:
         say(str(faults))
         return 1
@@ -191,8 +177,9 @@ def main(argv: Texts | None = None) -> int:
         from derive.judge import report
 
         width = 100 if sys.stdout.isatty() or not options.all else sys.maxsize
+        form = "json" if options.json else "markdown" if options.markdown else "text"
         try:
-            print(report.judge_paper(options.form, width, options.claims, options.verdict, options.all))
+            print(report.judge_paper(form, width, options.claims, options.verdict, options.all))
         except ValueError as fault:
             say(f"python -m derive verify: {fault}")
             return 2
@@ -202,14 +189,13 @@ def main(argv: Texts | None = None) -> int:
 
         print(hard.hard_case_report())
         return 0
-    return generate(options.check, options.again, options.command)
+    return generate(options.check, options.again)
 
 
-def generate(check: bool, again: bool, part: str | None) -> int:
-    """Derive everything, or the flow, and write `generated` and the record, or compare them with the files there.
+def generate(check: bool, again: bool) -> int:
+    """Derive everything, and write `generated` and the record, or compare them with the files there.
 
-    Nothing is written with ``check``. With ``again`` the record is ignored, and any ``part`` means the flow alone. The
-    result is the exit status.
+    Nothing is written with ``check``, and with ``again`` the record is ignored. The result is the exit status.
     """
     start = time.perf_counter()
     try:
@@ -218,9 +204,7 @@ def generate(check: bool, again: bool, part: str | None) -> int:
         from derive.generate import write
 
         present = write.present_files()
-        if part:
-            texts = present | flow()
-        elif not again and stages.record(present) == stages.recorded():
+        if not again and stages.record(present) == stages.recorded():
             texts = present
         else:
             texts = derive_all()
@@ -233,8 +217,7 @@ def generate(check: bool, again: bool, part: str | None) -> int:
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    if not part:
-        stages.save(texts)
+    stages.save(texts)
     stage("kernels", "compile", build_all, "{0[1]}")
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")

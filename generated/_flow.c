@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c5c6d0fcf1ed3dfe52dd865daa0883bcf9095082e482eb60a442bcde421948bf"
+#define DIGEST "494704cdda4961b23a1177378219fc123dc41cb9e17e582695989326b5c6a7cc"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -55,7 +55,7 @@ typedef struct {
     int64_t samples, times_across;
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
-    void *memory; /* zeros, for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
+    void *memory; /* for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
     int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
@@ -300,7 +300,7 @@ static int64_t run(Job *job, const Held *held, int level, int fits)
         PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
         return -1;
     }
-    void *memory = calloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE) + 1, WIDEST);
+    void *memory = malloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE + 1) * WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         return -1;
@@ -399,13 +399,13 @@ static int fill_runs(const Job *job, PyObject *start, PyObject *places, const do
     PyObject *name, *value;
     for (Py_ssize_t at = 0; PyDict_Next(start, &at, &name, &value);) {
         PyObject *const place = PyDict_GetItemWithError(places, name);
-        if (place == NULL && !PyErr_Occurred()) continue;
+        if (place == NULL) continue;
         const double number = PyFloat_AsDouble(value);
-        const int64_t row = place == NULL ? -1 : PyLong_AsLongLong(place) * job->count;
-        if (PyErr_Occurred() || row < 0 || row >= job->cells * job->count) return 0;
+        const int64_t row = PyLong_AsLongLong(place) * job->count;
+        if (row < 0 || row >= job->cells * job->count) return 0;
         for (int64_t k = row; k < row + job->count; k++) job->all[k] = number * moves[k] + further[k];
     }
-    return 1;
+    return !PyErr_Occurred();
 }
 
 static PyObject *first_lane(const double *cells, int64_t count)
@@ -955,304 +955,304 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
 INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 5 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    if (squares) OPERATION(0, SQR, 5 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(21, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
-    STRAIGHT(31, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(21, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    OPERATION(31, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(0)
 INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 11 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE);
-    STRAIGHT(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, SQR, 11 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE);
+    OPERATION(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
-    STRAIGHT(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    OPERATION(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(1)
 INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 8 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) OPERATION(0, SQR, 8 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(38, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
-    STRAIGHT(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(38, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    OPERATION(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(2)
 INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 11 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, SQR, 11 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, RAMP, 8 * STRIDE, CELL);
+    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    OPERATION(33, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(55, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
-    STRAIGHT(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(55, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    OPERATION(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(3)
 INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 10 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(17, TIM, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
-    STRAIGHT(31, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE);
-    STRAIGHT(41, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE);
-    STRAIGHT(45, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
+    if (squares) OPERATION(0, SQR, 10 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(17, TIM, 6 * STRIDE, 5 * STRIDE);
+    OPERATION(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    OPERATION(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
+    OPERATION(31, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE);
+    OPERATION(41, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE);
+    OPERATION(45, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
 }
 INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(59, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
-    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(59, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
+    OPERATION(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(4)
 INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 16 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(17, TIM, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
-    STRAIGHT(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
-    STRAIGHT(31, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE);
-    STRAIGHT(39, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE);
-    STRAIGHT(63, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE);
-    STRAIGHT(67, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
+    if (squares) OPERATION(0, SQR, 16 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(17, TIM, 6 * STRIDE, 5 * STRIDE);
+    OPERATION(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    OPERATION(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
+    OPERATION(31, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE);
+    OPERATION(39, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE);
+    OPERATION(63, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE);
+    OPERATION(67, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
 INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(81, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
-    STRAIGHT(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(81, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
+    OPERATION(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(5)
 INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 13 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(28, TIM, 9 * STRIDE, 8 * STRIDE);
-    STRAIGHT(31, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE);
-    STRAIGHT(36, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
-    STRAIGHT(42, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE);
-    STRAIGHT(58, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE);
-    STRAIGHT(62, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
+    if (squares) OPERATION(0, SQR, 13 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(28, TIM, 9 * STRIDE, 8 * STRIDE);
+    OPERATION(31, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE);
+    OPERATION(36, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
+    OPERATION(42, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE);
+    OPERATION(58, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE);
+    OPERATION(62, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
 }
 INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(82, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
-    STRAIGHT(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(82, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
+    OPERATION(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(6)
 INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 16 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(39, TIM, 12 * STRIDE, 11 * STRIDE);
-    STRAIGHT(42, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE);
-    STRAIGHT(47, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
-    STRAIGHT(53, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE);
-    STRAIGHT(75, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE);
-    STRAIGHT(79, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
+    if (squares) OPERATION(0, SQR, 16 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, RAMP, 8 * STRIDE, CELL);
+    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(39, TIM, 12 * STRIDE, 11 * STRIDE);
+    OPERATION(42, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE);
+    OPERATION(47, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
+    OPERATION(53, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE);
+    OPERATION(75, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE);
+    OPERATION(79, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
 INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(105, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
-    STRAIGHT(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(105, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
+    OPERATION(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(7)
 INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 2 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
-    STRAIGHT(11, TIM, 4 * STRIDE, 0 * STRIDE);
-    STRAIGHT(14, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE);
-    STRAIGHT(19, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
-    STRAIGHT(29, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE);
-    STRAIGHT(33, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) OPERATION(0, SQR, 2 * STRIDE, 1 * STRIDE);
+    OPERATION(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
+    OPERATION(11, TIM, 4 * STRIDE, 0 * STRIDE);
+    OPERATION(14, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE);
+    OPERATION(19, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(29, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE);
+    OPERATION(33, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(45, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
-    STRAIGHT(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(45, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
 }
 EACH_ORDER(8)
 INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 15 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(17, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
-    STRAIGHT(21, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    STRAIGHT(27, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE);
-    STRAIGHT(35, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
-    STRAIGHT(59, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE);
-    STRAIGHT(63, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
+    if (squares) OPERATION(0, SQR, 15 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    OPERATION(17, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
+    OPERATION(21, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
+    OPERATION(27, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE);
+    OPERATION(35, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
+    OPERATION(59, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE);
+    OPERATION(63, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
 INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(77, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
-    STRAIGHT(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(77, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
+    OPERATION(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(9)
 INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(28, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE);
-    STRAIGHT(32, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    STRAIGHT(38, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE);
-    STRAIGHT(54, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
-    STRAIGHT(58, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    OPERATION(28, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE);
+    OPERATION(32, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
+    OPERATION(38, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE);
+    OPERATION(54, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
+    OPERATION(58, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
 INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(78, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(78, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    OPERATION(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(10)
 INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 15 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(33, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    STRAIGHT(39, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE);
-    STRAIGHT(43, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(49, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE);
-    STRAIGHT(71, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE);
-    STRAIGHT(75, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
+    if (squares) OPERATION(0, SQR, 15 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, RAMP, 8 * STRIDE, CELL);
+    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    OPERATION(39, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE);
+    OPERATION(43, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    OPERATION(49, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE);
+    OPERATION(71, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE);
+    OPERATION(75, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
 INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(101, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
-    STRAIGHT(107, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(101, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
+    OPERATION(107, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(11)
 INLINE void rates_12(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 6 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(17, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE);
-    STRAIGHT(27, MUL, 8 * STRIDE, 5 * STRIDE, 7 * STRIDE);
-    STRAIGHT(31, LIN, 9 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) OPERATION(0, SQR, 6 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(17, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(27, MUL, 8 * STRIDE, 5 * STRIDE, 7 * STRIDE);
+    OPERATION(31, LIN, 9 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_12(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(45, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    STRAIGHT(51, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(45, LIN, 10 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
+    OPERATION(51, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(12)
 INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(17, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE);
-    STRAIGHT(25, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
-    STRAIGHT(49, MUL, 14 * STRIDE, 5 * STRIDE, 13 * STRIDE);
-    STRAIGHT(53, LIN, 15 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(17, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE);
+    OPERATION(25, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
+    OPERATION(49, MUL, 14 * STRIDE, 5 * STRIDE, 13 * STRIDE);
+    OPERATION(53, LIN, 15 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
 INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(67, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(73, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(67, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    OPERATION(73, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(13)
 INLINE void rates_14(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 9 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(28, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 9 * STRIDE);
-    STRAIGHT(44, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
-    STRAIGHT(48, LIN, 12 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, SQR, 9 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(28, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 9 * STRIDE);
+    OPERATION(44, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
+    OPERATION(48, LIN, 12 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_14(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(68, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    STRAIGHT(74, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(68, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
+    OPERATION(74, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(14)
 INLINE void rates_15(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) STRAIGHT(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    STRAIGHT(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    STRAIGHT(11, RAMP, 5 * STRIDE, CELL);
-    STRAIGHT(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    STRAIGHT(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    STRAIGHT(22, RAMP, 8 * STRIDE, CELL);
-    STRAIGHT(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    STRAIGHT(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    STRAIGHT(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    STRAIGHT(39, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 12 * STRIDE);
-    STRAIGHT(61, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
-    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
+    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    OPERATION(11, RAMP, 5 * STRIDE, CELL);
+    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    OPERATION(22, RAMP, 8 * STRIDE, CELL);
+    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    OPERATION(39, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 12 * STRIDE);
+    OPERATION(61, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
+    OPERATION(65, LIN, 15 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
 INLINE void others_15(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(91, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    STRAIGHT(97, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(91, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    OPERATION(97, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(15)
 static const struct {
@@ -2078,13 +2078,11 @@ INLINE V elapsed(Batch *b, int top, V at)
     const Job *const job = b->job;
     V *const c = b->c;
     if (job->role->pace >= 0) {
-        V *omega = b->r + job->role->omega;
-        V mean = broadcast(0.0);
-        for (int k = top; k >= 0; k--) {
-            V coefficient = omega[k] * b->inverse[k + 1];
-            mean = (mean * at) + coefficient;
+        V mean[STRIDE];
+        for (int k = 0; k <= top; k++) {
+            mean[k] = (b->r + job->role->omega)[k] * b->inverse[k + 1];
         }
-        return at * (1.0 + (c[job->role->pace] * mean));
+        return at * (1.0 + (c[job->role->pace] * value(mean, top, at)));
     }
     return at;
 }
@@ -2107,15 +2105,12 @@ INLINE V variable_at(Batch *b, int top, V time)
 INLINE void evaluate(Batch *b)
 {
     const Job *const job = b->job;
+    V *const c = b->c;
     begin_series(b);
     operate(b, 0, 0);
     operate_later(b, 1);
-    if (job->role->pace >= 0) {
-        V omega = (b->r + job->role->omega)[0];
-        for (const State *q = job->state; q < job->state + job->states; q++) {
-            V rate = (b->r + q->rate)[0];
-            (b->r + q->rate)[0] = per_time(b, rate, omega);
-        }
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        (b->r + q->rate)[0] = per_time(b, (b->r + q->rate)[0], c[OMEGA]);
     }
 }
 
@@ -3209,10 +3204,13 @@ INLINE M reach_limit(Batch *b, M here, V room, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M reaches = here & (elapsed(b, top, c[STEP]) >= room);
-    if ((job->role->pace >= 0) && bits(reaches)) {
-        V at = variable_at(b, top, room);
-        c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
+    M reaches = here & (room < INFINITY);
+    if (bits(reaches)) {
+        reaches = reaches & (elapsed(b, top, c[STEP]) >= room);
+        if ((job->role->pace >= 0) && bits(reaches)) {
+            V at = variable_at(b, top, room);
+            c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
+        }
     }
     return reaches;
 }
@@ -3594,16 +3592,16 @@ INLINE M fits(Batch *b, int t)
     return inside & near & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
 }
 
-/* Leave moving lanes to the integration in time, and begin another phase for lanes at rest. */
-INLINE void leave_series(Batch *b, M here)
+/* Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion. */
+INLINE void leave_series(Batch *b, M here, V since)
 {
     V *const c = b->c;
     M moves = c[OMEGA] > 0.0;
     c[STATUS] = pick(here, pick(moves, broadcast(MOVING), broadcast(RESTING)), c[STATUS]);
-    c[PENDING] = pick(here, pick(moves, broadcast(READY), broadcast(BEGIN_PHASE)), c[PENDING]);
-    here = here & ~moves;
+    here = here & ~moves & (c[TIME] > since);
     update_reach(b, here);
     advance_origin(b, here);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
 /* Move lanes at rest through the pieces of a record, down-slope, as far as the series of a piece fit. */
@@ -3613,6 +3611,7 @@ static void turn_through(Batch *b, M here, int t)
     V *const c = b->c;
     c[SINE_X] = pick(here, broadcast(0.0), c[SINE_X]);
     c[VERSINE_X] = pick(here, broadcast(0.0), c[VERSINE_X]);
+    V since = c[TIME];
     while (bits(here)) {
         M moves = here & (c[OMEGA] > 0.0);
         M rests = here & (c[OMEGA] == 0.0);
@@ -3623,7 +3622,7 @@ static void turn_through(Batch *b, M here, int t)
         M goes = (moves | starts) & fits(b, t);
         M leaves = here & ~goes;
         if (bits(leaves)) {
-            leave_series(b, leaves);
+            leave_series(b, leaves, since);
         }
         count_starts(b, starts & goes);
         here = goes;
@@ -5037,6 +5036,9 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
     V *const c = b->c;
     int64_t next = job->begin;
+    memset(job->memory, 0, (size_t)(MOST_WORKING + job->cells) * sizeof(V));
+    for (const Table *t = job->table; t < job->table + job->tables; t++)
+        if (t->reg >= 0) memset(b->r + t->reg, 0, STRIDE * sizeof(V)); /* most of their coefficients stay zero */
     for (int n = 1; n < STRIDE; n++) b->inverse[n] = 1.0 / n;
     if (job->outputs && !job->times) {
         read_registers(b);
@@ -5106,7 +5108,7 @@ __attribute__((export_name("integrate"))) int integrate(const int32_t *program, 
         const Given *const g = tables + t;
         job.data[t] = (Data){g->breaks, g->coefficients, g->jumps, g->pieces, g->across, g->apart, g->terms, g->sine, g->open};
     }
-    void *const memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *const memory = malloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE + 1) * WIDEST);
     if (memory == NULL) return -1;
     job.memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
     const int left = (int)flow_integrate_wasm(&job);

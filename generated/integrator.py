@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7fdc2f66fea360f612c417187960d53c297a6b41ed96ceb58d23e1577956f023
+# sha256 of the text below: 3929e07599488411f458dbf781e5d3efad507c2f93b40c775418d86fe7a529f9
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -916,12 +916,10 @@ def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
     """Return the time since the beginning of a step from its variable."""
     c = s.cells
     if s.roles.pace >= 0:
-        omega = s.registers[s.roles.omega]
-        mean: Floats = 0.0
-        for k in range(top, 0 - 1, -1):
-            coefficient = omega[k] * (1.0 / (k + 1))
-            mean = mean * at + coefficient
-        return at * (1.0 + c[s.roles.pace] * mean)
+        mean = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+        for k in range(top + 1):
+            mean[k] = s.registers[s.roles.omega][k] * (1.0 / (k + 1))
+        return at * (1.0 + c[s.roles.pace] * value(mean, top, at))
     return at
 
 
@@ -938,14 +936,12 @@ def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
 
 def evaluate(s: Lanes) -> None:
     """Compute order 0 of all registers. Rates of states are per time."""
+    c = s.cells
     begin_series(s)
     operate(s, 0, False)
     operate_later(s, 1)
-    if s.roles.pace >= 0:
-        omega = s.registers[s.roles.omega][0].copy()
-        for q in s.states:
-            rate = s.registers[q.rate][0].copy()
-            s.registers[q.rate][0] = per_time(s, rate, omega)
+    for q in s.states:
+        s.registers[q.rate][0] = per_time(s, s.registers[q.rate][0], c[ix.OMEGA])
 
 
 def normal_force(s: Lanes) -> Floats:
@@ -1866,10 +1862,12 @@ def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
 def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
     """Shorten the step to the time left, and return the lanes that reach its end."""
     c = s.cells
-    reaches = here & (elapsed(s, top, c[ix.STEP]) >= room)
-    if s.roles.pace >= 0 and np.any(reaches):
-        at = variable_at(s, top, room)
-        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
+    reaches = here & (room < INFINITY)
+    if np.any(reaches):
+        reaches = reaches & (elapsed(s, top, c[ix.STEP]) >= room)
+        if s.roles.pace >= 0 and np.any(reaches):
+            at = variable_at(s, top, room)
+            c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
     return reaches
 
 
@@ -2190,15 +2188,15 @@ def fits(s: Lanes, t: Table) -> Mask:
     return inside & near & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
 
 
-def leave_series(s: Lanes, here: Mask) -> None:
-    """Leave moving lanes to the integration in time, and begin another phase for lanes at rest."""
+def leave_series(s: Lanes, here: Mask, since: Floats) -> None:
+    """Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion."""
     c = s.cells
     moves = c[ix.OMEGA] > 0.0
     c[ix.STATUS] = np.where(here, np.where(moves, ix.MOVING, ix.RESTING), c[ix.STATUS])
-    c[ix.PENDING] = np.where(here, np.where(moves, ix.READY, ix.BEGIN_PHASE), c[ix.PENDING])
-    here = here & np.logical_not(moves)
+    here = here & np.logical_not(moves) & (c[ix.TIME] > since)
     update_reach(s, here)
     advance_origin(s, here)
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
 def turn_through(s: Lanes, here: Mask, t: Table) -> None:
@@ -2206,6 +2204,7 @@ def turn_through(s: Lanes, here: Mask, t: Table) -> None:
     c = s.cells
     c[ix.SINE_X] = np.where(here, 0.0, c[ix.SINE_X])
     c[ix.VERSINE_X] = np.where(here, 0.0, c[ix.VERSINE_X])
+    since = c[ix.TIME].copy()
     while np.any(here):
         moves = here & (c[ix.OMEGA] > 0.0)
         rests = here & (c[ix.OMEGA] == 0.0)
@@ -2215,7 +2214,7 @@ def turn_through(s: Lanes, here: Mask, t: Table) -> None:
         goes = (moves | starts) & fits(s, t)
         leaves = here & np.logical_not(goes)
         if np.any(leaves):
-            leave_series(s, leaves)
+            leave_series(s, leaves, since)
         count_starts(s, starts & goes)
         here = goes
         if np.any(here):

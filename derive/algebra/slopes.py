@@ -17,8 +17,6 @@ rings
     greatest value.
 """
 
-from collections.abc import Sequence
-
 import sympy as sp
 from sympy import (
     Add,
@@ -47,7 +45,6 @@ from sympy import (
 from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import SineRest, unfold
-from derive.declare.quantities import Moment
 from derive.declare.symbols import Forms, alpha, r, theta
 
 REACH = Rational(1, 4)
@@ -62,17 +59,9 @@ WEIGHTS = {
     "moment_x": r**2 * cos(theta),
     "moment_y": r**2 * sin(theta),
 }
-# Moments of the paper among them. As the mass turns by phi they become J cos(phi) - slope sin(phi).
-MEANS = {
-    "polar_moment": ("polar", 1),
-    "moment_of_inertia": ("inertia", 1),
-    "radial_weight": ("radial_y", -1),
-    "weight_moment": ("moment_x", -1),
-}
-SLOPES = {"radial_weight": ("radial_x", 1), "weight_moment": ("moment_y", -1)}
 
 X, Y, E_X, E_Y, ANGLE, G = symbols("x y e_x e_y angle g", real=True)
-_P, _T, _T1, _T2, _PHI = symbols("p t t1 t2 phi", real=True)
+_P, _T, _T1, _T2 = symbols("p t t1 t2", real=True)
 _LOG = Symbol("L", real=True)  # artanh(t2/r2) - artanh(t1/r1)
 _TAU = symbols("tau_x tau_y", real=True)
 
@@ -224,7 +213,6 @@ def slices() -> Forms:
     # Radial component of the weight, -y/rho and x/rho over a strip, integrated over y, where drho = y/rho dy.
     strip = _strip(-_Y / _RHO, -_RHO)
     tilted_strip = _strip(1 / _RHO, -log(_RHO - _Y))
-    prove_zero(strength.subs({_N: normal, MU: 0}) - COHESION, "without friction the strength is the cohesion: ordinary")
     return {
         "drive": sp.factor(moment),
         "ordinary_normal": sp.factor(normal) - PRESSURE,
@@ -242,7 +230,6 @@ def _bishop(balance: Matrix, strength: Expr) -> Forms:
     normal = ((HEIGHT - PRESSURE) * COSINE + SINE * COHESION / FACTOR) / lever
     prove_zero(strength.subs(_N, vertical) - mobilised / lever, "Bishop's strength")
     prove_zero(normal - (vertical - PRESSURE), "Bishop's effective normal stress")
-    prove_zero((mobilised / lever).subs(MU, 0) - COHESION, "without friction the strength is the cohesion: Bishop")
     return {"bishop_strength": mobilised, "bishop_lever": lever, "bishop_normal": normal}
 
 
@@ -266,9 +253,9 @@ def head() -> Expr:
     return HEIGHT * ANGLE + turned * bent - along * defect
 
 
-def prove(*moments: Moment) -> list[str]:
-    """Prove the basis of the forms above, and the weights of moments with a name in it; return the claims."""
-    claims = _of_edges() | _of_moments(moments) | _of_one_chord() | _of_heads() | _of_strips()
+def prove() -> list[str]:
+    """Prove the basis of the forms above, and return the claims."""
+    claims = _of_edges() | _of_one_chord() | _of_heads()
     for claim, zero in claims.items():
         prove_zero(zero, claim)
     return [*claims]
@@ -289,23 +276,6 @@ def _of_edges() -> Forms:
         "dtheta = P1 x e ds/rho^2": diff(atan2(y, x), s) - (X * E_Y - Y * E_X) / (x**2 + y**2),
         "1 - rho^2 along an edge": depth.subs(ends) - (1 - x**2 - y**2),
     }
-
-
-def _of_moments(moments: Sequence[Moment]) -> Forms:
-    """Return claims that moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
-    claims = {}
-    for moment in moments:
-        weight = moment.weight
-        if moment.name in MEANS:
-            name, sign = MEANS[moment.name]
-            signed = f"-{name}" if sign < 0 else name
-            claims[f"{moment.symbol} is {signed}"] = weight - sign * WEIGHTS[name]
-        if moment.name in SLOPES:
-            name, sign = SLOPES[moment.name]
-            turned = expand_trig(weight.subs(theta, theta + _PHI))
-            two_terms = weight * cos(_PHI) - sign * WEIGHTS[name] * sin(_PHI)
-            claims[f"{moment.symbol} of the turned mass"] = turned - two_terms
-    return claims
 
 
 def _of_one_chord() -> Forms:
@@ -340,25 +310,4 @@ def _of_heads() -> Forms:
     return {
         "height of a line above the arc": expand_trig(slope - above),
         "no height over no angle": limit(integral, ANGLE, 0),
-    }
-
-
-def _of_strips() -> Forms:
-    """Return claims about the normal stress of strips after a rotation: n = A cos(phi) - B sin(phi) + P omega^2.
-
-    A strip and the point of the arc below it turn with the mass by phi, which decreases the dip.
-    """
-    down = Matrix([0, -1])
-    position = Matrix([_RHO * sin(BETA), -_RHO * cos(BETA)])
-    turned = Matrix([_RHO * sin(BETA + _PHI), -_RHO * cos(BETA + _PHI)])
-    at_rest = position.dot(down) / _RHO
-    slope = position[0] / _RHO
-    pressed = expand_trig(turned.dot(down) / _RHO)
-    y_squared = _RHO**2 - SINE**2
-    inertia = (_Y * _RHO + SINE**2 * log(_Y + _RHO)) / 2  # as x^2 asinh(y/|x|) but for a constant
-    grows = diff(inertia, _Y) + diff(inertia, _RHO) * _Y / _RHO
-    on_strip = simplify((grows - _RHO).subs(_Y, sqrt(y_squared)))
-    return {
-        "radial weight of a strip after a rotation": pressed - at_rest * cos(_PHI) + slope * sin(_PHI),
-        "centripetal force of a strip": on_strip,
     }

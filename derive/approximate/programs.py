@@ -1,7 +1,7 @@
 """Programs of the certified kernels: approximants of F(alpha)/alpha**3 near 0, and of F minus a line near pi/2.
 
 Near: F = x u W, where u = x**2 and W = c0 + u (c1 + u (c2 + ...)). Fused, the rounding errors of u, of u W and of the
-leading sums of W are kept, as many as the shape says. Far, in b = fl(pi/2) - x (exact there): F = line(x) +
+two leading sums of W are kept. Far, in b = fl(pi/2) - x (exact there): F = line(x) +
 correction(b), the line without rounding, so that the small correction needs no care. Every piece is computed for
 every x, and one chosen.
 """
@@ -107,31 +107,24 @@ def to_limit(closed: Expr, w: Value) -> Value:
 def near_sum(code: Code, closed: Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
     """Return, in the fused form, W with its rounding error, d(u W)/du, and P1 = (W - c0)/u, which approximates W'.
 
-    The leading sums are S_k = c_k + u S_(k+1), and fma(S_(k+1), u, c_k - S_k) is what S_k lost.
+    The rounding error of a sum S_k = c_k + u S_(k+1) is fma(S_(k+1), u, c_k - S_k).
     """
     fma = code.fma
     u = code.u
     exact = limit(closed)
-    kept = piece.kept
-    c = (float(exact), *shapes.near_fit(closed, piece.seam, piece.count, exact))
-    sums = [_even_and_odd(code, u, c[kept:])]
-    for coefficient in reversed(c[:kept]):
-        sums.insert(0, fma(sums[0], u, coefficient))
-    w, p1, *_ = sums
-    turns = []
-    lost = []
-    for k in range(kept):
-        turns.append(c[k] - sums[k])
-        lost.append(fma(sums[k + 1], u, turns[k]))
-    slope = w
-    c0_low = float(exact - Fraction(c[0]))
-    if c0_low:
-        lost[0] = lost[0] + c0_low
-    low = lost.pop()
-    for error in reversed(lost):
-        low = fma(u, low, error)
-    if c0_low:  # u W' is nearly W - c0 + u (P1 - c1); omitted where W stays close to 1
-        slope = fma(-u, turns[1], fma(2.0, w, -c[0]))
+    c0 = float(exact)
+    c1, *others = shapes.near_fit(closed, piece.seam, piece.count, exact)
+    p2 = _even_and_odd(code, u, others)
+    p1 = fma(p2, u, c1)
+    w = fma(p1, u, c0)
+    w_lost = fma(p1, u, c0 - w)
+    turned = c1 - p1
+    p1_lost = fma(p2, u, turned)
+    c0_low = float(exact - Fraction(c0))
+    if not c0_low:
+        return Pair(w, fma(u, p1_lost, w_lost)), w, p1
+    low = fma(u, p1_lost, w_lost + c0_low)
+    slope = fma(-u, turned, fma(2.0, w, -c0))  # u W' is nearly W - c0 + u (P1 - c1); w serves where W is close to 1
     return Pair(w, low), slope, p1
 
 

@@ -35,7 +35,6 @@ FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # cost of a division, in multiply-adds
 OPERATION = 0.02  # price of a multiply-add, in ulp
 STEPS = (-1, 1)  # to neighbouring shapes
-KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # most shapes evaluated for one quantity
 
 Best = tuple[Pieces, ...]
@@ -81,7 +80,7 @@ def rises(closed: Expr, seam: float) -> bool:
 
 @cache
 def baseline(closed: Expr, seam: float) -> Far:
-    """Return the baseline beyond a seam with the least estimated rounding error, half an ulp of F per operation."""
+    """Return the baseline beyond a seam with the smallest corrections, to which rounding errors are proportional."""
     values = []
     for k in range(25):
         x = seam + (HALF_PI - seam) * k / 24
@@ -89,7 +88,7 @@ def baseline(closed: Expr, seam: float) -> Far:
     about = end(closed)
 
     def rank(far: Far) -> Coefficients:
-        return _baseline_error(closed, far, values), abs(far.bend - about.first), far.slope, far.line, far.bend
+        return _correction(far, about.odd, values), abs(far.bend - about.first), far.slope, far.line, far.bend
 
     return min(_baselines(values, about.odd), key=rank)
 
@@ -113,32 +112,17 @@ def _baselines(values: Sequence[Pair], odd: bool) -> Iterator[Far]:
                 yield Far(slope, line, bend, 1.0, 0)
 
 
-def _baseline_error(closed: Expr, far: Far, values: Sequence[Pair]) -> float:
-    """Return rounding errors of a baseline's operations, in ulp(F) at the worst of some points, the last one pi/2.
+def _correction(far: Far, odd: bool, values: Sequence[Pair]) -> float:
+    """Return the greatest sum of the corrections to a baseline, relative to F, before and after its bend is removed.
 
-    F = straight + (constant + bent + b**power core), each sum and product rounded once.
+    ``values`` are pairs (alpha, F). There is no bend if the form is ``odd``.
     """
-    ulp = math.ulp
-    about = end(closed)
-    power, _ = shapes.powers(closed, far)
-    core_ulps = 3 if about.log else 1
-    constant = values[-1][1] - far.slope * HALF_PI - far.line
     worst = 0.0
-    for x, f in values[:-1]:
+    for x, f in values:
         b = HALF_PI - x
         rest = f - (far.slope * x + far.line)
-        slope = far.slope - far.bend * b
-        bent = 0.0 if about.odd else b * slope
-        core = (rest - bent - constant) / b**power
-        error = 0.0
-        limit = far.slope if x < 1 else 2 * far.slope
-        if far.slope and abs(f - rest) > limit:  # else its terms are multiples of 2**-52, and their sum is exact
-            error = ulp(f - rest)
-        error += ulp(constant) + ulp(rest)
-        error += b**power * (core_ulps * ulp(core) + abs(core) / 2**52)
-        if not about.odd:
-            error += ulp(rest - bent) + b * ulp(slope)
-        worst = max(worst, error / certify.ulp(f))
+        bent = 0.0 if odd else b * (far.slope - far.bend * b)
+        worst = max(worst, (abs(rest) + abs(rest - bent)) / f)
     return worst
 
 
@@ -151,7 +135,7 @@ def started(kernel: Kernel, seam: float) -> Best:
         if end(closed).serves:
             far = _least_far(closed, seam)
             until = seam
-        pieces.append(Pieces(until, _least_count(closed, until), KEPT, far))
+        pieces.append(Pieces(until, _least_count(closed, until), far))
     return tuple(pieces)
 
 
@@ -198,13 +182,10 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
 
 
 def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
-    """Yield other numbers of coefficients and of kept roundings of a part, and other baselines if the form has them."""
+    """Yield other numbers of coefficients of a part, and other baselines if the form has them."""
     about = end(closed)
     for step in STEPS:
         yield replace(part, count=part.count + step)
-    for step in STEPS:
-        if 2 <= part.kept + step < part.count - 2:
-            yield replace(part, kept=part.kept + step)
     far = part.far
     if far is None:
         return

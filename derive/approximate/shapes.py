@@ -148,14 +148,10 @@ class Far:
 
 @dataclass(frozen=True)
 class Pieces:
-    """Shape of a base quantity in the best tier: the seam, coefficients near 0, and the shape beyond the seam.
-
-    Fused, the rounding errors of the ``kept`` leading sums near 0 are kept.
-    """
+    """Shape of a base quantity in the best tier: the seam, coefficients near 0, and the shape beyond the seam."""
 
     seam: float
     count: int
-    kept: int = 2
     far: Far | None = None
 
 

@@ -9,8 +9,7 @@ Part of the checker (`certify`): standard library, python-flint, and NumPy for t
 """
 
 import math
-import operator
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 from itertools import chain
@@ -21,7 +20,7 @@ from flint import arb, arb_poly
 
 from derive.check import truth
 from derive.check.records import TIERS, Record, rejected
-from derive.check.rounding import above, below
+from derive.check.rounding import VALUE, above, below
 from derive.check.truth import BITS, SEGMENTS, TOP, Model, Segment, working
 from derive.kinds import Coefficients, Texts
 
@@ -176,14 +175,7 @@ def _rounds_to(exact: arb, value: Any, margin: float = 0.0) -> bool:
     return bool(lower + arb(margin) < exact < upper - arb(margin))
 
 
-MEANING: dict[str, Callable[..., Any]] = {
-    "add": operator.add,
-    "sub": operator.sub,
-    "mul": operator.mul,
-    "div": operator.truediv,
-    "neg": operator.neg,
-    "fma": lambda a, b, c: float(Fraction(a) * Fraction(b) + Fraction(c)),
-}
+MEANING = VALUE | {"fma": lambda a, b, c: float(Fraction(a) * Fraction(b) + Fraction(c))}  # rounded once
 
 
 def run(record: Record, x: float) -> float:

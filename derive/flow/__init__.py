@@ -10,6 +10,5 @@ write    fragments, linker, ``series``, ``integrator``    ``generated/{flow,prog
 prove    programs (``linked``), series (``recurrences``)  claims, or `ProofError`
 =======  ===============================================  ========================================================
 
-Cells are numbers of a phase of motion, registers are series in time since it began. ``python -m derive flow`` runs
-those of these stages whose inputs have changed.
+Cells are numbers of a phase of motion, registers are series in time since it began.
 """

@@ -79,7 +79,7 @@ def c_programs() -> TextDict:
         for row in (program.series[i] for i in (*rates, *others)):
             begins.append(len(integers))
             condition = "if (squares) " if row[0] == "sqr" and not integers else ""
-            calls.append(f"    {condition}STRAIGHT({len(integers)}, {', '.join(operation(*row))});")
+            calls.append(f"    {condition}OPERATION({len(integers)}, {', '.join(operation(*row))});")
             integers += operation(*row)
         count = len(rates)
         patterns += f"    {{{begins[count]}, {len(integers)}, (const int32_t[]){{{', '.join(integers)}}}}},\n"

@@ -196,7 +196,7 @@ def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator
 
 def _numbers_of_cohesion(scene: Scene) -> Iterator[EquationTerm]:
     """Yield the numbers in the law of a cohesion that changes with slip, with symbols such as "cohesion_peak"."""
-    for name, parameters in scene.laws:
+    for name, parameters in scene.laws.items():
         if not name.endswith(OF_COHESION):
             continue
         law = without_soil(name)

@@ -44,13 +44,22 @@ def parts_of_fields(node: Any) -> Parts:
     A field that may contain laws is declared by the known laws instead of a number.
     """
     kind: Any = type(node)
-    numbers = declared(kind)
     by_field: Parts = {}
-    for field in fields(node):
+    for name, what in _declared_fields(kind).items():
+        by_field[name] = getattr(node, name), what
+    return by_field
+
+
+@lru_cache
+def _declared_fields(kind: Any) -> ValueDict:
+    """Return the declarations of the fields of a dataclass that are numbers or laws, by the name of the field."""
+    numbers = declared(kind)
+    declarations: ValueDict = {}
+    for field in fields(kind):
         what = field.metadata.get("laws", numbers.get(field.name))
         if what:
-            by_field[field.name] = getattr(node, field.name), what
-    return by_field
+            declarations[field.name] = what
+    return declarations
 
 
 def declared_parameters(name: str, parameters: Parameters) -> tuple[Parameter, ...]:
@@ -150,12 +159,7 @@ def walked(
         is_anonymous = not name and kind is not None
         at = path if is_anonymous else path_of_part(path, name)
         is_declared = isinstance(what, Parameter)
-        if is_declared:
-            *within, _ = name.split(".")
-            keys = [one for one in (key, *within, what.key) if one]
-            inside = ".".join(keys)
-        else:
-            inside = path_of_part(key, name)
+        inside = _key_of_number(key, name, what.key) if is_declared else path_of_part(key, name)
         if is_declared and not what.axes:
             changed = visit(Leaf(at, inside, what, value))
         else:
@@ -163,6 +167,17 @@ def walked(
         if changed is not value:
             new[name] = changed
     return _with_parts(node, new, every_part) if new else node
+
+
+@lru_cache(maxsize=2048)
+def _key_of_number(key: str, name: str, own: str) -> str:
+    """Return the key of a number in scene files.
+
+    ``key`` is the key of its node, ``name`` may contain names of further nodes, and ``own`` is its last part.
+    """
+    *within, _ = name.split(".")
+    parts_of_key = filter(None, (key, *within, own))
+    return ".".join(parts_of_key)
 
 
 def leaves(node: Any, absent: bool = True) -> list[Leaf]:

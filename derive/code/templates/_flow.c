@@ -53,7 +53,7 @@ typedef struct {
     int64_t samples, times_across;
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
-    void *memory; /* zeros, for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
+    void *memory; /* for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
     int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
@@ -247,7 +247,7 @@ static int64_t run(Job *job, const Held *held, int level, int fits)
         PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
         return -1;
     }
-    void *memory = calloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE) + 1, WIDEST);
+    void *memory = malloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE + 1) * WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         return -1;
@@ -346,13 +346,13 @@ static int fill_runs(const Job *job, PyObject *start, PyObject *places, const do
     PyObject *name, *value;
     for (Py_ssize_t at = 0; PyDict_Next(start, &at, &name, &value);) {
         PyObject *const place = PyDict_GetItemWithError(places, name);
-        if (place == NULL && !PyErr_Occurred()) continue;
+        if (place == NULL) continue;
         const double number = PyFloat_AsDouble(value);
-        const int64_t row = place == NULL ? -1 : PyLong_AsLongLong(place) * job->count;
-        if (PyErr_Occurred() || row < 0 || row >= job->cells * job->count) return 0;
+        const int64_t row = PyLong_AsLongLong(place) * job->count;
+        if (row < 0 || row >= job->cells * job->count) return 0;
         for (int64_t k = row; k < row + job->count; k++) job->all[k] = number * moves[k] + further[k];
     }
-    return 1;
+    return !PyErr_Occurred();
 }
 
 static PyObject *first_lane(const double *cells, int64_t count)
@@ -982,6 +982,9 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
     V *const c = b->c;
     int64_t next = job->begin;
+    memset(job->memory, 0, (size_t)(MOST_WORKING + job->cells) * sizeof(V));
+    for (const Table *t = job->table; t < job->table + job->tables; t++)
+        if (t->reg >= 0) memset(b->r + t->reg, 0, STRIDE * sizeof(V)); /* most of their coefficients stay zero */
     for (int n = 1; n < STRIDE; n++) b->inverse[n] = 1.0 / n;
     if (job->outputs && !job->times) {
         read_registers(b);
@@ -1051,7 +1054,7 @@ __attribute__((export_name("integrate"))) int integrate(const int32_t *program, 
         const Given *const g = tables + t;
         job.data[t] = (Data){g->breaks, g->coefficients, g->jumps, g->pieces, g->across, g->apart, g->terms, g->sine, g->open};
     }
-    void *const memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *const memory = malloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE + 1) * WIDEST);
     if (memory == NULL) return -1;
     job.memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
     const int left = (int)flow_integrate_wasm(&job);

@@ -11,7 +11,6 @@ from derive.flow.integrator.one_lane import (
     V,
     all_lanes,
     any_lane,
-    down,
     greatest,
     least,
     log2_of,
@@ -54,12 +53,10 @@ def per_time(s: Lanes, rate: V, omega: V) -> V:
 def elapsed(s: Lanes, top: N, at: V) -> V:
     """Return the time since the beginning of a step from its variable."""
     if s.has.pace:
-        omega = s.series.omega
-        mean: V = 0.0
-        for k in down(top, 0):
-            coefficient = omega[k] * s.inverse[k + 1]
-            mean = mean * at + coefficient
-        return at * (1.0 + s.pace * mean)
+        mean = new_series()
+        for k in up(0, top):
+            mean[k] = s.series.omega[k] * s.inverse[k + 1]
+        return at * (1.0 + s.pace * value(mean, top, at))
     return at
 
 
@@ -78,11 +75,8 @@ def evaluate(s: Lanes) -> None:
     begin_series(s)
     operate(s, 0, False)
     operate_later(s, 1)
-    if s.has.pace:
-        omega = s.series.omega[0]
-        for q in s.states:
-            rate = q.rate[0]
-            q.rate[0] = per_time(s, rate, omega)
+    for q in s.states:
+        q.rate[0] = per_time(s, q.rate[0], s.omega)
 
 
 def normal_force(s: Lanes) -> V:

@@ -169,20 +169,21 @@ def fits(s: Lanes, t: T) -> M:
     return inside and near and path < SHORT and force_at_rest(s, t.lower) > PRESSED * terms
 
 
-def leave_series(s: Lanes, here: M) -> None:
-    """Leave moving lanes to the integration in time, and begin another phase for lanes at rest."""
+def leave_series(s: Lanes, here: M, since: V) -> None:
+    """Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion."""
     moves = s.omega > 0.0
     s.status = where(moves, Status.MOVING, Status.RESTING)
-    s.pending = where(moves, Pending.READY, Pending.BEGIN_PHASE)
-    here = here and not moves
+    here = here and not moves and s.time > since
     update_reach(s, here)
     advance_origin(s, here)
+    s.pending = Pending.BEGIN_PHASE
 
 
 def turn_through(s: Lanes, here: M, t: T) -> None:
     """Move lanes at rest through the pieces of a record, down-slope, as far as the series of a piece fit."""
     s.sine_x = 0.0
     s.versine_x = 0.0
+    since: V = s.time
     while any_lane(here):
         moves = here and s.omega > 0.0
         rests = here and s.omega == 0.0
@@ -192,7 +193,7 @@ def turn_through(s: Lanes, here: M, t: T) -> None:
         goes = (moves or starts) and fits(s, t)
         leaves = here and not goes
         if any_lane(leaves):
-            leave_series(s, leaves)
+            leave_series(s, leaves, since)
         count_starts(s, starts and goes)
         here = goes
         if any_lane(here):

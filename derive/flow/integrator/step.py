@@ -160,10 +160,12 @@ def consider(s: Lanes, here: M, at: V, event: N) -> None:
 
 def reach_limit(s: Lanes, here: M, room: V, top: N) -> M:
     """Shorten the step to the time left, and return the lanes that reach its end."""
-    reaches = here and elapsed(s, top, s.step) >= room
-    if s.has.pace and any_lane(reaches):
-        at = variable_at(s, top, room)
-        s.step = where(reaches, at, s.step)
+    reaches = here and room < INFINITY
+    if any_lane(reaches):
+        reaches = reaches and elapsed(s, top, s.step) >= room
+        if s.has.pace and any_lane(reaches):
+            at = variable_at(s, top, room)
+            s.step = where(reaches, at, s.step)
     return reaches
 
 

@@ -45,8 +45,8 @@ def estimate(plan: Plan, problem: Problem, final: Final, spreads: Any = None) ->
     else:
         spread = _of_ensemble(_closer(plan, problem), final)
         error = np.clip(CUT * spread, LEAST, 1.0)
-    is_still = (final[ix.PHASES] == 0.0) & (spread < INFINITY)
-    return choose(final[ix.CLOSE] < UNDECIDED, 1.0, choose(is_still, 0.0, error))
+    is_uncertain = (final[ix.PHASES] > 0.0) | (spread == INFINITY)
+    return choose(final[ix.CLOSE] < UNDECIDED, 1.0, is_uncertain * error)
 
 
 def _of_ensemble(problem: Problem, final: Final) -> Floats:

@@ -78,7 +78,7 @@ def perturbed_runs(problem: Problem, runs: slice = EVERY) -> Floats:
     return cells + summands
 
 
-def integrate_single(problem: Problem) -> tuple[list[float], Any]:
+def integrate_single(problem: Problem) -> Any:
     """Return the final cells of a single scene, and the spreads of its runs, if they are integrated.
 
     All runs are integrated in one call unless the scene has functions of time or speed, or a viscous layer, or a run
@@ -91,6 +91,5 @@ def integrate_single(problem: Problem) -> tuple[list[float], Any]:
         moves = _moves(program, problem.plan.scene.arc.rounding, start["END_TIME"] == INFINITY)
         runs = engine().integrate_runs(program, problem.tables(), start, moves)
         if runs and runs[0][ix.CLOSE] >= NEAR:
-            final, spreads = runs
-            return final, spreads
+            return runs
     return integrate_problem(problem)[:ENTRIES, 0].tolist(), None

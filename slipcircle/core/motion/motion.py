@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.arrays import choose, float_or_array, may_overflow
+from slipcircle.base.arrays import choose, may_overflow
 from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.neighbours import integrate_single
@@ -49,7 +49,7 @@ class Motion(Conversions, Generic[Numbers]):
         self.shape: Shape = plan.scene.shape
         self.invalid = invalid
         self._final = final
-        self._radius = float_or_array(plan.scene.arc.radius)
+        self._radius = plan.scene.arc.units["m"]
         self._time_scale = plan.scene.arc.time_scale
         self._runs = runs
         if problem is not None:
@@ -147,13 +147,15 @@ class Motion(Conversions, Generic[Numbers]):
 
     def _outcomes(self) -> Mapping[str, Numbers]:
         final = self._final
-        unsolved = self._unsolved
-        rest = final[ix.REST_SINCE] * self._time_scale
+        unsolved = choose(self.status <= CREEPS, 0.0, np.nan)
+        duration = final[ix.REST_SINCE] * self._time_scale
         ended = final[ix.STATUS] == ix.ENDED
+        if ended is not False:
+            duration = choose(ended, self.plan.scene.until, duration)
         return {
             "run_out": self._radius * final[ix.REACH_ROTATION] + unsolved,
             "peak_velocity": self._radius * (final[ix.PEAK_OMEGA] / self._time_scale) + unsolved,
-            "duration": choose(ended, self.plan.scene.until, rest) + unsolved,
+            "duration": duration + unsolved,
         }
 
     @property

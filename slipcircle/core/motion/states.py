@@ -68,18 +68,19 @@ _RESTS, _STAYS, _, _TURNED, CREEPS, _, _, _, _INVALID, _UNSTARTED, _DROWNED = ma
 STATUSES = tuple(Status)  # by number
 
 
-def _of_end(ended: Any, has_turned: Any, creeps: Any, is_still: Any) -> Any:
-    """Return the number of a `Status` from the status of the integration and three traits of the motion."""
-    status: Any = STATUS_OF_END[np.asarray(ended, np.intp)]
-    status = np.where((status == _RESTS) & has_turned, _TURNED, status)
-    status = np.where(creeps, CREEPS, status)
-    stays = is_still & (ended != ix.STOPPED)
-    return np.where((status <= CREEPS) & stays, _STAYS, status)
+def _of_end(ended: Any, has_turned: Any, creeps: Any, is_still: Any, is_unstarted: Any) -> Any:
+    """Return the number of a `Status` from the status of the integration and four traits of the motion."""
+    status = STATUS_OF_END[np.asarray(ended, np.intp)]
+    status[(status == _RESTS) & has_turned] = _TURNED
+    status[creeps] = CREEPS
+    status[(status <= CREEPS) & is_still & (ended != ix.STOPPED)] = _STAYS
+    np.copyto(status, _UNSTARTED, where=is_unstarted)
+    return status
 
 
 @lru_cache(maxsize=256)
 def _of_single_end(*traits: Any) -> int:
-    return int(_of_end(*traits))
+    return int(_of_end(*map(np.atleast_1d, traits))[0])
 
 
 def statuses(final: Any, invalid: Any, scene: Any) -> Any:
@@ -88,14 +89,13 @@ def statuses(final: Any, invalid: Any, scene: Any) -> Any:
     ``final`` are the final cells, (cells, *shape), and ``invalid`` is a mask of lanes that are not valid scenes.
     """
     ended = final[ix.STATUS]
-    has_shape = isinstance(ended, np.ndarray)
-    of_end = _of_end if has_shape else _of_single_end
-    status = of_end(ended, final[ix.TURNS] > 0.0, final[ix.TIME] == INFINITY, final[ix.PHASES] == 0.0)
-    answered = status <= CREEPS
+    of_end = _of_end if isinstance(ended, np.ndarray) else _of_single_end
+    strength = scene.strength_factor
+    creeps = final[ix.TIME] == INFINITY
+    status = of_end(ended, final[ix.TURNS] > 0.0, creeps, final[ix.PHASES] == 0.0, strength != strength)
     if scene.arc.in_standing_water:
+        answered = status <= CREEPS
         rotations = final[ix.REACH_ROTATION], final[ix.END_ROTATION]
         drowned = lazy_import("standing").comes_to_cover(scene.arc, *rotations)
         status = choose(answered & drowned, _DROWNED, status)
-    strength_factor = scene.strength_factor
-    status = choose(strength_factor != strength_factor, _UNSTARTED, status)
     return status if invalid is False else choose(invalid, _INVALID, status)

@@ -130,5 +130,4 @@ def recipe_of(scene: Scene) -> Recipe:
             moving.append(symbol)
     if "layered_strength" in effects and "shaking" not in effects:
         absent += ["k_h", "k_v"]  # which its terms contain, too
-    laws = tuple([name for name, _ in scene.laws])
-    return Recipe(effects, laws, tuple(moving), tuple(absent))
+    return Recipe(effects, tuple(scene.laws), tuple(moving), tuple(absent))

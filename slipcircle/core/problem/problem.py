@@ -5,6 +5,7 @@ independent of individual laws and effects.
 """
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -71,13 +72,9 @@ class Problem:
 
     def _columns(self) -> tuple[Floats, list[tuple[int, Floats]]]:
         """Return the initial cells that all lanes share, (cells,), and the others by their places."""
-        shared: ValueDict = self.start
-        own: list[tuple[int, Floats]] = []
         places = self.program.places
-        if self.lanes != 1:
-            shared = {name: value for name, value in shared.items() if not isinstance(value, np.ndarray)}
-            names = (name for name in self.start if name not in shared and name in places)
-            own = [(places[name], self.start[name]) for name in names]
+        shared = {name: value for name, value in self.start.items() if not isinstance(value, np.ndarray)}
+        own = [(places[name], self.start[name]) for name in self.start if name not in shared and name in places]
         column = np.zeros(len(self.program.cells) + 1)
         column[_places(self.program, tuple(shared))] = [*shared.values()]
         return column[:-1], own
@@ -240,36 +237,34 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     Lanes marked in ``invalid``, a mask in the scene's shape, are not solved.
     """
     scene = plan.scene
-    mass = scene.arc
+    called = scene.called
+    program = plan.program
     lanes = math.prod(scene.shape)
     strength = float_or_array(scene.strength_factor)
-    start = {**mass.initial_cells, "strength_factor": strength}
-    problem = Problem(plan, plan.program, start, {}, lanes)
-    called = scene.called
-    for effect in plan.recipe.effects:
-        if parameters := called[effect]:
+    of_method = _cells_of_method(program, plan.accuracy, lanes, "shaking" in called)
+    start = {**scene.arc.initial_cells, **of_method, "strength_factor": strength}
+    problem = Problem(plan, program, start, {}, lanes)
+    for effect, parameters in called.items():
+        if parameters:
             problem._add_effect(effect, parameters)
     if plan.recipe.moving:
         problem._add_rotations()
-    for k, (name, parameters) in enumerate(scene.laws):
+    for k, (name, parameters) in enumerate(scene.laws.items()):
         is_rate = k > 0 and OF_SOIL not in name  # which multiplies the law before it
         problem._add_law(name, parameters, 1.0 if is_rate or OF_COHESION in name else strength)
     start["omega"], start["END_TIME"] = may_overflow(scene.shape, problem._start_and_end)
     is_unknown = strength != strength
     if invalid is not False or is_unknown is not False:
-        start["STATUS"] = _first_status(np.logical_or(invalid, is_unknown))
+        failed = np.logical_or(invalid, is_unknown)
+        start["STATUS"] = float_or_array(np.where(failed, float(ix.FAILED), float(ix.START)))
     if scene.shape:
         problem.start = start = _flat(start, scene.shape)
-    start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes, "shaking" in called)
-    start["ONE_WAY"] = _one_way(called["shaking"]) if "shaking" in called else 0.0
-    start["FIRST_ONLY"] = choose(start["END_TIME"] == INFINITY, _first_only(plan.recipe, start), 0.0)
-    start |= problem.program.constants
+    if "shaking" in called:
+        shaking = called["shaking"]
+        is_one_way = callable(shaking.get("horizontal")) and not shaking.get("two_way", False)
+        start["ONE_WAY"] = float(is_one_way)
+    start["FIRST_ONLY"] = _first_only(plan.recipe, start)
     return problem
-
-
-def _first_status(failed: Any) -> Any:
-    """Return the initial status of lanes, of which some ``failed`` before they start."""
-    return float_or_array(np.where(failed, float(ix.FAILED), float(ix.START)))
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
@@ -278,17 +273,20 @@ def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
     ``shape`` is the scene's shape, with which arrays broadcast. Numbers that all lanes share remain numbers.
     """
     flat = {}
+    lanes = math.prod(shape)
     for name, value in numbers.items():
-        is_shared = type(value) is float or np.ndim(value) == 0
-        flat[name] = value if is_shared else np.broadcast_to(value, shape).reshape(-1)
-    if math.prod(shape) == 1:
+        if type(value) is not float and np.ndim(value):
+            is_complete = np.size(value) == lanes
+            value = np.ravel(value if is_complete else np.broadcast_to(value, shape))
+        flat[name] = value
+    if lanes == 1:
         return {name: float(value if np.ndim(value) == 0 else value[0]) for name, value in flat.items()}
     return flat
 
 
 @lru_cache(maxsize=256)
-def order_and_step(accuracy: float, lanes: int, shaken: bool = False) -> tuple[int, float]:
-    """Return the order of the series for a truncation error, and the step over the radius of convergence.
+def _cells_of_method(program: Program, accuracy: float, lanes: int, shaken: bool) -> Mapping[str, float]:
+    """Return the constants of a program, the order of the series, and the step over the radius of convergence.
 
     ``accuracy`` is the requested relative error, and ``shaken`` is true for scenes with shaking. Single scenes (one
     lane) are solved to rounding.
@@ -297,23 +295,13 @@ def order_and_step(accuracy: float, lanes: int, shaken: bool = False) -> tuple[i
     step = STEP if attainable > FINEST else STEP_TO_ROUNDING
     margin = 4.0 if shaken and attainable > FINEST else 3.0  # displacements of shaken masses are small sums of steps
     terms = math.ceil(margin + math.log(attainable) / math.log(step))
-    return max(terms, LOWEST), step
-
-
-def _one_way(shaking: Parameters) -> float:
-    """Return 1 if shaking may start the mass down-slope only, otherwise 0.
-
-    ``shaking`` contains the effect's parameters.
-    """
-    varies = callable(shaking.get("horizontal"))
-    two_way = shaking.get("two_way", False)
-    return float(varies and not two_way)
+    return {**program.constants, "ORDER": max(terms, LOWEST), "FACTOR": step}
 
 
 def _first_only(recipe: Recipe, start: Parameters) -> Any:
     """Return 1 if nothing brings the mass to rest, and 2 if water or heat may lift it, otherwise 0, for each lane.
 
-    Such a mass is integrated to its first standstill. ``start`` contains the initial cells by name.
+    Such a mass without end time is integrated to its first standstill. ``start`` contains the initial cells by name.
     """
     swings, lifts, pressures, laws = _swing_of(recipe)
     if not swings:
@@ -323,14 +311,15 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
         frictionless = start["constant.coefficient"] == 0.0
     if pressures and not lifts:
         lifts = any(np.any(start[name]) for name in pressures if name in start)
-    if not lifts and frictionless is False:
+    if not lifts and (frictionless is False or not np.any(frictionless)):
         return 0.0
     swings = choose(frictionless, 1.0, 2.0 if lifts else 0.0)
     cohesion = start.get("cohesion", 0.0)
     cohesion = cohesion + start.get("layered_cohesion", 0.0)
     for law in laws:  # residual cohesion; tables and functions are followed in any case
         cohesion = cohesion + start.get(f"{law}.residual", 1.0)
-    return choose(cohesion > 0.0, 0.0, swings)
+    may_rest = (cohesion > 0.0) | (start["END_TIME"] != INFINITY)
+    return choose(may_rest, 0.0, swings)
 
 
 @lru_cache(maxsize=256)

@@ -17,7 +17,7 @@ from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.declarations import Parts, declared, number
-from slipcircle.core.scene.effects import Law, named, resolved
+from slipcircle.core.scene.effects import named, resolved
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.mass import Mass
 
@@ -179,7 +179,9 @@ class Scene(Generic[Numbers]):
             effects[name], messages = resolved(name, parameters)
             faults += messages
         object.__setattr__(self, "effects", Frozen(effects))
-        if not (faults or self._has_plain_numbers):
+        if not faults and self._has_plain_numbers:
+            vars(self)["shape"] = ()
+        elif not faults:
             freeze(self, _NUMBERS)
             faults += shape_mistakes(self.numbers)
         if faults:
@@ -233,9 +235,10 @@ class Scene(Generic[Numbers]):
         return self.friction if self.arc.friction is None else self.arc.friction
 
     @cached_property
-    def laws(self) -> tuple[Law, ...]:
-        """Name and parameters of each law of friction, whose product is the friction, and of each law of cohesion."""
-        return (*law_parts(self.law), *self.arc.cohesion_laws(self.checked_effects.get("cohesion", {})))
+    def laws(self) -> Effects:
+        """Laws of friction by name, whose product is the friction, and laws of cohesion, each with its parameters."""
+        effects: Any = self.effects
+        return dict((*law_parts(self.law), *self.arc.cohesion_laws(effects.get("cohesion", EMPTY))))
 
     @property
     def until(self) -> Any:
@@ -245,7 +248,8 @@ class Scene(Generic[Numbers]):
     @cached_property
     def called(self) -> Effects:
         """Effects by name with their parameters, including effects that the mass adds, such as its water level."""
-        return self.arc.effects_with_own(self.checked_effects)
+        effects: Any = self.effects
+        return self.arc.effects_with_own(effects)
 
     def by_start(self, quantity: str, motion: Any, kept: float = 1.0) -> Any:
         """Return a result by the starting method and the name of the method, or None if the closure applies.
@@ -286,7 +290,7 @@ class Scene(Generic[Numbers]):
             fields["effects"] = {**self.checked_effects, **effects}
         return lazy_import("tree").replace_unchecked(self, fields)
 
-    @cached_property
+    @property
     def _has_plain_numbers(self) -> bool:
         """Whether all inputs are floats, as in most single scenes, so that `numbers` is not needed."""
         friction = self.friction
