@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "494704cdda4961b23a1177378219fc123dc41cb9e17e582695989326b5c6a7cc"
+#define DIGEST "5d301bff842d958d3fb3edabb7290fcaa8f94b65be876d6dd852048b0e7859b1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2702,15 +2702,14 @@ INLINE void look_for_quiet(Batch *b, M here)
 }
 
 /* Return whether the mass certainly rests through a piece, as both its end values are in the quiet range. The
- * piece must end before a place, and not at the last break, where the function may jump. */
+ * following piece must end before a place, so that the function cannot jump between both. */
 INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece, double low, double high, double before)
 {
     const Job *const job = b->job;
     int last = (int)job->data[t].pieces - 1;
     int64_t following = (piece + 1) < last ? (piece + 1) : last;
     double height = constant_of(b, lane, t, following);
-    int inside = (break_of(b, lane, t, following) < before) && (end_of_piece(b, lane, t, following) < INFINITY);
-    return (low <= height) && (height <= high) && inside;
+    return (end_of_piece(b, lane, t, following) < before) && (low <= height) && (height <= high);
 }
 
 /* Pass the pieces through which the mass certainly rests. */
@@ -3472,13 +3471,21 @@ INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
     versine[0] = c[VERSINE_X];
     for (int n = 0; n <= TOP - 1; n++) {
         V square = broadcast(0.0);
-        V along = omega[n];
+        V lost = broadcast(0.0);
         V across = broadcast(0.0);
-        for (int k = 0; k <= n; k++) {
+        for (int k = 1; k <= n - 1; k++) {
             square = square + (omega[k] * omega[n - k]);
-            along = along - (versine[k] * omega[n - k]);
+            lost = lost + (versine[k] * omega[n - k]);
             across = across + (sine[k] * omega[n - k]);
         }
+        if (n > 0) {
+            square = square + (omega[0] * omega[n]);
+            lost = lost + (versine[n] * omega[0]);
+            across = across + (sine[n] * omega[0]);
+        }
+        square = square + (omega[n] * omega[0]);
+        lost = lost + (versine[0] * omega[n]);
+        across = across + (sine[0] * omega[n]);
         V total = ((e[1] * sine[n]) + (e[2] * versine[n])) + (c[job->role->net_square] * square);
         if (n == 0) {
             total = total + e[0];
@@ -3492,6 +3499,7 @@ INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
         net[n] = total;
         x[n + 1] = omega[n] * b->inverse[n + 1];
         omega[n + 1] = total * b->inverse[n + 1];
+        V along = omega[n] - lost;
         sine[n + 1] = along * b->inverse[n + 1];
         versine[n + 1] = across * b->inverse[n + 1];
     }

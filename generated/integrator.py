@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3929e07599488411f458dbf781e5d3efad507c2f93b40c775418d86fe7a529f9
+# sha256 of the text below: 34809e35a46f3674f01d5dcfc685093b3aab69b8bbe8a3703864db92078c5710
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1435,8 +1435,7 @@ def rests_on(lane: Lanes, i: Index, t: Table, piece: Index, low: Floats, high: F
     last = t.pieces - 1
     following = np.fmin(piece + 1, last)
     height = constant_of(lane, i, t, following)
-    inside = (break_of(lane, i, t, following) < before) & (end_of_piece(lane, i, t, following) < INFINITY)
-    return (low <= height) & (height <= high) & inside
+    return (end_of_piece(lane, i, t, following) < before) & (low <= height) & (height <= high)
 
 
 def rest_through(lane: Lanes, i: Index, t: Table) -> None:
@@ -2082,12 +2081,19 @@ def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Float
     versine[0] = c[ix.VERSINE_X]
     for n in range(TOP - 1 + 1):
         square: Floats = 0.0
-        along = omega[n]
+        lost: Floats = 0.0
         across: Floats = 0.0
-        for k in range(n + 1):
+        for k in range(1, n - 1 + 1):
             square = square + omega[k] * omega[n - k]
-            along = along - versine[k] * omega[n - k]
+            lost = lost + versine[k] * omega[n - k]
             across = across + sine[k] * omega[n - k]
+        if n > 0:
+            square = square + omega[0] * omega[n]
+            lost = lost + versine[n] * omega[0]
+            across = across + sine[n] * omega[0]
+        square = square + omega[n] * omega[0]
+        lost = lost + versine[0] * omega[n]
+        across = across + sine[0] * omega[n]
         total = e[1] * sine[n] + e[2] * versine[n] + c[s.roles.net_square] * square
         if n == 0:
             total = total + e[0]
@@ -2098,6 +2104,7 @@ def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Float
         net[n] = total
         x[n + 1] = omega[n] * (1.0 / (n + 1))
         omega[n + 1] = total * (1.0 / (n + 1))
+        along = omega[n] - lost
         sine[n + 1] = along * (1.0 / (n + 1))
         versine[n + 1] = across * (1.0 / (n + 1))
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7715322d4df68f5216090b405d67c10822f7c71a8e29d571c3c0986ff63ff168
+# sha256 of the text below: 769eff3a9f1ec50021567898ec7f23c43326eb4f09add0c9a45f9b0c84faa8a5
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "494704cdda4961b23a1177378219fc123dc41cb9e17e582695989326b5c6a7cc"  # of the compiled integrator's source
+DIGEST = "5d301bff842d958d3fb3edabb7290fcaa8f94b65be876d6dd852048b0e7859b1"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

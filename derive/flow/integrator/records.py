@@ -79,13 +79,12 @@ def look_for_quiet(s: Lanes, here: M) -> None:
 def rests_on(lane: Lane, t: T, piece: int, low: float, high: float, before: float) -> bool:
     """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range.
 
-    The piece must end before a place, and not at the last break, where the function may jump.
+    The following piece must end before a place, so that the function cannot jump between both.
     """
     last: N = t.pieces - 1
     following = minimum(piece + 1, last)
     height = constant_of(lane, t, following)
-    inside = break_of(lane, t, following) < before and end_of_piece(lane, t, following) < INFINITY
-    return low <= height and height <= high and inside
+    return end_of_piece(lane, t, following) < before and low <= height and height <= high
 
 
 def rest_through(lane: Lane, t: T) -> None:

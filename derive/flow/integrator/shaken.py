@@ -65,12 +65,19 @@ def expand_piece(s: Lanes, e: S, rise: S, sine: S, versine: S) -> None:
     versine[0] = s.versine_x
     for n in up(0, TOP - 1):
         square: V = 0.0
-        along = omega[n]
+        lost: V = 0.0
         across: V = 0.0
-        for k in up(0, n):
+        for k in up(1, n - 1):  # the last coefficients, which are known last, are added last
             square = square + omega[k] * omega[n - k]
-            along = along - versine[k] * omega[n - k]
+            lost = lost + versine[k] * omega[n - k]
             across = across + sine[k] * omega[n - k]
+        if n > 0:
+            square = square + omega[0] * omega[n]
+            lost = lost + versine[n] * omega[0]
+            across = across + sine[n] * omega[0]
+        square = square + omega[n] * omega[0]
+        lost = lost + versine[0] * omega[n]
+        across = across + sine[0] * omega[n]
         total = e[1] * sine[n] + e[2] * versine[n] + s.net_square * square
         if n == 0:
             total = total + e[0]
@@ -81,6 +88,7 @@ def expand_piece(s: Lanes, e: S, rise: S, sine: S, versine: S) -> None:
         net[n] = total
         x[n + 1] = omega[n] * s.inverse[n + 1]
         omega[n + 1] = total * s.inverse[n + 1]
+        along = omega[n] - lost
         sine[n + 1] = along * s.inverse[n + 1]
         versine[n + 1] = across * s.inverse[n + 1]
 
