@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "5d301bff842d958d3fb3edabb7290fcaa8f94b65be876d6dd852048b0e7859b1"
+#define DIGEST "f0f3a07c58e250f0590804b4232aedc2c896800a6007a55fc4574195c1f2feae"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -4894,7 +4894,8 @@ static void rest_on(Batch *b, M here)
             }
         }
     }
-    rest_to_change(b, here & (c[PENDING] == (double)READY) & ~later, limit, room);
+    M stays = here & (c[STATUS] == (double)RESTING) & (c[PENDING] == (double)READY);
+    rest_to_change(b, stays & ~later, limit, room);
 }
 
 /* Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 34809e35a46f3674f01d5dcfc685093b3aab69b8bbe8a3703864db92078c5710
+# sha256 of the text below: 662ef3ffa137d89bbd9717d9713c3c782708e037fd6c4d8b67e18441e984dc4b
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -3287,7 +3287,8 @@ def rest_on(s: Lanes, here: Mask) -> None:
                 turn_through(s, down_slope, t)
             if not s.roles.net_record >= 0:
                 later = slide_together(s, down_slope, t)
-    rest_to_change(s, here & (c[ix.PENDING] == ix.READY) & np.logical_not(later), limit, room)
+    stays = here & (c[ix.STATUS] == ix.RESTING) & (c[ix.PENDING] == ix.READY)
+    rest_to_change(s, stays & np.logical_not(later), limit, room)
 
 
 def stop_endless(s: Lanes, here: Mask) -> None:

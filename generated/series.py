@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 769eff3a9f1ec50021567898ec7f23c43326eb4f09add0c9a45f9b0c84faa8a5
+# sha256 of the text below: a575f9ddd23882c624065edbd26b4fc00549517230e273373f3789e4742fb106
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "5d301bff842d958d3fb3edabb7290fcaa8f94b65be876d6dd852048b0e7859b1"  # of the compiled integrator's source
+DIGEST = "f0f3a07c58e250f0590804b4232aedc2c896800a6007a55fc4574195c1f2feae"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -168,7 +168,8 @@ def rest_on(s: Lanes, here: M) -> None:
                 turn_through(s, down_slope, t)
             if not s.has.net_record:
                 later = slide_together(s, down_slope, t)
-    rest_to_change(s, here and s.pending == Pending.READY and not later, limit, room)
+    stays = here and s.status == Status.RESTING and s.pending == Pending.READY
+    rest_to_change(s, stays and not later, limit, room)
 
 
 # --- one round -------------------------------------------------------------------------------------------------------
