@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "f0f3a07c58e250f0590804b4232aedc2c896800a6007a55fc4574195c1f2feae"
+#define DIGEST "7e546b85508cffc0dfc729a76bf17eedb24d55d22bee3f7ee0df55f400090d66"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3470,9 +3470,9 @@ INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
     sine[0] = c[SINE_X];
     versine[0] = c[VERSINE_X];
     for (int n = 0; n <= TOP - 1; n++) {
-        V square = broadcast(0.0);
-        V lost = broadcast(0.0);
-        V across = broadcast(0.0);
+        V square = broadcast(0);
+        V lost = broadcast(0);
+        V across = broadcast(0);
         for (int k = 1; k <= n - 1; k++) {
             square = square + (omega[k] * omega[n - k]);
             lost = lost + (versine[k] * omega[n - k]);
@@ -3607,6 +3607,7 @@ INLINE void leave_series(Batch *b, M here, V since)
     M moves = c[OMEGA] > 0.0;
     c[STATUS] = pick(here, pick(moves, broadcast(MOVING), broadcast(RESTING)), c[STATUS]);
     here = here & ~moves & (c[TIME] > since);
+    c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
     update_reach(b, here);
     advance_origin(b, here);
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);

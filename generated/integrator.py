@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 662ef3ffa137d89bbd9717d9713c3c782708e037fd6c4d8b67e18441e984dc4b
+# sha256 of the text below: 3a4ef26ebd5b103c86841854c039d673ecc144c7da2dbc89dea226392f64a183
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2080,9 +2080,9 @@ def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Float
     sine[0] = c[ix.SINE_X]
     versine[0] = c[ix.VERSINE_X]
     for n in range(TOP - 1 + 1):
-        square: Floats = 0.0
-        lost: Floats = 0.0
-        across: Floats = 0.0
+        square: Floats = 0
+        lost: Floats = 0
+        across: Floats = 0
         for k in range(1, n - 1 + 1):
             square = square + omega[k] * omega[n - k]
             lost = lost + versine[k] * omega[n - k]
@@ -2201,6 +2201,7 @@ def leave_series(s: Lanes, here: Mask, since: Floats) -> None:
     moves = c[ix.OMEGA] > 0.0
     c[ix.STATUS] = np.where(here, np.where(moves, ix.MOVING, ix.RESTING), c[ix.STATUS])
     here = here & np.logical_not(moves) & (c[ix.TIME] > since)
+    c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
     update_reach(s, here)
     advance_origin(s, here)
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])

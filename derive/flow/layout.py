@@ -115,7 +115,7 @@ NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again
 KINDS = ("slip", "speed", "time", "rotation")  # arguments of tables
 # Registers and cells of a program that the integrator reads, the last ones where phases have a closed form: factors of
 # sin(x), 1 - cos(x) and omega^2, then of exp(rate x) - 1 or 1/(1 + per_pole x) - 1 and its products with these, and
-# its derivative at the start.
+# its derivative at the start; at last of the change of the only function of time, the record.
 ROLES = (
     "x",
     "omega",

@@ -64,9 +64,9 @@ def expand_piece(s: Lanes, e: S, rise: S, sine: S, versine: S) -> None:
     sine[0] = s.sine_x
     versine[0] = s.versine_x
     for n in up(0, TOP - 1):
-        square: V = 0.0
-        lost: V = 0.0
-        across: V = 0.0
+        square: V = 0
+        lost: V = 0
+        across: V = 0
         for k in up(1, n - 1):  # the last coefficients, which are known last, are added last
             square = square + omega[k] * omega[n - k]
             lost = lost + versine[k] * omega[n - k]
@@ -182,6 +182,7 @@ def leave_series(s: Lanes, here: M, since: V) -> None:
     moves = s.omega > 0.0
     s.status = where(moves, Status.MOVING, Status.RESTING)
     here = here and not moves and s.time > since
+    s.steps = 0.0
     update_reach(s, here)
     advance_origin(s, here)
     s.pending = Pending.BEGIN_PHASE
