@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ea1ac72d557d1c940e1fa688dd2b17336862c51e8d408039c17c70786a886d87
+# sha256 of the text below: 5c2428ee9b419548398ba6bbac6ee297a778f69279bedb6d5b979928cd97bfff
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -297,7 +297,8 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items() if name in definitions.cells}
-    if {table.kind for table in definitions.tables} <= {"time"} and len(arguments) < 2 and len(definitions.states) == 2:
+    of_time = all(table.kind == "time" for table in definitions.tables)
+    if of_time and len(arguments) < 2 and len(definitions.states) == 2:
         outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
     series = _needed(linker.series, pending)
@@ -415,8 +416,10 @@ class Linker:
     def closed_form(self, registers: Mapping[str, str | None], outputs: dict[str, str]) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
-        The net moment may also contain exp(a x) - 1 or 1/(1 + a x) - 1, called loss, and its products with these. There
-        are no factors if other registers or products occur in these sums, or no sine.
+        The net moment may also contain exp(a x) - 1 or 1/(1 + a x) - 1, called loss, and its products with these. If
+        there is one function of time, called record,
+            it and its products with sin(x) and 1 - cos(x) may occur. There are
+        no factors if other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
         names = FACTORS | {table.argument: "record" for table in self._definitions.tables}
