@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7e546b85508cffc0dfc729a76bf17eedb24d55d22bee3f7ee0df55f400090d66"
+#define DIGEST "15e3d590f36407033707d95bce8c83f51e1c3521c76e3efd5d81b0b0f1c9235c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3473,19 +3473,11 @@ INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
         V square = broadcast(0);
         V lost = broadcast(0);
         V across = broadcast(0);
-        for (int k = 1; k <= n - 1; k++) {
+        for (int k = 0; k <= n; k++) {
             square = square + (omega[k] * omega[n - k]);
             lost = lost + (versine[k] * omega[n - k]);
             across = across + (sine[k] * omega[n - k]);
         }
-        if (n > 0) {
-            square = square + (omega[0] * omega[n]);
-            lost = lost + (versine[n] * omega[0]);
-            across = across + (sine[n] * omega[0]);
-        }
-        square = square + (omega[n] * omega[0]);
-        lost = lost + (versine[0] * omega[n]);
-        across = across + (sine[0] * omega[n]);
         V total = ((e[1] * sine[n]) + (e[2] * versine[n])) + (c[job->role->net_square] * square);
         if (n == 0) {
             total = total + e[0];
@@ -3533,13 +3525,12 @@ static void move_within(Batch *b, M here, int t)
         find_standstill(b, slow, TOP);
     }
     V step = c[STEP];
+    const Pair rate_slope = value_and_slope(net, TOP - 1, step);
+    V rate = rate_slope.one, slope = rate_slope.other;
     V most = omega[0] + (step * net[0]);
-    V rate = value(net, TOP - 1, step);
-    M peaks = here & (net[0] > 0.0) & (rate <= 0.0) & (most > magnitude(c[PEAK_OMEGA]));
+    M peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > magnitude(c[PEAK_OMEGA]));
     if (bits(peaks)) {
-        const Pair again_slope = value_and_slope(net, TOP - 1, step);
-        V again = again_slope.one, slope = again_slope.other;
-        keep_peak(b, peaks, TOP, again, slope);
+        keep_peak(b, peaks, TOP, rate, slope);
     }
     V speed = omega[0] + increment(omega, TOP, step);
     M stops = here & ((c[EVENT] == (double)EVENT_STANDSTILL) | (speed <= 0.0));
@@ -3591,13 +3582,14 @@ INLINE M fits(Batch *b, int t)
     V last = broadcast((double)((int)job->data[t].pieces - 1));
     V beyond = breaks_at(b, t, minimum(c[job->table[t].cell + PIECE] + 2.0, last));
     M inside = ((c[job->table[t].cell + PIECE] + 1.0) < last) & (beyond < INFINITY) & (c[job->table[t].cell + UPPER] < c[END_TIME]);
-    M near = ((magnitude(c[job->role->driving_moment_slope]) * c[X]) < (0.5 * c[job->role->driving_moment])) & (c[X] < 0.5);
+    V size = c[job->role->driving_moment] + magnitude(c[job->role->driving_moment_slope]);
+    M drives = (size * c[X]) < (0.5 * c[job->role->driving_moment]);
     V length = c[job->table[t].cell + UPPER] - c[TIME];
     V turning = magnitude(c[job->role->net_record_sine]) + magnitude(c[job->role->net_record_vers]);
     V moments = (magnitude(c[job->role->net_sine]) + magnitude(c[job->role->net_vers])) + (turning * magnitude(c[job->table[t].cell + LOWER]));
     V path = length * (c[OMEGA] + ((32.0 * length) * moments));
     V terms = magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]);
-    return inside & near & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
+    return inside & drives & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
 }
 
 /* Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3a4ef26ebd5b103c86841854c039d673ecc144c7da2dbc89dea226392f64a183
+# sha256 of the text below: 7997baebfb5feb67a54de56b114d7e03ff3a94b68b2065988aaf3f24ef35c9f4
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2083,17 +2083,10 @@ def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Float
         square: Floats = 0
         lost: Floats = 0
         across: Floats = 0
-        for k in range(1, n - 1 + 1):
+        for k in range(n + 1):
             square = square + omega[k] * omega[n - k]
             lost = lost + versine[k] * omega[n - k]
             across = across + sine[k] * omega[n - k]
-        if n > 0:
-            square = square + omega[0] * omega[n]
-            lost = lost + versine[n] * omega[0]
-            across = across + sine[n] * omega[0]
-        square = square + omega[n] * omega[0]
-        lost = lost + versine[0] * omega[n]
-        across = across + sine[0] * omega[n]
         total = e[1] * sine[n] + e[2] * versine[n] + c[s.roles.net_square] * square
         if n == 0:
             total = total + e[0]
@@ -2134,12 +2127,11 @@ def move_within(s: Lanes, here: Mask, t: Table) -> None:
     if np.any(slow):
         find_standstill(s, slow, TOP)
     step = c[ix.STEP].copy()
+    rate, slope = value_and_slope(net, TOP - 1, step)
     most = omega[0] + step * net[0]
-    rate = value(net, TOP - 1, step)
-    peaks = here & (net[0] > 0.0) & (rate <= 0.0) & (most > np.abs(c[ix.PEAK_OMEGA]))
+    peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(peaks):
-        again, slope = value_and_slope(net, TOP - 1, step)
-        keep_peak(s, peaks, TOP, again, slope)
+        keep_peak(s, peaks, TOP, rate, slope)
     speed = omega[0] + increment(omega, TOP, step)
     stops = here & ((c[ix.EVENT] == ix.EVENT_STANDSTILL) | (speed <= 0.0))
     c[ix.X] = np.where(here, c[ix.X] + increment(s.registers[s.roles.x], TOP, step), c[ix.X])
@@ -2186,13 +2178,14 @@ def fits(s: Lanes, t: Table) -> Mask:
     last: Floats = float(t.pieces - 1)
     beyond = breaks_at(s, t, np.minimum(c[t.cells + ix.PIECE] + 2.0, last))
     inside = (c[t.cells + ix.PIECE] + 1.0 < last) & (beyond < INFINITY) & (c[t.cells + ix.UPPER] < c[ix.END_TIME])
-    near = (np.abs(c[s.roles.driving_moment_slope]) * c[ix.X] < 0.5 * c[s.roles.driving_moment]) & (c[ix.X] < 0.5)
+    size = c[s.roles.driving_moment] + np.abs(c[s.roles.driving_moment_slope])
+    drives = size * c[ix.X] < 0.5 * c[s.roles.driving_moment]
     length = c[t.cells + ix.UPPER] - c[ix.TIME]
     turning = np.abs(c[s.roles.net_record_sine]) + np.abs(c[s.roles.net_record_vers])
     moments = np.abs(c[s.roles.net_sine]) + np.abs(c[s.roles.net_vers]) + turning * np.abs(c[t.cells + ix.LOWER])
     path = length * (c[ix.OMEGA] + 32.0 * length * moments)
     terms = np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope])
-    return inside & near & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
+    return inside & drives & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
 
 
 def leave_series(s: Lanes, here: Mask, since: Floats) -> None:

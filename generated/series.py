@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 29be22467fa506301f66e39a4d21ec0b7f65212b63e267e9d5025659c2d258c7
+# sha256 of the text below: d03e931db7c48fbfc364b135a42aa06484eb34cc80f6eaf3834fb235e8632730
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "7e546b85508cffc0dfc729a76bf17eedb24d55d22bee3f7ee0df55f400090d66"  # of the compiled integrator's source
+DIGEST = "15e3d590f36407033707d95bce8c83f51e1c3521c76e3efd5d81b0b0f1c9235c"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -26,7 +26,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
 from derive.flow.integrator.records import count_starts, enter_pieces, look_for_quiet
-from derive.flow.integrator.roots import increment, value, value_and_slope
+from derive.flow.integrator.roots import increment, value_and_slope
 from derive.flow.integrator.step import find_standstill, keep_peak
 from derive.flow.integrator.tables import enter_line
 
@@ -67,17 +67,10 @@ def expand_piece(s: Lanes, e: S, rise: S, sine: S, versine: S) -> None:
         square: V = 0
         lost: V = 0
         across: V = 0
-        for k in up(1, n - 1):  # the last coefficients, which are known last, are added last
+        for k in up(0, n):
             square = square + omega[k] * omega[n - k]
             lost = lost + versine[k] * omega[n - k]
             across = across + sine[k] * omega[n - k]
-        if n > 0:
-            square = square + omega[0] * omega[n]
-            lost = lost + versine[n] * omega[0]
-            across = across + sine[n] * omega[0]
-        square = square + omega[n] * omega[0]
-        lost = lost + versine[0] * omega[n]
-        across = across + sine[0] * omega[n]
         total = e[1] * sine[n] + e[2] * versine[n] + s.net_square * square
         if n == 0:
             total = total + e[0]
@@ -117,12 +110,11 @@ def move_within(s: Lanes, here: M, t: T) -> None:
     if any_lane(slow):
         find_standstill(s, slow, TOP)
     step = s.step
+    rate, slope = value_and_slope(net, TOP - 1, step)
     most = omega[0] + step * net[0]
-    rate = value(net, TOP - 1, step)
-    peaks = here and net[0] > 0.0 and rate <= 0.0 and most > abs(s.peak_omega)
+    peaks = here and rate <= 0.0 and net[0] > 0.0 and most > abs(s.peak_omega)
     if any_lane(peaks):
-        again, slope = value_and_slope(net, TOP - 1, step)
-        keep_peak(s, peaks, TOP, again, slope)
+        keep_peak(s, peaks, TOP, rate, slope)
     speed = omega[0] + increment(omega, TOP, step)
     stops = here and (s.event == Event.STANDSTILL or speed <= 0.0)
     s.x = s.x + increment(s.series.x, TOP, step)
@@ -168,13 +160,14 @@ def fits(s: Lanes, t: T) -> M:
     last: V = number(t.pieces - 1)
     beyond = breaks_at(s, t, minimum(t.piece + 2.0, last))
     inside = t.piece + 1.0 < last and beyond < INFINITY and t.upper < s.end_time
-    near = abs(s.driving_moment_slope) * s.x < 0.5 * s.driving_moment and s.x < 0.5
+    size = s.driving_moment + abs(s.driving_moment_slope)
+    drives = size * s.x < 0.5 * s.driving_moment
     length = t.upper - s.time
     turning = abs(s.net_record_sine) + abs(s.net_record_vers)
     moments = abs(s.net_sine) + abs(s.net_vers) + turning * abs(t.lower)
     path = length * (s.omega + 32.0 * length * moments)
     terms = abs(s.normal_load) + abs(s.normal_load_slope)
-    return inside and near and path < SHORT and force_at_rest(s, t.lower) > PRESSED * terms
+    return inside and drives and path < SHORT and force_at_rest(s, t.lower) > PRESSED * terms
 
 
 def leave_series(s: Lanes, here: M, since: V) -> None:
