@@ -6,7 +6,7 @@ a form with it is proved equal to a closed form, and how it is computed (`SineRe
 
 from math import factorial
 
-from sympy import Add, Expr, Function, Rational, exp, log, pi, sin
+from sympy import Expr, Function, Rational, exp, log, pi, sin
 from sympy.codegen.cfunctions import expm1 as expm1
 from sympy.codegen.cfunctions import log1p as log1p
 
@@ -45,12 +45,7 @@ class SineRest(Function):
 
 
 def unfold(expression: Expr) -> Expr:
-    """Return an expression with every `SineRest` replaced by its definition and Horner's schemes by polynomials."""
-
-    def polynomial(x: Expr, *coefficients: Expr) -> Expr:
-        return Add(*(c * x**n for n, c in enumerate(coefficients)))
-
-    expression = expression.replace(Horner, polynomial)
+    """Return an expression with `SineRest`, `log1p` and `expm1` replaced by their definitions."""
     expression = expression.replace(log1p, lambda x: log(1 + x))
     expression = expression.replace(expm1, lambda x: exp(x) - 1)
     return expression.replace(SineRest, lambda x: (sin(x) - x) / x**3)

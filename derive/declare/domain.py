@@ -1,7 +1,7 @@
 """Check that a formula is real, finite and non-negative on a domain, by interval arithmetic and bisection."""
 
-import heapq
 import math
+from collections import deque
 from collections.abc import Mapping, Sequence
 from functools import reduce
 
@@ -48,12 +48,12 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> TextPair:
     first that are large.
     """
     value = lambdify([*domain], e, [_ARITHMETIC])
-    boxes = [(0, [*domain.values()])]
+    boxes = deque([[*domain.values()]])
     middle: list[float] = []
-    for count in range(1, BOXES):
+    for _ in range(1, BOXES):
         if not boxes:
             return "", ""
-        _, box = heapq.heappop(boxes)
+        box = boxes.popleft()
         enclosed = arb(value(*(ball(*ends) for ends in box)))
         if enclosed.lower() > BELOW:
             continue
@@ -66,10 +66,13 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> TextPair:
             if not enclosed.is_finite():
                 return f"a pole or a complex number next to {_place(domain, middle)}", ""
             continue
-        rank = count if enclosed.is_finite() else -count
         low, high = box[widest]
-        for half in ((low, middle[widest]), (middle[widest], high)):
-            heapq.heappush(boxes, (rank, [*box[:widest], half, *box[widest + 1 :]]))
+        ends = (low, middle[widest]), (middle[widest], high)
+        lower, upper = ([*box[:widest], half, *box[widest + 1 :]] for half in ends)
+        if enclosed.is_finite():
+            boxes += lower, upper
+        else:
+            boxes.extendleft((upper, lower))
     return "", _place(domain, middle)
 
 

@@ -1,11 +1,11 @@
 """Theorems from the command line: exact decimals as input, and decimals that bound each proved number as output."""
 
 import json
+from collections import deque
 from collections.abc import Iterator, Mapping
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from functools import partial
-from heapq import heappop, heappush
 from typing import NamedTuple
 
 from flint import arb
@@ -124,14 +124,13 @@ def pair(x: arb, digits: int) -> Texts:
 
 
 class Division(NamedTuple):
-    """Part of the inputs: minus its share, which orders the parts, its number, and its intervals."""
+    """Part of the inputs: its share of them, and its intervals."""
 
-    minus_share: float
-    number: int
+    share: float
     quantities: dict[str, _Interval]
 
-    def halves(self) -> Iterator[dict[str, _Interval]]:
-        """Yield the halves of the part by name, divided where this narrows the coefficients of the motion most."""
+    def halves(self) -> Iterator["Division"]:
+        """Yield the halves of the part, divided where this narrows the coefficients of the motion most."""
 
         def spread(name: str) -> float:
             low, high = self.quantities[name]
@@ -143,7 +142,7 @@ class Division(NamedTuple):
         low, high = self.quantities[divided]
         middle = (low + high) / 2
         for half in (_Interval(low, middle), _Interval(middle, high)):
-            yield self.quantities | {divided: half}
+            yield Division(self.share / 2, self.quantities | {divided: half})
 
 
 def divided(whole: dict[str, _Interval], parts: int, **switches: bool) -> tuple[Theorem, float]:
@@ -153,25 +152,24 @@ def divided(whole: dict[str, _Interval], parts: int, **switches: bool) -> tuple[
 
     The largest part is halved until it is decided and its share is at most `FINE`, or until ``parts`` parts are judged.
     """
-    waiting = [Division(-1.0, 0, whole)]
+    waiting = deque([Division(1.0, whole)])  # the largest part first
     shares: dict[str, float] = {}
     numbers: dict[str, arb] = {}
     reason = ""
-    for count in track(range(1, parts + 1), "parts of the inputs", parts):
+    for _ in track(range(parts), "parts of the inputs", parts):
         if not waiting:
             break
-        part = heappop(waiting)
+        part = waiting.popleft()
         proof = theorem(partial(_slide, part.quantities, **switches), PART_DIGITS, EFFORTS[:1])
-        if proof.status == "undecided" or -part.minus_share > FINE:
+        if proof.status == "undecided" or part.share > FINE:
             reason = proof.reason
-            for k, half in enumerate(part.halves()):
-                heappush(waiting, Division(part.minus_share / 2, 2 * count + k, half))
+            waiting += part.halves()
             continue
-        shares[proof.status] = shares.get(proof.status, 0.0) - part.minus_share
+        shares[proof.status] = shares.get(proof.status, 0.0) + part.share
         known = numbers or proof.numbers
         shared = known.keys() & proof.numbers.keys()
         numbers = {key: x.union(proof.numbers[key]) for key, x in known.items() if key in shared}
-    undecided = -sum(part.minus_share for part in waiting)
+    undecided = sum(part.share for part in waiting)
     proved = [f"{status}: {100 * share:.6g} % of the inputs" for status, share in shares.items()]
     status = " or ".join(shares) if shares and not undecided else "undecided"
     return Theorem(status, proved, numbers, reason if undecided else ""), undecided
