@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "15e3d590f36407033707d95bce8c83f51e1c3521c76e3efd5d81b0b0f1c9235c"
+#define DIGEST "0409a8971657383de3e5ecce29360443d10db04300d1f14a0a834d8fd6954944"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3457,6 +3457,16 @@ INLINE V force_at_rest(Batch *b, V change)
     return steady + (change * at_rotation(b, c[job->role->normal_record], c[job->role->normal_record_sine], c[job->role->normal_record_vers]));
 }
 
+/* Return coefficient n of the product of two series. */
+INLINE V coefficient_of_product(V *p, V *q, int n)
+{
+    V total = broadcast(0);
+    for (int k = 0; k <= n; k++) {
+        total = total + (p[k] * q[n - k]);
+    }
+    return total;
+}
+
 /* Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates. */
 INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
 {
@@ -3470,15 +3480,7 @@ INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
     sine[0] = c[SINE_X];
     versine[0] = c[VERSINE_X];
     for (int n = 0; n <= TOP - 1; n++) {
-        V square = broadcast(0);
-        V lost = broadcast(0);
-        V across = broadcast(0);
-        for (int k = 0; k <= n; k++) {
-            square = square + (omega[k] * omega[n - k]);
-            lost = lost + (versine[k] * omega[n - k]);
-            across = across + (sine[k] * omega[n - k]);
-        }
-        V total = ((e[1] * sine[n]) + (e[2] * versine[n])) + (c[job->role->net_square] * square);
+        V total = ((e[1] * sine[n]) + (e[2] * versine[n])) + (c[job->role->net_square] * coefficient_of_product(omega, omega, n));
         if (n == 0) {
             total = total + e[0];
         }
@@ -3491,31 +3493,32 @@ INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
         net[n] = total;
         x[n + 1] = omega[n] * b->inverse[n + 1];
         omega[n + 1] = total * b->inverse[n + 1];
-        V along = omega[n] - lost;
+        V along = omega[n] - coefficient_of_product(versine, omega, n);
         sine[n + 1] = along * b->inverse[n + 1];
-        versine[n + 1] = across * b->inverse[n + 1];
+        versine[n + 1] = coefficient_of_product(sine, omega, n) * b->inverse[n + 1];
     }
 }
 
-/* Move lanes to the end of a piece, or to a standstill within it. */
-static void move_within(Batch *b, M here, int t)
+/* Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment, and their rates. */
+INLINE void find_factors(Batch *b, int t, V *factors, V *rise)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V factors[STRIDE];
-    V rise[STRIDE];
-    V sine[STRIDE];
-    V versine[STRIDE];
     rise[0] = c[job->role->net_record] * c[job->table[t].cell + RISE];
     rise[1] = c[job->role->net_record_sine] * c[job->table[t].cell + RISE];
     rise[2] = c[job->role->net_record_vers] * c[job->table[t].cell + RISE];
     factors[0] = c[job->role->drive] + (c[job->role->net_record] * c[job->table[t].cell + INC]);
     factors[1] = c[job->role->net_sine] + (c[job->role->net_record_sine] * c[job->table[t].cell + INC]);
     factors[2] = c[job->role->net_vers] + (c[job->role->net_record_vers] * c[job->table[t].cell + INC]);
-    expand_piece(b, factors, rise, sine, versine);
+}
+
+/* Shorten a step to a standstill, record a peak within it, and return the rate of the speed at its end. */
+static V pass_events(Batch *b, M here, V left)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
     V *omega = b->r + job->role->omega;
     V *net = b->r + job->role->net;
-    V left = c[job->table[t].cell + UPPER] - c[TIME];
     c[STEP] = pick(here, left, c[STEP]);
     c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     V loss = left * minimum(net[0], broadcast(0.0));
@@ -3532,6 +3535,23 @@ static void move_within(Batch *b, M here, int t)
     if (bits(peaks)) {
         keep_peak(b, peaks, TOP, rate, slope);
     }
+    return rate;
+}
+
+/* Move lanes to the end of a piece, or to a standstill within it. */
+static void move_within(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V factors[STRIDE];
+    V rise[STRIDE];
+    V sine[STRIDE];
+    V versine[STRIDE];
+    find_factors(b, t, factors, rise);
+    expand_piece(b, factors, rise, sine, versine);
+    V rate = pass_events(b, here, c[job->table[t].cell + UPPER] - c[TIME]);
+    V step = c[STEP];
+    V *omega = b->r + job->role->omega;
     V speed = omega[0] + increment(omega, TOP, step);
     M stops = here & ((c[EVENT] == (double)EVENT_STANDSTILL) | (speed <= 0.0));
     c[X] = pick(here, c[X] + increment(b->r + job->role->x, TOP, step), c[X]);

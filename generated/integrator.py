@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7997baebfb5feb67a54de56b114d7e03ff3a94b68b2065988aaf3f24ef35c9f4
+# sha256 of the text below: 362ebb95c05bf07a2889f20deb9cbc7db221b15dd115a9349f5af76cb81be443
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2069,6 +2069,14 @@ def force_at_rest(s: Lanes, change: Floats) -> Floats:
         c[s.roles.normal_record_vers])
 
 
+def coefficient_of_product(p: Floats, q: Floats, n: int) -> Floats:
+    """Return coefficient n of the product of two series."""
+    total: Floats = 0
+    for k in range(n + 1):
+        total = total + p[k] * q[n - k]
+    return total
+
+
 def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Floats) -> None:
     """Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates."""
     c = s.cells
@@ -2080,14 +2088,7 @@ def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Float
     sine[0] = c[ix.SINE_X]
     versine[0] = c[ix.VERSINE_X]
     for n in range(TOP - 1 + 1):
-        square: Floats = 0
-        lost: Floats = 0
-        across: Floats = 0
-        for k in range(n + 1):
-            square = square + omega[k] * omega[n - k]
-            lost = lost + versine[k] * omega[n - k]
-            across = across + sine[k] * omega[n - k]
-        total = e[1] * sine[n] + e[2] * versine[n] + c[s.roles.net_square] * square
+        total = e[1] * sine[n] + e[2] * versine[n] + c[s.roles.net_square] * coefficient_of_product(omega, omega, n)
         if n == 0:
             total = total + e[0]
         if n == 1:
@@ -2097,28 +2098,27 @@ def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Float
         net[n] = total
         x[n + 1] = omega[n] * (1.0 / (n + 1))
         omega[n + 1] = total * (1.0 / (n + 1))
-        along = omega[n] - lost
+        along = omega[n] - coefficient_of_product(versine, omega, n)
         sine[n + 1] = along * (1.0 / (n + 1))
-        versine[n + 1] = across * (1.0 / (n + 1))
+        versine[n + 1] = coefficient_of_product(sine, omega, n) * (1.0 / (n + 1))
 
 
-def move_within(s: Lanes, here: Mask, t: Table) -> None:
-    """Move lanes to the end of a piece, or to a standstill within it."""
+def find_factors(s: Lanes, t: Table, factors: Floats, rise: Floats) -> None:
+    """Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment, and their rates."""
     c = s.cells
-    factors = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    rise = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    sine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    versine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     rise[0] = c[s.roles.net_record] * c[t.cells + ix.RISE]
     rise[1] = c[s.roles.net_record_sine] * c[t.cells + ix.RISE]
     rise[2] = c[s.roles.net_record_vers] * c[t.cells + ix.RISE]
     factors[0] = c[s.roles.drive] + c[s.roles.net_record] * c[t.cells + ix.INC]
     factors[1] = c[s.roles.net_sine] + c[s.roles.net_record_sine] * c[t.cells + ix.INC]
     factors[2] = c[s.roles.net_vers] + c[s.roles.net_record_vers] * c[t.cells + ix.INC]
-    expand_piece(s, factors, rise, sine, versine)
+
+
+def pass_events(s: Lanes, here: Mask, left: Floats) -> Floats:
+    """Shorten a step to a standstill, record a peak within it, and return the rate of the speed at its end."""
+    c = s.cells
     omega = s.registers[s.roles.omega]
     net = s.registers[s.roles.net]
-    left = c[t.cells + ix.UPPER] - c[ix.TIME]
     c[ix.STEP] = np.where(here, left, c[ix.STEP])
     c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     loss = left * np.minimum(net[0], 0.0)
@@ -2132,6 +2132,21 @@ def move_within(s: Lanes, here: Mask, t: Table) -> None:
     peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(peaks):
         keep_peak(s, peaks, TOP, rate, slope)
+    return rate
+
+
+def move_within(s: Lanes, here: Mask, t: Table) -> None:
+    """Move lanes to the end of a piece, or to a standstill within it."""
+    c = s.cells
+    factors = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    rise = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    sine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    versine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    find_factors(s, t, factors, rise)
+    expand_piece(s, factors, rise, sine, versine)
+    rate = pass_events(s, here, c[t.cells + ix.UPPER] - c[ix.TIME])
+    step = c[ix.STEP].copy()
+    omega = s.registers[s.roles.omega]
     speed = omega[0] + increment(omega, TOP, step)
     stops = here & ((c[ix.EVENT] == ix.EVENT_STANDSTILL) | (speed <= 0.0))
     c[ix.X] = np.where(here, c[ix.X] + increment(s.registers[s.roles.x], TOP, step), c[ix.X])

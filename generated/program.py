@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5c2428ee9b419548398ba6bbac6ee297a778f69279bedb6d5b979928cd97bfff
+# sha256 of the text below: 0f8b6d434d6387fe355ca99384d231ed73f8f84801978e02c8d66fcc3f33a5a8
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -416,10 +416,9 @@ class Linker:
     def closed_form(self, registers: Mapping[str, str | None], outputs: dict[str, str]) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
-        The net moment may also contain exp(a x) - 1 or 1/(1 + a x) - 1, called loss, and its products with these. If
-        there is one function of time, called record,
-            it and its products with sin(x) and 1 - cos(x) may occur. There are
-        no factors if other registers or products occur in these sums, or no sine.
+        The net moment may also contain exp(a x) - 1 or 1/(1 + a x) - 1, called loss, and its products with these. One
+        function of time, called record, may occur, also in products with sin(x) and 1 - cos(x). There are no factors if
+        other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
         names = FACTORS | {table.argument: "record" for table in self._definitions.tables}

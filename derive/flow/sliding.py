@@ -68,29 +68,34 @@ def _peak(speed: Any, net: Any, after: Any) -> list[Any]:
     return [top, now + length * level.subs(numbers), behind + length * way]
 
 
-def _prove_series() -> None:
-    """Prove that the series of a turning mass satisfy the equation of motion to their order, for rational numbers."""
-    first, second, omega, sine_x, versine_x, square, *rest = (Rational(k, 7) for k in range(2, 12))
+def _turn(factors: list[Any], rise: list[Any], square: Any) -> list[Expr]:
+    """Return rotation, speed, sine and 1 - cosine of a turning mass as polynomials of the time in a piece."""
     names = ("x", "omega", "net", "sine", "versine")
-    series: dict[str, list[Any]] = {name: [Rational(0)] * STRIDE for name in names}
-    s = SimpleNamespace(x=0, omega=omega, sine_x=sine_x, versine_x=versine_x, net_square=square)
+    series: dict[str, list[Any]] = {name: [0] * STRIDE for name in names}
+    s = SimpleNamespace(x=0, omega=Rational(2, 7), sine_x=Rational(3, 7), versine_x=Rational(4, 7), net_square=square)
     s.inverse = [0, *(Rational(1, k) for k in range(1, STRIDE))]
     s.series = SimpleNamespace(**series)
-    factors = [first, *rest[:2]]
-    rise = [second, *rest[2:]]
     shaken.expand_piece(s, factors, rise, series["sine"], series["versine"])
-    x, speed, _, sine, versine = (sum(c * pieces.time**k for k, c in enumerate(series[name])) for name in names)
+    del series["net"]
+    return [sum(c * pieces.time**k for k, c in enumerate(of)) for of in series.values()]
+
+
+def _prove_series() -> None:
+    """Prove that the series of a turning mass satisfy the equation of motion to their order, for rational numbers."""
+    *numbers, square = (Rational(k, 5) for k in range(2, 9))
+    factors, rise = numbers[:3], numbers[3:]
+    x, omega, sine, versine = _turn(factors, rise, square)
     moments = (a + b * pieces.time for a, b in zip(factors, rise, strict=True))
     given = dict(zip((phase_plane.drive, phase_plane.sine, phase_plane.vers), moments, strict=True))
-    turned = {sin(phase_plane.x): sine, cos(phase_plane.x): 1 - versine}
+    given |= {sin(phase_plane.x): sine, cos(phase_plane.x): 1 - versine}
     rates = {
-        x: speed,
-        speed: phase_plane.NET.subs(given | turned) + square * speed**2,
-        sine: (1 - versine) * speed,
-        versine: sine * speed,
+        x: omega,
+        omega: phase_plane.NET.subs(given) + square * omega**2,
+        sine: (1 - versine) * omega,
+        versine: sine * omega,
     }
     for state, rate in rates.items():
-        missing: Expr = (state.diff(pieces.time) - rate).expand()
+        missing = (state.diff(pieces.time) - rate).expand()
         for k in range(shaken.TOP):
             prove_zero(missing.coeff(pieces.time, k), f"coefficient {k} of a turning mass in a piece")
 

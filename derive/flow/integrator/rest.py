@@ -3,7 +3,6 @@
 from derive.flow.integrator.one_lane import (
     INFINITY,
     Kind,
-    Lane,
     Lanes,
     Limit,
     M,

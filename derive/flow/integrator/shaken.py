@@ -10,6 +10,7 @@ from derive.flow.integrator.one_lane import (
     Event,
     Lanes,
     M,
+    N,
     Pending,
     S,
     Status,
@@ -54,6 +55,14 @@ def force_at_rest(s: Lanes, change: V) -> V:
     return steady + change * at_rotation(s, s.normal_record, s.normal_record_sine, s.normal_record_vers)
 
 
+def coefficient_of_product(p: S, q: S, n: N) -> V:
+    """Return coefficient n of the product of two series."""
+    total: V = 0
+    for k in up(0, n):
+        total = total + p[k] * q[n - k]
+    return total
+
+
 def expand_piece(s: Lanes, e: S, rise: S, sine: S, versine: S) -> None:
     """Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates."""
     x = s.series.x
@@ -64,14 +73,7 @@ def expand_piece(s: Lanes, e: S, rise: S, sine: S, versine: S) -> None:
     sine[0] = s.sine_x
     versine[0] = s.versine_x
     for n in up(0, TOP - 1):
-        square: V = 0
-        lost: V = 0
-        across: V = 0
-        for k in up(0, n):
-            square = square + omega[k] * omega[n - k]
-            lost = lost + versine[k] * omega[n - k]
-            across = across + sine[k] * omega[n - k]
-        total = e[1] * sine[n] + e[2] * versine[n] + s.net_square * square
+        total = e[1] * sine[n] + e[2] * versine[n] + s.net_square * coefficient_of_product(omega, omega, n)
         if n == 0:
             total = total + e[0]
         if n == 1:
@@ -81,27 +83,25 @@ def expand_piece(s: Lanes, e: S, rise: S, sine: S, versine: S) -> None:
         net[n] = total
         x[n + 1] = omega[n] * s.inverse[n + 1]
         omega[n + 1] = total * s.inverse[n + 1]
-        along = omega[n] - lost
+        along = omega[n] - coefficient_of_product(versine, omega, n)
         sine[n + 1] = along * s.inverse[n + 1]
-        versine[n + 1] = across * s.inverse[n + 1]
+        versine[n + 1] = coefficient_of_product(sine, omega, n) * s.inverse[n + 1]
 
 
-def move_within(s: Lanes, here: M, t: T) -> None:
-    """Move lanes to the end of a piece, or to a standstill within it."""
-    factors = new_series()
-    rise = new_series()
-    sine = new_series()
-    versine = new_series()
+def find_factors(s: Lanes, t: T, factors: S, rise: S) -> None:
+    """Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment, and their rates."""
     rise[0] = s.net_record * t.rise
     rise[1] = s.net_record_sine * t.rise
     rise[2] = s.net_record_vers * t.rise
     factors[0] = s.drive + s.net_record * t.inc
     factors[1] = s.net_sine + s.net_record_sine * t.inc
     factors[2] = s.net_vers + s.net_record_vers * t.inc
-    expand_piece(s, factors, rise, sine, versine)
+
+
+def pass_events(s: Lanes, here: M, left: V) -> V:
+    """Shorten a step to a standstill, record a peak within it, and return the rate of the speed at its end."""
     omega = s.series.omega
     net = s.series.net
-    left = t.upper - s.time
     s.step = left
     s.event = Event.NONE
     loss = left * minimum(net[0], 0.0)
@@ -115,6 +115,20 @@ def move_within(s: Lanes, here: M, t: T) -> None:
     peaks = here and rate <= 0.0 and net[0] > 0.0 and most > abs(s.peak_omega)
     if any_lane(peaks):
         keep_peak(s, peaks, TOP, rate, slope)
+    return rate
+
+
+def move_within(s: Lanes, here: M, t: T) -> None:
+    """Move lanes to the end of a piece, or to a standstill within it."""
+    factors = new_series()
+    rise = new_series()
+    sine = new_series()
+    versine = new_series()
+    find_factors(s, t, factors, rise)
+    expand_piece(s, factors, rise, sine, versine)
+    rate = pass_events(s, here, t.upper - s.time)
+    step = s.step
+    omega = s.series.omega
     speed = omega[0] + increment(omega, TOP, step)
     stops = here and (s.event == Event.STANDSTILL or speed <= 0.0)
     s.x = s.x + increment(s.series.x, TOP, step)
