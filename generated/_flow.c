@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "0409a8971657383de3e5ecce29360443d10db04300d1f14a0a834d8fd6954944"
+#define DIGEST "02389346dba4115a83f20e340ba3e21e4008b9ec57a165f5452a7ee147de8da7"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1453,18 +1453,13 @@ static const double SINES[] = {0.0, 0.009607359798384776, 0.03806023374435662, 0
 static const double COSINES[] = {0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, 0.25, 0.46193976625564337, 0.3535533905932738, 0.1913417161825449, 0.0, -0.1913417161825449, -0.3535533905932738, -0.46193976625564337, -0.25, 0.16666666666666666, 0.2771565374341817, 0.12756114412169658, -0.06503010733870943, -0.23570226039551587, -0.3269284268010768, -0.30795984417042893, -0.18519007767320073, 0.0, 0.125, 0.1767766952966369, 0.0, -0.1767766952966369, -0.25, -0.1767766952966369, 0.0, 0.1767766952966369, 0.125, 0.1, 0.11111404660392044, -0.07653668647301795, -0.1961570560806461, -0.1414213562373095, 0.03901806440322565, 0.18477590650225734, 0.16629392246050906, 0.0, 0.08333333333333333, 0.06378057206084829, -0.11785113019775793, -0.15397992208521447, 0.0, 0.15397992208521447, 0.11785113019775793, -0.06378057206084829, -0.08333333333333333, 0.07142857142857142, 0.027870046002304038, -0.13198279035875524, -0.07936717614565746, 0.10101525445522108, 0.11878137318607788, -0.054669061766441394, -0.1401121829147472, 0.0, 0.0625, 0.0, -0.125, 0.0, 0.125, 0.0, -0.125, 0.0, 0.0625, 0.05555555555555555, -0.021676702446236474, -0.10265328139014297, 0.06173002589106691, 0.07856742013183862, -0.09238551247806058, -0.042520381373898866, 0.10897614226702561, 0.0, 0.05, -0.038268343236508975, -0.07071067811865475, 0.09238795325112867, 0.0, -0.09238795325112867, 0.07071067811865475, 0.038268343236508975, -0.05, 0.045454545454545456, -0.050506384819963834, -0.03478940294228089, 0.08916229821847549, -0.0642824346533225, -0.017735483819648026, 0.08398904841011698, -0.07558814657295866, 0.0, 0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, 0.041666666666666664, 0.038461538461538464, -0.06395920094634963, 0.029437187105006906, 0.015006947847394482, -0.05439282932204212, 0.07544502156947927, -0.07106765634702206, 0.04273617177073863, 0.0, 0.03571428571428571, -0.06599139517937762, 0.05050762722761054, -0.027334530883220697, 0.0, 0.027334530883220697, -0.05050762722761054, 0.06599139517937762, -0.03571428571428571, 0.03333333333333333, -0.06538568536021536, 0.061591968834085783, -0.05543130748683635, 0.047140452079103175, -0.037038015534640145, 0.02551222882433932, -0.013006021467741885, 0.0, 0.03125, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.0625, -0.0625, 0.03125};
 static const double ARCSINE[] = {1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444444444, 0.022372159090909092, 0.017352764423076924, 0.01396484375, 0.011551800896139705, 0.009761609529194078, 0.008390335809616815, 0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096, 0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306};
 #define LAST_OF_ARCSINE 20
-#define SHORTEST 12
-static const double NODES[] = {0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107};
-static const double SHARES[] = {0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
-static const double LAST_SHARES[] = {-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794};
-static const double NEXT_SHARES[] = {0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834};
-static const double LONG_NODES[] = {0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
-static const double LONG_SHARES[] = {0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
-static const double LONG_LAST_SHARES[] = {-0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.711783956628457, -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685, 0.5256376989451522, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959};
-static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525, -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353, -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582, -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565, 0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744};
+#define SHORTEST 6
+static const double NODES[] = {0.033765242898423975, 0.16939530676686776, 0.38069040695840156, 0.6193095930415985, 0.8306046932331322, 0.966234757101576, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547, 0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213};
+static const double SHARES[] = {0.17132449237917036, 0.3607615730481386, 0.46791393457269104, 0.46791393457269104, 0.3607615730481386, 0.17132449237917036, 0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385};
+static const double LAST_SHARES[] = {-0.3876791299527941, 1.1682732733664538, -1.7223019283558145, 1.7223019283558145, -1.1682732733664538, 0.3876791299527941, -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303, 0.03014884408621794, -0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185, -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.711783956628457, -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685, 0.5256376989451522, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484, 0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847, -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959};
+static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.739753711800813, 0.739753711800813, -1.3904518577536216, 0.6506981459528086, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246, 0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525, -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353, -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582, -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565, 0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
-#define BEYOND 0x1.2000000000000p+0
 #define ROUNDING 0x1.0000000000000p-56
 #define CORRECTIONS 10
 #define LARGEST 0x1.f400000000000p+49
@@ -1479,6 +1474,7 @@ static const double LONG_NEXT_SHARES[] = {0.015395378857163742, -0.0534934727794
 #define SHORT 0x1.0000000000000p-7
 #define PRESSED 0x1.47ae147ae147bp-7
 #define SURELY 0x1.0000000000000p+2
+#define BEYOND 0x1.2000000000000p+0
 #define LONGEST 0x1.0000000000000p+0
 #define REACH 0x1.0000000000000p+2
 #define STRAIGHT 0x1.0000000000000p+4
@@ -2152,8 +2148,9 @@ INLINE M is_negligible(Batch *b, V term, V largest)
 INLINE void cut(Batch *b, V order, int top)
 {
     const Job *const job = b->job;
-    for (int n = 0; n <= top - 1; n++) {
+    for (int n = least(order); n <= top - 1; n++) {
         M within = order > (double)n;
+        (b->r + job->role->omega)[n + 1] = pick(within, (b->r + job->role->omega)[n + 1], broadcast(0.0));
         (b->r + job->role->net)[n] = pick(within, (b->r + job->role->net)[n], broadcast(0.0));
         if (job->role->normal >= 0) {
             (b->r + job->role->normal)[n] = pick(within, (b->r + job->role->normal)[n], broadcast(0.0));
@@ -2165,7 +2162,7 @@ INLINE void cut(Batch *b, V order, int top)
 }
 
 /* Set order 0 of the registers that do not result from operations, and the series of functions of time. */
-INLINE void begin_expansion(Batch *b, M which, int top, int at_rest, int by_rotation)
+INLINE void begin_expansion(Batch *b, M which, int top, int at_rest)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2180,35 +2177,14 @@ INLINE void begin_expansion(Batch *b, M which, int top, int at_rest, int by_rota
             }
         }
     }
-    if (by_rotation && (job->role->square >= 0)) {
-        (b->r + job->role->square)[0] = c[OMEGA];
-    }
     c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
-}
-
-/* Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation. */
-INLINE void integrate_in_rotation(Batch *b, int n, V order, int alike)
-{
-    const Job *const job = b->job;
-    V rate = 2.0 * (b->r + job->role->net)[n];
-    V coefficient = rate * b->inverse[n + 1];
-    coefficient = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
-    (b->r + job->role->omega)[n + 1] = coefficient;
-    (b->r + job->role->x)[n + 1] = broadcast((n == 0) ? 1.0 : 0.0);
-    if (job->role->square >= 0) {
-        (b->r + job->role->square)[n + 1] = coefficient;
-    }
 }
 
 /* Compute coefficient n + 1 of the states from coefficient n of their rates. It is zero beyond a lane's order and
  * at rest. */
-INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest, int by_rotation)
+INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
 {
     const Job *const job = b->job;
-    if (by_rotation) {
-        integrate_in_rotation(b, n, order, alike);
-        return;
-    }
     for (const State *q = job->state; q < job->state + job->states; q++) {
         V coefficient = broadcast(0.0);
         if (!at_rest) {
@@ -2232,69 +2208,26 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms. The
- * end is estimated by a parabola. If it is too near, another step follows. */
-INLINE V look_for_end(Batch *b, V room)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V *e = b->r + job->role->omega;
-    V product = e[0] * e[2];
-    V square = (e[1] * e[1]) - (4.0 * product);
-    V root = sqrt_of(maximum(square, broadcast(0.0)));
-    V end = (e[1] + root) / ((-2.0) * e[2]);
-    V nearer = minimum(BEYOND * end, room);
-    V path = pick(e[2] < 0.0, nearer, room);
-    V largest = maximum(magnitude(e[2]), path * magnitude(e[3]));
-    largest = maximum(magnitude(e[1]), path * largest);
-    c[LARGEST_OMEGA] = maximum(magnitude(e[0]), path * largest);
-    return path;
-}
-
-/* Return whether series end as soon as their terms are negligible. In rotation they do not where water or loads
- * are functions of it, which may change faster than the motion. */
-INLINE int may_end_early(Batch *b, int by_rotation)
-{
-    const Job *const job = b->job;
-    int early = job->timed;
-    if (by_rotation) {
-        early = 1;
-        for (int t = 0; t < job->tables; t++) {
-            if (job->table[t].kind == OF_ROTATION) {
-                early = 0;
-            }
-        }
-    }
-    return early;
-}
-
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
- * function of time, or with ``by_rotation`` an edge of a table or standstill, cuts the step short after ``room``,
- * a series ends as soon as two consecutive terms are negligible there, three if the speed grows beyond its first
- * term: from rest, the square of the speed begins after a gap. At rest the states are constant, and the net moment
- * decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
-INLINE int expand(Batch *b, V room, M which, int at_rest, int by_rotation)
+ * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+ * negligible there, three if the speed grows beyond its first term. At rest the states are constant, and the net
+ * moment decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
+INLINE int expand(Batch *b, V room, M which, int at_rest)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     V order = pick(which, c[ORDER], broadcast(1.0));
     int top = greatest(order);
     int alike = all_lanes(order == (double)top);
-    begin_expansion(b, which, top, at_rest, by_rotation);
+    begin_expansion(b, which, top, at_rest);
     V first = c[LARGEST_OMEGA];
-    int early = may_end_early(b, by_rotation);
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
     while (n < top) {
-        operate(b, n, by_rotation);
-        integrate_rates(b, n, order, alike, at_rest, by_rotation);
-        if (by_rotation && (n == 3)) {
-            room = look_for_end(b, room);
-            power = room * room;
-            power = power * power;
-            in_a_row = broadcast(0.0);
-        }
-        if (early) {
+        operate(b, n, 0);
+        integrate_rates(b, n, order, alike, at_rest);
+        if (job->timed) {
             M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
             power = power * room;
             in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
@@ -3254,7 +3187,7 @@ static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M p
 }
 
 /* Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge. */
-static void find_edges(Batch *b, M here, int t, int top)
+static void find_edges(Batch *b, M here, int t, int top, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3270,13 +3203,18 @@ static void find_edges(Batch *b, M here, int t, int top)
         find_crossing(b, varies, omega, top, broadcast(1.0), -c[job->table[t].cell + LOWER], faster, event + 1);
         return;
     }
+    if (by_rotation) {
+        V ahead = upper - c[X];
+        consider(b, here, pick(ends, ahead, broadcast(INFINITY)), event);
+        return;
+    }
     find_crossing(b, ends, b->r + job->role->x, top, broadcast(-1.0), upper, (M){0}, event);
 }
 
 /* Find the first event of the step. Of simultaneous events the last one in the order of the search is used. Water
  * over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
  * only until the first other event, beyond which it may pass zero twice. */
-static void find_events(Batch *b, M here, int top)
+static void find_events(Batch *b, M here, int top, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3293,7 +3231,7 @@ static void find_events(Batch *b, M here, int top)
                 known = !bits(here & (minimum(c[job->table[t].cell + UPPER], broadcast(FAR)) != c[job->table[t - 1].cell + UPPER]));
             }
             if (!known) {
-                find_edges(b, here, t, top);
+                find_edges(b, here, t, top, by_rotation);
             }
         }
     }
@@ -3404,10 +3342,10 @@ static void make_step(Batch *b, M here)
     V *const c = b->c;
     V limit = minimum(next_break(b), c[END_TIME]);
     V room = limit - c[TIME];
-    int top = expand(b, room, here, 0, 0);
+    int top = expand(b, room, here, 0);
     choose_step(b, here, top);
     M reaches_limit = reach_limit(b, here, room, top);
-    find_events(b, here, top);
+    find_events(b, here, top, 0);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
     M endless = is_endless(b, here, room);
     c[STEP] = pick(here, pick(endless, broadcast(0.0), c[STEP]), c[STEP]);
@@ -3654,10 +3592,179 @@ static void turn_through(Batch *b, M here, int t)
     }
 }
 
+/* Return whether the net moment has this form. */
+INLINE int has_recurrence(Batch *b)
+{
+    const Job *const job = b->job;
+    return HAS_CLOSED_FORM(job->role) && !SOFTENS(job->role);
+}
+
+/* Compute the series of start + sine sin(x) + vers (1 - cos(x)). */
+INLINE void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
+{
+    p[0] = start;
+    p[1] = sine;
+    p[2] = 0.5 * vers;
+    for (int n = 3; n <= top; n++) {
+        p[n] = (-p[n - 2]) * (b->inverse[n] * b->inverse[n - 1]);
+    }
+}
+
+/* Add the parts that E and its weight cause to coefficient n of net moment and weight. */
+INLINE void complete_net(Batch *b, V *weight, int n)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V net = 1.0 * (b->r + job->role->net)[n];
+    for (int t = 0; t < job->tables; t++) {
+        int most = job->table[t].degree < n ? job->table[t].degree : n;
+        for (int k = 1; k <= most; k++) {
+            net = net + (c[job->table[t].cell + Q1 + k - 1] * weight[n - k]);
+        }
+    }
+    (b->r + job->role->net)[n] = net + (c[job->role->net_square] * e[n]);
+    weight[n] = weight[n] + (c[job->role->net_loss_square] * e[n]);
+}
+
+/* Compute the series of the normal force and of the dip of the chord. */
+INLINE void expand_contact(Batch *b, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (job->role->normal >= 0) {
+        V *normal = b->r + job->role->normal;
+        expand_force(b, normal, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], top);
+        for (int n = 0; n <= top - 1; n++) {
+            normal[n] = normal[n] + (c[job->role->normal_square] * (b->r + job->role->omega)[n]);
+        }
+    }
+    if (job->role->upright >= 0) {
+        expand_force(b, b->r + job->role->upright, c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], top);
+    }
+}
+
+/* Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms. The
+ * end is estimated by a parabola. If it is too near, another step follows. */
+INLINE V look_for_end(Batch *b, V room)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V product = e[0] * e[2];
+    V square = (e[1] * e[1]) - (4.0 * product);
+    V root = sqrt_of(maximum(square, broadcast(0.0)));
+    V end = (e[1] + root) / ((-2.0) * e[2]);
+    V nearer = minimum(BEYOND * end, room);
+    V path = pick(e[2] < 0.0, nearer, room);
+    V largest = maximum(magnitude(e[2]), path * magnitude(e[3]));
+    largest = maximum(magnitude(e[1]), path * largest);
+    c[LARGEST_OMEGA] = maximum(magnitude(e[0]), path * largest);
+    return path;
+}
+
+/* Compute coefficient n of the net moment and n + 1 of the states. */
+INLINE void integrate_in_rotation(Batch *b, V *weight, int n)
+{
+    const Job *const job = b->job;
+    V *e = b->r + job->role->omega;
+    if (has_recurrence(b)) {
+        complete_net(b, weight, n);
+    }
+    if (!has_recurrence(b)) {
+        if (job->role->square >= 0) {
+            (b->r + job->role->square)[n] = e[n];
+        }
+        operate(b, n, 1);
+        (b->r + job->role->x)[n + 1] = broadcast((n == 0) ? 1.0 : 0.0);
+    }
+    e[n + 1] = (b->r + job->role->net)[n] * (2.0 * b->inverse[n + 1]);
+}
+
+/* Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order. A
+ * series ends as soon as two consecutive terms are negligible, unless water or loads are functions of the
+ * rotation, which may change faster than the motion. */
+static int expand_in_rotation(Batch *b, V room, M which)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int early = 1;
+    for (int t = 0; t < job->tables; t++) {
+        early = early && (job->table[t].kind != OF_ROTATION);
+    }
+    V order = pick(which, c[ORDER], broadcast(3.0));
+    int top = greatest(order);
+    V weight[STRIDE];
+    int recurs = has_recurrence(b);
+    begin_series(b);
+    if (recurs) {
+        expand_force(b, b->r + job->role->net, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], top);
+        expand_force(b, weight, c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], top);
+    }
+    V last = broadcast(0.0);
+    V power = broadcast(0.0);
+    M goes_on = which;
+    int n = 0;
+    while ((n < top) && bits(goes_on)) {
+        integrate_in_rotation(b, weight, n);
+        n = n + 1;
+        power = power * c[STEP];
+        M counts = which;
+        if (early && (n > 3)) {
+            counts = next_term_counts(b, n, power, 0);
+        }
+        if (n == 3) {
+            c[STEP] = look_for_end(b, room);
+            power = (c[STEP] * c[STEP]) * c[STEP];
+        }
+        last = pick(counts, broadcast((double)n), last);
+        goes_on = goes_on & (last > (double)(n - 2));
+    }
+    order = pick(last < (order - 1.0), maximum(last, broadcast(3.0)), order);
+    top = greatest(order);
+    if (recurs) {
+        expand_contact(b, top);
+    }
+    if (!recurs) {
+        operate_later(b, top);
+    }
+    cut(b, order, top);
+    c[SERIES_ORDER] = order;
+    return top;
+}
+
+/* Return the integral of v dv/(sqrt(E) (1 + per v^2)^2) over a path by a rule, infinite if it is uncertain. The
+ * path begins where v is ``first``, ``span`` is its length, and ``k_first`` the number of the rule's first node. */
+INLINE V integral(V *p, int n, int k_first, V most, V side, V first, V span, V per)
+{
+    V total = broadcast(0.0);
+    V last = broadcast(0.0);
+    V last_but_one = broadcast(0.0);
+    int near_second = bits(per > 0.0);
+    for (int k = k_first; k <= ((2 * k_first) + SHORTEST) - 1; k++) {
+        V past = span * NODES[k];
+        V v = first + past;
+        V square = v * v;
+        V share = broadcast(1.0);
+        if (near_second) {
+            share = 1.0 / (1.0 + (per * square));
+        }
+        V y = (past * (first + v)) * share;
+        V speed = sqrt_of(value(p, n, side * y));
+        V slowness = (v * (share * share)) / speed;
+        total = total + (SHARES[k] * slowness);
+        last = last + (LAST_SHARES[k] * slowness);
+        last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
+    }
+    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
+    return pick(accurate, total, broadcast(INFINITY));
+}
+
 /* Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain. E
  * is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the
  * motion if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the
- * variable v with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes. */
+ * variable v with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes; on
+ * a short path far from rest half as many may suffice. */
 INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
 {
     V size = magnitude(way);
@@ -3667,27 +3774,19 @@ INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
     V stretch = 1.0 + (per * beyond);
     V final = sqrt_of((beyond + size) / left);
     V span = (size * stretch) / (left * (first + final));
-    V total = broadcast(0.0);
-    V last = broadcast(0.0);
-    V last_but_one = broadcast(0.0);
-    int k_first = fine ? SHORTEST : 0;
-    for (int k = k_first; k <= ((2 * k_first) + SHORTEST) - 1; k++) {
-        V past = span * NODES[k];
-        V v = first + past;
-        V square = v * v;
-        V share = 1.0 / (1.0 + (per * square));
-        V y = (past * (first + v)) * share;
-        V speed = sqrt_of(value(p, n, side * y));
-        V slowness = (v * (share * share)) / speed;
-        total = total + (SHARES[k] * slowness);
-        last = last + (LAST_SHARES[k] * slowness);
-        last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
-    }
-    V time = (span * stretch) * total;
     V most = broadcast(fine ? CLOSER : EVEN);
-    M accurate = (magnitude(last) + magnitude(last_but_one)) <= (most * total);
-    time = pick(accurate, time, broadcast(INFINITY));
-    return pick(size > 0.0, time, broadcast(0.0));
+    int rule = fine ? (3 * SHORTEST) : SHORTEST;
+    M moves = size > 0.0;
+    M is_short = moves & (size <= beyond) & (per == 0.0);
+    V total = broadcast(INFINITY);
+    if (bits(is_short)) {
+        total = pick(is_short, integral(p, n, 0, most, side, first, span, per), total);
+    }
+    M remains = moves & (total == INFINITY);
+    if (bits(remains)) {
+        total = pick(remains, integral(p, n, rule, most, side, first, span, per), total);
+    }
+    return pick(moves, (span * stretch) * total, broadcast(0.0));
 }
 
 /* Return the distance at which the polynomial E has a zero, by Newton's method as far as it converges. It is
@@ -3725,6 +3824,18 @@ INLINE void expand_about_end(Batch *b, V *p, int n)
     p[0] = pick(stands, broadcast(0.0), p[0]);
 }
 
+/* Return 1 over the distance of the rest ahead, beyond a peak or estimated from E, or 0 if the path is too long. */
+INLINE V rest_ahead(Batch *b, M peaks, V to_end, V path)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *e = b->r + job->role->omega;
+    V by_bend = maximum((-e[2]) / e[1], broadcast(0.0));
+    V ahead = pick(peaks, 1.0 / (c[STEP] + to_end), by_bend);
+    M near = (e[1] > 0.0) & ((ahead * path) < NEAREST);
+    return pick(near, ahead, broadcast(0.0));
+}
+
 /* Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain. ``peak``
  * is the rotation at the greatest speed, infinite without one. */
 INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
@@ -3736,18 +3847,20 @@ INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
     M peaks = peak < INFINITY;
     V far = STRAIGHT * step;
     int fine = job->order > FINEST;
-    V of_end[STRIDE];
-    expand_about_end(b, of_end, top);
-    V to_end = distance_of_rest(of_end, top, broadcast(1.0), far);
     M rises = e[1] > 0.0;
-    M falls = ~rises & (of_end[1] < 0.0);
+    V of_end[STRIDE];
+    V to_end = 1.0 * far;
+    M falls = (M){0};
+    M nears = here & (peaks | ~rises);
+    if (bits(nears)) {
+        expand_about_end(b, of_end, top);
+        to_end = distance_of_rest(of_end, top, broadcast(1.0), far);
+        falls = here & ~rises & (of_end[1] < 0.0);
+    }
     V behind = distance_of_rest(e, top, broadcast(-1.0), far);
     behind = pick(rises, behind, far);
-    V by_bend = maximum((-e[2]) / e[1], broadcast(0.0));
-    V ahead = pick(peaks, 1.0 / (step + to_end), by_bend);
     V path = minimum(peak, step);
-    M near = rises & ((ahead * path) < NEAREST);
-    ahead = pick(near, ahead, broadcast(0.0));
+    V ahead = rest_ahead(b, peaks, to_end, path);
     V after = broadcast(0.0);
     if (bits(peaks)) {
         V back = pick(peaks, peak - step, broadcast(0.0));
@@ -3826,6 +3939,9 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
     c[OMEGA] = pick(here, sqrt_of(maximum(square, broadcast(0.0))), c[OMEGA]);
     M goes_on = (M){0};
     arrive(b, here, until, rate, steady, goes_on, goes_on);
+    if (has_recurrence(b)) {
+        enter_phase(b, here & uneventful, rate);
+    }
 }
 
 /* Make one step of moving lanes in powers of the rotation. If its duration is uncertain or extremely short, or
@@ -3836,10 +3952,10 @@ static void turn_on(Batch *b, M here)
     V omega = 1.0 * c[OMEGA];
     c[OMEGA] = pick(here, omega * omega, c[OMEGA]);
     V room = way_ahead(b);
-    int top = expand(b, room, here, 0, 1);
+    int top = expand_in_rotation(b, room, here);
     choose_step(b, here, top);
     shorten(b, here);
-    find_events(b, here, top);
+    find_events(b, here, top, 1);
     V peak = greatest_speed(b, here, top);
     const Pair before_after = times_of_step(b, here, top, peak);
     V before = before_after.one, after = before_after.other;
@@ -4257,19 +4373,14 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
     V lower = broadcast(0.0);
     int fine = job->order > FINEST;
     int longest = fine && (part == 0);
-    int k_first = (fine == part) ? SHORTEST : 0;
-    int k_last = longest ? ((4 * SHORTEST) - 1) : (((2 * k_first) + SHORTEST) - 1);
-    for (int k = k_first; k <= k_last; k++) {
-        V node = broadcast(longest ? LONG_NODES[k] : NODES[k]);
-        V weight = broadcast(longest ? LONG_SHARES[k] : SHARES[k]);
-        V weight_of_last = broadcast(longest ? LONG_LAST_SHARES[k] : LAST_SHARES[k]);
-        V weight_of_next = broadcast(longest ? LONG_NEXT_SHARES[k] : NEXT_SHARES[k]);
-        const Pair at_slowness = at_node(b, e, end, unit, bend, node, part);
+    int k_first = longest ? (7 * SHORTEST) : ((fine == part) ? (3 * SHORTEST) : SHORTEST);
+    for (int k = k_first; k <= ((2 * k_first) + SHORTEST) - 1; k++) {
+        const Pair at_slowness = at_node(b, e, end, unit, bend, broadcast(NODES[k]), part);
         V at = at_slowness.one, slowness = at_slowness.other;
-        total = pick(at > lower, total + (weight * slowness), broadcast(INFINITY));
+        total = pick(at > lower, total + (SHARES[k] * slowness), broadcast(INFINITY));
         lower = at;
-        last = last + (weight_of_last * slowness);
-        last_but_one = last_but_one + (weight_of_next * slowness);
+        last = last + (LAST_SHARES[k] * slowness);
+        last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
     V most = broadcast(fine ? CLOSER : ALIKE);
     V uneven = magnitude(last) + magnitude(last_but_one);
@@ -4766,7 +4877,7 @@ static void look_ahead(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int top = expand(b, room, here, 1, 0);
+    int top = expand(b, room, here, 1);
     V *net = b->r + job->role->net;
     M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
     M jumps = (net[0] > 0.0) & ~touches;
@@ -4936,15 +5047,22 @@ static void advance(Batch *b, M here)
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (HAS_CLOSED_FORM(job->role) && !job->timed && !(job->samples && SOFTENS(job->role))) {
+    int complete = HAS_CLOSED_FORM(job->role) && !(job->samples && SOFTENS(job->role));
+    for (int t = 0; t < job->tables; t++) {
+        complete = complete && (job->table[t].kind != OF_SLIP) && (job->table[t].kind != OF_TIME);
+    }
+    if (complete) {
         moving = moving & ~swing(b, moving);
     }
     if (job->by_rotation && !job->samples) {
         M turning = moving & (c[CLOCKED] == 0.0);
+        if (has_recurrence(b)) {
+            turning = turning & (c[X] == 0.0);
+        }
         if (bits(turning)) {
             turn_on(b, turning);
         }
-        moving = moving & (c[CLOCKED] > 0.0);
+        moving = moving & ~(turning & (c[CLOCKED] == 0.0));
     }
     if (__builtin_popcount(bits(moving)) > __builtin_popcount(bits(resting))) {
         make_step(b, moving);

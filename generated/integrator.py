@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 362ebb95c05bf07a2889f20deb9cbc7db221b15dd115a9349f5af76cb81be443
+# sha256 of the text below: 545e58047c8c7b326e818ff675ea5b4b1d98bff49d56b2f3a9557d542279b65d
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -305,82 +305,81 @@ ARCSINE = (1.0, 0.16666666666666666, 0.075, 0.044642857142857144, 0.030381944444
     0.0073125258735988454, 0.006447210311889649, 0.005740037670841924, 0.005153309682319905, 0.004660143486915096,
     0.004240907093679363, 0.003880964558837669, 0.0035692053938259347, 0.003297059503473485, 0.0030578216492580306)
 LAST_OF_ARCSINE = 20
-SHORTEST = 12
-NODES = (0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126, 0.31608425050090994,
-    0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087, 0.8849513370971523,
-    0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263, 0.0308627239986336,
-    0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223, 0.22728926430558022,
-    0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972, 0.5320284464313028,
-    0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198, 0.8240468259684878,
-    0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663, 0.9873642779856547,
-    0.9975936099985107)
-SHARES = (0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592, 0.2334925365383548,
-    0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592, 0.16007832854334622,
-    0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663, 0.04427743881741981,
-    0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388, 0.10744427011596563,
-    0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216, 0.12793819534675216,
-    0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388,
-    0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663,
-    0.0123412297999872)
-LAST_SHARES = (-0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653, -1.2179538033266577,
-    1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653, 0.6920832471686439,
-    -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303, -0.20157312656922508,
-    0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875, 0.7608887698130468,
-    -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926, -0.9885732942601926,
-    0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468, 0.658980420783875,
-    -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508, -0.10450373227140303,
-    0.03014884408621794)
-NEXT_SHARES = (0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892, 0.8552761124501606,
-    -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892, 1.0172337816331414,
-    -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246, 0.37003878592342787,
-    -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909, -0.8119664459895835,
-    0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703, -0.12389660921202703,
-    0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835, 0.8355933145971909,
-    -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787, -0.1992967279249246,
-    0.058702978041430834)
-LONG_NODES = (0.0006144963737869658, 0.003234913866824618, 0.007937708138586574, 0.014704203726876364,
-    0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607, 0.07820586918780326,
-    0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805, 0.1855663016117432,
-    0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416, 0.32562205685391965,
-    0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687, 0.4838099145185653,
-    0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445, 0.6436812436777277,
-    0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165, 0.7886123630419863,
-    0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701, 0.9035331020147213,
-    0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772, 0.9764938515802155,
-    0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213)
-LONG_SHARES = (0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454, 0.015579315722943849,
-    0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809, 0.03477722256477044,
-    0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048, 0.05035903555385447,
-    0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635, 0.06070443916589388,
-    0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009, 0.06473769681268392,
-    0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402, 0.062039423159892665,
-    0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165, 0.05289018948519367,
-    0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475, 0.03824135106583071,
-    0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438, 0.01961616045735553,
-    0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385)
-LONG_LAST_SHARES = (-0.007790034178160955, 0.027210382191082905, -0.053218548447853446, 0.08410186396997915,
-    -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195, -0.28029248353192465,
-    0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773, 0.488363825542185,
-    -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637, -0.6463178840446435,
-    0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226, 0.711783956628457,
-    -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056, -0.6677532432675436,
-    0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685, 0.5256376989451522,
-    -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257, -0.32318795454504484,
-    0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791, 0.1187845228885847,
-    -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959)
-LONG_NEXT_SHARES = (0.015395378857163742, -0.05349347277944267, 0.10363303001903507, -0.16152034625672088,
-    0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247, 0.4678720159660525,
-    -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646, -0.6076977904534808,
-    0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777, 0.44601843579385353,
-    -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842, -0.04560499610629582,
-    -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453, -0.3796917587665565,
-    0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979, 0.6003665987606669,
-    -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836, -0.5161184901411058,
-    0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775, 0.22399186460403825,
-    -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744)
+SHORTEST = 6
+NODES = (0.033765242898423975, 0.16939530676686776, 0.38069040695840156, 0.6193095930415985, 0.8306046932331322,
+    0.966234757101576, 0.009219682876640378, 0.047941371814762546, 0.11504866290284765, 0.20634102285669126,
+    0.31608425050090994, 0.43738329574426554, 0.5626167042557344, 0.6839157494990901, 0.7936589771433087,
+    0.8849513370971523, 0.9520586281852375, 0.9907803171233596, 0.0024063900014893447, 0.012635722014345263,
+    0.0308627239986336, 0.056792236497799464, 0.08999900701304853, 0.12993790421072282, 0.17595317403151223,
+    0.22728926430558022, 0.28310324618697746, 0.3424786601519183, 0.40444056626319186, 0.4679715535686972,
+    0.5320284464313028, 0.5955594337368082, 0.6575213398480817, 0.7168967538130225, 0.7727107356944198,
+    0.8240468259684878, 0.8700620957892772, 0.9100009929869515, 0.9432077635022005, 0.9691372760013663,
+    0.9873642779856547, 0.9975936099985107, 0.0006144963737869658, 0.003234913866824618, 0.007937708138586574,
+    0.014704203726876364, 0.023506148419784545, 0.034306654646722834, 0.047060431642215184, 0.06171398986287607,
+    0.07820586918780326, 0.09646689798527869, 0.11642048374212982, 0.13798293453809268, 0.16106381018366805,
+    0.1855663016117432, 0.21138763695801366, 0.2384195126388835, 0.2665485476245208, 0.2956567590046416,
+    0.32562205685391965, 0.3563187563222722, 0.38761810480265546, 0.41938882196555416, 0.4514976503952687,
+    0.4838099145185653, 0.5161900854814346, 0.5485023496047313, 0.5806111780344458, 0.6123818951973445,
+    0.6436812436777277, 0.6743779431460803, 0.7043432409953584, 0.7334514523754792, 0.7615804873611165,
+    0.7886123630419863, 0.8144336983882567, 0.8389361898163319, 0.8620170654619073, 0.8835795162578701,
+    0.9035331020147213, 0.9217941308121967, 0.938286010137124, 0.9529395683577848, 0.9656933453532772,
+    0.9764938515802155, 0.9852957962731237, 0.9920622918614135, 0.9967650861331754, 0.999385503626213)
+SHARES = (0.17132449237917036, 0.3607615730481386, 0.46791393457269104, 0.46791393457269104, 0.3607615730481386,
+    0.17132449237917036, 0.04717533638651183, 0.10693932599531843, 0.16007832854334622, 0.20316742672306592,
+    0.2334925365383548, 0.24914704581340277, 0.24914704581340277, 0.2334925365383548, 0.20316742672306592,
+    0.16007832854334622, 0.10693932599531843, 0.04717533638651183, 0.0123412297999872, 0.028531388628933663,
+    0.04427743881741981, 0.05929858491543678, 0.0733464814110803, 0.08619016153195327, 0.09761865210411388,
+    0.10744427011596563, 0.1155056680537256, 0.12167047292780339, 0.1258374563468283, 0.12793819534675216,
+    0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
+    0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
+    0.028531388628933663, 0.0123412297999872, 0.0031533460523058385, 0.0073275539012762625, 0.01147723457923454,
+    0.015579315722943849, 0.01961616045735553, 0.02357076083932438, 0.027426509708356948, 0.03116722783279809,
+    0.03477722256477044, 0.03824135106583071, 0.04154508294346475, 0.04467456085669428, 0.04761665849249048,
+    0.05035903555385447, 0.05289018948519367, 0.055199503699984165, 0.057277292100403214, 0.059114839698395635,
+    0.06070443916589388, 0.062039423159892665, 0.06311419228625402, 0.06392423858464819, 0.06446616443595009,
+    0.06473769681268392, 0.06473769681268392, 0.06446616443595009, 0.06392423858464819, 0.06311419228625402,
+    0.062039423159892665, 0.06070443916589388, 0.059114839698395635, 0.057277292100403214, 0.055199503699984165,
+    0.05289018948519367, 0.05035903555385447, 0.04761665849249048, 0.04467456085669428, 0.04154508294346475,
+    0.03824135106583071, 0.03477722256477044, 0.03116722783279809, 0.027426509708356948, 0.02357076083932438,
+    0.01961616045735553, 0.015579315722943849, 0.01147723457923454, 0.0073275539012762625, 0.0031533460523058385)
+LAST_SHARES = (-0.3876791299527941, 1.1682732733664538, -1.7223019283558145, 1.7223019283558145, -1.1682732733664538,
+    0.3876791299527941, -0.11253711127058313, 0.3787454113112651, -0.6920832471686439, 0.9888453586985653,
+    -1.2179538033266577, 1.3423224756654495, -1.3423224756654495, 1.2179538033266577, -0.9888453586985653,
+    0.6920832471686439, -0.3787454113112651, 0.11253711127058313, -0.030148844086217933, 0.10450373227140303,
+    -0.20157312656922508, 0.31217774827820993, -0.42930015376012065, 0.546768530245034, -0.658980420783875,
+    0.7608887698130468, -0.848074469558393, 0.9168449387260235, -0.9643317908246022, 0.9885732942601926,
+    -0.9885732942601926, 0.9643317908246022, -0.9168449387260235, 0.848074469558393, -0.7608887698130468,
+    0.658980420783875, -0.546768530245034, 0.42930015376012065, -0.31217774827820993, 0.20157312656922508,
+    -0.10450373227140303, 0.03014884408621794, -0.007790034178160955, 0.027210382191082905, -0.053218548447853446,
+    0.08410186396997915, -0.1187845228885847, 0.15643105228230791, -0.1963239421927137, 0.2378131591508195,
+    -0.28029248353192465, 0.32318795454504484, -0.36595248109290257, 0.40806385480730345, -0.4490247379947773,
+    0.488363825542185, -0.5256376989451522, 0.5604330646255685, -0.5923691692370727, 0.6211002458494637,
+    -0.6463178840446435, 0.6677532432675436, -0.6851790473890056, 0.6984113123199125, -0.7073107694370226,
+    0.711783956628457, -0.711783956628457, 0.7073107694370226, -0.6984113123199125, 0.6851790473890056,
+    -0.6677532432675436, 0.6463178840446435, -0.6211002458494637, 0.5923691692370727, -0.5604330646255685,
+    0.5256376989451522, -0.488363825542185, 0.4490247379947773, -0.40806385480730345, 0.36595248109290257,
+    -0.32318795454504484, 0.28029248353192465, -0.2378131591508195, 0.19632394219271368, -0.15643105228230791,
+    0.1187845228885847, -0.08410186396997914, 0.05321854844785345, -0.027210382191082915, 0.007790034178160959)
+NEXT_SHARES = (0.6506981459528086, -1.3904518577536216, 0.739753711800813, 0.739753711800813, -1.3904518577536216,
+    0.6506981459528086, 0.2108819967832719, -0.6537305004446008, 1.0172337816331414, -1.108736299700892,
+    0.8552761124501606, -0.3209250907210808, -0.3209250907210808, 0.8552761124501606, -1.108736299700892,
+    1.0172337816331414, -0.6537305004446008, 0.2108819967832719, 0.05870297804143083, -0.1992967279249246,
+    0.37003878592342787, -0.5414071368112371, 0.6887484365130017, -0.7917585973595219, 0.8355933145971909,
+    -0.8119664459895835, 0.7197832151957603, -0.565132082012826, 0.3605908690393087, -0.12389660921202703,
+    -0.12389660921202703, 0.3605908690393087, -0.565132082012826, 0.7197832151957603, -0.8119664459895835,
+    0.8355933145971909, -0.7917585973595219, 0.6887484365130017, -0.5414071368112371, 0.37003878592342787,
+    -0.1992967279249246, 0.058702978041430834, 0.015395378857163742, -0.05349347277944267, 0.10363303001903507,
+    -0.16152034625672088, 0.22399186460403825, -0.28829564702411775, 0.3519075741302629, -0.4124853958917247,
+    0.4678720159660525, -0.5161184901411058, 0.5555142313787836, -0.5846181008158503, 0.6022867338773646,
+    -0.6076977904534808, 0.6003665987606669, -0.5801551888747979, 0.5472731144586855, -0.5022697983595777,
+    0.44601843579385353, -0.3796917587665565, 0.30473021064864453, -0.2228033001446087, 0.13576509711972842,
+    -0.04560499610629582, -0.04560499610629582, 0.13576509711972842, -0.2228033001446087, 0.30473021064864453,
+    -0.3796917587665565, 0.44601843579385353, -0.5022697983595777, 0.5472731144586855, -0.5801551888747979,
+    0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836,
+    -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775,
+    0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
-BEYOND = 1.125
 ROUNDING = 1.3877787807814457e-17
 CORRECTIONS = 10
 LARGEST = 1099511627776000.0
@@ -395,6 +394,7 @@ TOP = 7
 SHORT = 0.0078125
 PRESSED = 0.01
 SURELY = 4.0
+BEYOND = 1.125
 LONGEST = 1.0
 REACH = 4.0
 STRAIGHT = 16.0
@@ -979,8 +979,9 @@ def is_negligible(s: Lanes, term: Floats, largest: Floats) -> Mask:
 
 def cut(s: Lanes, order: Floats, top: int) -> None:
     """Truncate the series that events use at each lane's order."""
-    for n in range(top - 1 + 1):
+    for n in range(least(order), top - 1 + 1):
         within = order > float(n)
+        s.registers[s.roles.omega][n + 1] = np.where(within, s.registers[s.roles.omega][n + 1], 0.0)
         s.registers[s.roles.net][n] = np.where(within, s.registers[s.roles.net][n], 0.0)
         if s.roles.normal >= 0:
             s.registers[s.roles.normal][n] = np.where(within, s.registers[s.roles.normal][n], 0.0)
@@ -988,7 +989,7 @@ def cut(s: Lanes, order: Floats, top: int) -> None:
             s.registers[s.roles.upright][n] = np.where(within, s.registers[s.roles.upright][n], 0.0)
 
 
-def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int, by_rotation: int) -> None:
+def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int) -> None:
     """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     c = s.cells
     begin_series(s)
@@ -999,27 +1000,11 @@ def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int, by_rotation: 
             i = np.flatnonzero(which)
             if i.size:
                 expand_sine(s, i, t, top)
-    if by_rotation and s.roles.square >= 0:
-        s.registers[s.roles.square][0] = c[ix.OMEGA]
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
 
 
-def integrate_in_rotation(s: Lanes, n: int, order: Floats, alike: int) -> None:
-    """Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation."""
-    rate = 2.0 * s.registers[s.roles.net][n]
-    coefficient = rate * (1.0 / (n + 1))
-    coefficient = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
-    s.registers[s.roles.omega][n + 1] = coefficient
-    s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
-    if s.roles.square >= 0:
-        s.registers[s.roles.square][n + 1] = coefficient
-
-
-def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int, by_rotation: int) -> None:
+def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -> None:
     """Compute coefficient n + 1 of the states from coefficient n of their rates."""
-    if by_rotation:
-        integrate_in_rotation(s, n, order, alike)
-        return
     for q in s.states:
         coefficient: Floats = 0.0
         if not at_rest:
@@ -1037,54 +1022,21 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     return counts
 
 
-def look_for_end(s: Lanes, room: Floats) -> Floats:
-    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms."""
-    c = s.cells
-    e = s.registers[s.roles.omega]
-    product = e[0] * e[2]
-    square = e[1] * e[1] - 4.0 * product
-    root = np.sqrt(np.maximum(square, 0.0))
-    end = (e[1] + root) / (-2.0 * e[2])
-    nearer = np.minimum(BEYOND * end, room)
-    path = np.where(e[2] < 0.0, nearer, room)
-    largest = np.maximum(np.abs(e[2]), path * np.abs(e[3]))
-    largest = np.maximum(np.abs(e[1]), path * largest)
-    c[ix.LARGEST_OMEGA] = np.maximum(np.abs(e[0]), path * largest)
-    return path
-
-
-def may_end_early(s: Lanes, by_rotation: int) -> int:
-    """Return whether series end as soon as their terms are negligible."""
-    early = s.timed
-    if by_rotation:
-        early = 1
-        for t in s.tables:
-            if t.kind == ix.OF_ROTATION:
-                early = 0
-    return early
-
-
-def expand(s: Lanes, room: Floats, which: Mask, at_rest: int, by_rotation: int) -> int:
+def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
     alike = all_lanes(order == float(top))
-    begin_expansion(s, which, top, at_rest, by_rotation)
+    begin_expansion(s, which, top, at_rest)
     first = c[ix.LARGEST_OMEGA].copy()
-    early = may_end_early(s, by_rotation)
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
     while n < top:
-        operate(s, n, by_rotation)
-        integrate_rates(s, n, order, alike, at_rest, by_rotation)
-        if by_rotation and n == 3:
-            room = look_for_end(s, room)
-            power = room * room
-            power = power * power
-            in_a_row = 0.0
-        if early:
+        operate(s, n, False)
+        integrate_rates(s, n, order, alike, at_rest)
+        if s.timed:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
@@ -1903,7 +1855,7 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
         consider(s, here, first_root(e, n, c[ix.STEP], asked), event)
 
 
-def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
+def find_edges(s: Lanes, here: Mask, t: Table, top: int, by_rotation: int) -> None:
     """Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge."""
     c = s.cells
     ends = here & (c[t.cells + ix.UPPER] < FAR)
@@ -1917,10 +1869,14 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
         faster = c[ix.PASSED] == ix.FASTER
         find_crossing(s, varies, omega, top, 1.0, -c[t.cells + ix.LOWER], faster, event + 1)
         return
+    if by_rotation:
+        ahead = upper - c[ix.X]
+        consider(s, here, np.where(ends, ahead, INFINITY), event)
+        return
     find_crossing(s, ends, s.registers[s.roles.x], top, -1.0, upper, none_of(s), event)
 
 
-def find_events(s: Lanes, here: Mask, top: int) -> None:
+def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
     """Find the first event of the step. Of simultaneous events the last one in the order of the search is used."""
     c = s.cells
     c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
@@ -1934,7 +1890,7 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
             if known:
                 known = not np.any(here & (np.minimum(c[t.cells + ix.UPPER], FAR) != c[t.before.cells + ix.UPPER]))
             if not known:
-                find_edges(s, here, t, top)
+                find_edges(s, here, t, top, by_rotation)
     if s.roles.normal >= 0:
         sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
         passed = c[ix.PASSED] == ix.LIFT
@@ -2021,10 +1977,10 @@ def make_step(s: Lanes, here: Mask) -> None:
     c = s.cells
     limit = np.minimum(next_break(s), c[ix.END_TIME])
     room = limit - c[ix.TIME]
-    top = expand(s, room, here, 0, False)
+    top = expand(s, room, here, 0)
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
-    find_events(s, here, top)
+    find_events(s, here, top, False)
     uneventful = c[ix.EVENT] == ix.EVENT_NONE
     endless = is_endless(s, here, room)
     c[ix.STEP] = np.where(here, np.where(endless, 0.0, c[ix.STEP]), c[ix.STEP])
@@ -2238,6 +2194,140 @@ def turn_through(s: Lanes, here: Mask, t: Table) -> None:
             enter_line(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
 
 
+def has_recurrence(s: Lanes) -> int:
+    """Return whether the net moment has this form."""
+    return s.roles.net_sine >= 0 and (not s.roles.loss_rate >= 0)
+
+
+def expand_force(s: Lanes, p: Floats, start: Floats, sine: Floats, vers: Floats, top: int) -> None:
+    """Compute the series of start + sine sin(x) + vers (1 - cos(x))."""
+    p[0] = start
+    p[1] = sine
+    p[2] = 0.5 * vers
+    for n in range(3, top + 1):
+        p[n] = -p[n - 2] * (1.0 / n * (1.0 / (n - 1)))
+
+
+def complete_net(s: Lanes, weight: Floats, n: int) -> None:
+    """Add the parts that E and its weight cause to coefficient n of net moment and weight."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    net = 1.0 * s.registers[s.roles.net][n]
+    for t in s.tables:
+        most = min(t.degree, n)
+        for k in range(1, most + 1):
+            net = net + c[t.cells + ix.Q1 + (k - 1)] * weight[n - k]
+    s.registers[s.roles.net][n] = net + c[s.roles.net_square] * e[n]
+    weight[n] = weight[n] + c[s.roles.net_loss_square] * e[n]
+
+
+def expand_contact(s: Lanes, top: int) -> None:
+    """Compute the series of the normal force and of the dip of the chord."""
+    c = s.cells
+    if s.roles.normal >= 0:
+        normal = s.registers[s.roles.normal]
+        expand_force(s, normal, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], top)
+        for n in range(top - 1 + 1):
+            normal[n] = normal[n] + c[s.roles.normal_square] * s.registers[s.roles.omega][n]
+    if s.roles.upright >= 0:
+        expand_force(s, s.registers[s.roles.upright], c[s.roles.normal_load], c[s.roles.upright_sine],
+            c[s.roles.upright_vers], top)
+
+
+def look_for_end(s: Lanes, room: Floats) -> Floats:
+    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    product = e[0] * e[2]
+    square = e[1] * e[1] - 4.0 * product
+    root = np.sqrt(np.maximum(square, 0.0))
+    end = (e[1] + root) / (-2.0 * e[2])
+    nearer = np.minimum(BEYOND * end, room)
+    path = np.where(e[2] < 0.0, nearer, room)
+    largest = np.maximum(np.abs(e[2]), path * np.abs(e[3]))
+    largest = np.maximum(np.abs(e[1]), path * largest)
+    c[ix.LARGEST_OMEGA] = np.maximum(np.abs(e[0]), path * largest)
+    return path
+
+
+def integrate_in_rotation(s: Lanes, weight: Floats, n: int) -> None:
+    """Compute coefficient n of the net moment and n + 1 of the states."""
+    e = s.registers[s.roles.omega]
+    if has_recurrence(s):
+        complete_net(s, weight, n)
+    if not has_recurrence(s):
+        if s.roles.square >= 0:
+            s.registers[s.roles.square][n] = e[n]
+        operate(s, n, True)
+        s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
+    e[n + 1] = s.registers[s.roles.net][n] * (2.0 * (1.0 / (n + 1)))
+
+
+def expand_in_rotation(s: Lanes, room: Floats, which: Mask) -> int:
+    """Compute the series of a step up to ``room``, or the estimated end of motion, and return their highest order."""
+    c = s.cells
+    early = True
+    for t in s.tables:
+        early = early and t.kind != ix.OF_ROTATION
+    order = np.where(which, c[ix.ORDER], 3.0)
+    top = greatest(order)
+    weight = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    recurs = has_recurrence(s)
+    begin_series(s)
+    if recurs:
+        expand_force(s, s.registers[s.roles.net], c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], top)
+        expand_force(s, weight, c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], top)
+    last: Floats = 0.0
+    power: Floats = 0.0
+    goes_on = which
+    n = 0
+    while n < top and np.any(goes_on):
+        integrate_in_rotation(s, weight, n)
+        n = n + 1
+        power = power * c[ix.STEP]
+        counts = which
+        if early and n > 3:
+            counts = next_term_counts(s, n, power, False)
+        if n == 3:
+            c[ix.STEP] = look_for_end(s, room)
+            power = c[ix.STEP] * c[ix.STEP] * c[ix.STEP]
+        last = np.where(counts, float(n), last)
+        goes_on = goes_on & (last > float(n - 2))
+    order = np.where(last < order - 1.0, np.maximum(last, 3.0), order)
+    top = greatest(order)
+    if recurs:
+        expand_contact(s, top)
+    if not recurs:
+        operate_later(s, top)
+    cut(s, order, top)
+    c[ix.SERIES_ORDER] = order
+    return top
+
+
+def integral(p: Floats, n: int, k_first: int, most: Floats, side: Floats, first: Floats, span: Floats,
+        per: Floats) -> Floats:
+    """Return the integral of v dv/(sqrt(E) (1 + per v^2)^2) over a path by a rule, infinite if it is uncertain."""
+    total: Floats = 0.0
+    last: Floats = 0.0
+    last_but_one: Floats = 0.0
+    near_second = np.any(per > 0.0)
+    for k in range(k_first, 2 * k_first + SHORTEST - 1 + 1):
+        past = span * NODES[k]
+        v = first + past
+        square = v * v
+        share: Floats = 1.0
+        if near_second:
+            share = 1.0 / (1.0 + per * square)
+        y = past * (first + v) * share
+        speed = np.sqrt(value(p, n, side * y))
+        slowness = v * (share * share) / speed
+        total = total + SHARES[k] * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    accurate = np.abs(last) + np.abs(last_but_one) <= most * total
+    return np.where(accurate, total, INFINITY)
+
+
 def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Floats) -> Floats:
     """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain."""
     size = np.abs(way)
@@ -2247,26 +2337,17 @@ def time_over(p: Floats, n: int, fine: int, way: Floats, beyond: Floats, per: Fl
     stretch = 1.0 + per * beyond
     final = np.sqrt((beyond + size) / left)
     span = size * stretch / (left * (first + final))
-    total: Floats = 0.0
-    last: Floats = 0.0
-    last_but_one: Floats = 0.0
-    k_first = SHORTEST if fine else 0
-    for k in range(k_first, 2 * k_first + SHORTEST - 1 + 1):
-        past = span * NODES[k]
-        v = first + past
-        square = v * v
-        share = 1.0 / (1.0 + per * square)
-        y = past * (first + v) * share
-        speed = np.sqrt(value(p, n, side * y))
-        slowness = v * (share * share) / speed
-        total = total + SHARES[k] * slowness
-        last = last + LAST_SHARES[k] * slowness
-        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    time = span * stretch * total
     most: Floats = CLOSER if fine else EVEN
-    accurate = np.abs(last) + np.abs(last_but_one) <= most * total
-    time = np.where(accurate, time, INFINITY)
-    return np.where(size > 0.0, time, 0.0)
+    rule = 3 * SHORTEST if fine else SHORTEST
+    moves = size > 0.0
+    is_short = moves & (size <= beyond) & (per == 0.0)
+    total: Floats = INFINITY
+    if np.any(is_short):
+        total = np.where(is_short, integral(p, n, 0, most, side, first, span, per), total)
+    remains = moves & (total == INFINITY)
+    if np.any(remains):
+        total = np.where(remains, integral(p, n, rule, most, side, first, span, per), total)
+    return np.where(moves, span * stretch * total, 0.0)
 
 
 def distance_of_rest(p: Floats, n: int, side: Floats, far: Floats) -> Floats:
@@ -2294,6 +2375,16 @@ def expand_about_end(s: Lanes, p: Floats, n: int) -> None:
     p[0] = np.where(stands, 0.0, p[0])
 
 
+def rest_ahead(s: Lanes, peaks: Mask, to_end: Floats, path: Floats) -> Floats:
+    """Return 1 over the distance of the rest ahead, beyond a peak or estimated from E, or 0 if the path is too long."""
+    c = s.cells
+    e = s.registers[s.roles.omega]
+    by_bend = np.maximum(-e[2] / e[1], 0.0)
+    ahead = np.where(peaks, 1.0 / (c[ix.STEP] + to_end), by_bend)
+    near = (e[1] > 0.0) & (ahead * path < NEAREST)
+    return np.where(near, ahead, 0.0)
+
+
 def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats, Floats]:
     """Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain."""
     c = s.cells
@@ -2302,18 +2393,19 @@ def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats,
     peaks = peak < INFINITY
     far = STRAIGHT * step
     fine = s.highest > FINEST
-    of_end = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    expand_about_end(s, of_end, top)
-    to_end = distance_of_rest(of_end, top, 1.0, far)
     rises = e[1] > 0.0
-    falls = np.logical_not(rises) & (of_end[1] < 0.0)
+    of_end = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    to_end = 1.0 * far
+    falls = none_of(s)
+    nears = here & (peaks | np.logical_not(rises))
+    if np.any(nears):
+        expand_about_end(s, of_end, top)
+        to_end = distance_of_rest(of_end, top, 1.0, far)
+        falls = here & np.logical_not(rises) & (of_end[1] < 0.0)
     behind = distance_of_rest(e, top, -1.0, far)
     behind = np.where(rises, behind, far)
-    by_bend = np.maximum(-e[2] / e[1], 0.0)
-    ahead = np.where(peaks, 1.0 / (step + to_end), by_bend)
     path = np.minimum(peak, step)
-    near = rises & (ahead * path < NEAREST)
-    ahead = np.where(near, ahead, 0.0)
+    ahead = rest_ahead(s, peaks, to_end, path)
     after: Floats = 0.0
     if np.any(peaks):
         back = np.where(peaks, peak - step, 0.0)
@@ -2378,6 +2470,8 @@ def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until
     c[ix.OMEGA] = np.where(here, np.sqrt(np.maximum(square, 0.0)), c[ix.OMEGA])
     goes_on = none_of(s)
     arrive(s, here, until, rate, steady, goes_on, goes_on)
+    if has_recurrence(s):
+        enter_phase(s, here & uneventful, rate)
 
 
 def turn_on(s: Lanes, here: Mask) -> None:
@@ -2386,10 +2480,10 @@ def turn_on(s: Lanes, here: Mask) -> None:
     omega = 1.0 * c[ix.OMEGA]
     c[ix.OMEGA] = np.where(here, omega * omega, c[ix.OMEGA])
     room = way_ahead(s)
-    top = expand(s, room, here, 0, True)
+    top = expand_in_rotation(s, room, here)
     choose_step(s, here, top)
     shorten(s, here)
-    find_events(s, here, top)
+    find_events(s, here, top, True)
     peak = greatest_speed(s, here, top)
     before, after = times_of_step(s, here, top, peak)
     count = 0
@@ -2746,18 +2840,13 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
     lower: Floats = 0.0
     fine = s.highest > FINEST
     longest = fine and part == 0
-    k_first = SHORTEST if fine == part else 0
-    k_last = 4 * SHORTEST - 1 if longest else 2 * k_first + SHORTEST - 1
-    for k in range(k_first, k_last + 1):
-        node: Floats = LONG_NODES[k] if longest else NODES[k]
-        weight: Floats = LONG_SHARES[k] if longest else SHARES[k]
-        weight_of_last: Floats = LONG_LAST_SHARES[k] if longest else LAST_SHARES[k]
-        weight_of_next: Floats = LONG_NEXT_SHARES[k] if longest else NEXT_SHARES[k]
-        at, slowness = at_node(s, e, end, unit, bend, node, part)
-        total = np.where(at > lower, total + weight * slowness, INFINITY)
+    k_first = 7 * SHORTEST if longest else 3 * SHORTEST if fine == part else SHORTEST
+    for k in range(k_first, 2 * k_first + SHORTEST - 1 + 1):
+        at, slowness = at_node(s, e, end, unit, bend, NODES[k], part)
+        total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
-        last = last + weight_of_last * slowness
-        last_but_one = last_but_one + weight_of_next * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     most: Floats = CLOSER if fine else ALIKE
     uneven = np.abs(last) + np.abs(last_but_one)
     accurate = uneven <= most * total
@@ -3173,7 +3262,7 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
-    top = expand(s, room, here, 1, False)
+    top = expand(s, room, here, 1)
     net = s.registers[s.roles.net]
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
     jumps = (net[0] > 0.0) & np.logical_not(touches)
@@ -3319,13 +3408,18 @@ def advance(s: Lanes, here: Mask) -> None:
     c = s.cells
     moving = here & (c[ix.STATUS] == ix.MOVING)
     resting = here & (c[ix.STATUS] == ix.RESTING)
-    if s.roles.net_sine >= 0 and (not s.timed) and (not (s.sample_count and s.roles.loss_rate >= 0)):
+    complete = s.roles.net_sine >= 0 and (not (s.sample_count and s.roles.loss_rate >= 0))
+    for t in s.tables:
+        complete = complete and t.kind != ix.OF_SLIP and (t.kind != ix.OF_TIME)
+    if complete:
         moving = moving & np.logical_not(swing(s, moving))
     if s.by_rotation and (not s.sample_count):
         turning = moving & (c[ix.CLOCKED] == 0.0)
+        if has_recurrence(s):
+            turning = turning & (c[ix.X] == 0.0)
         if np.any(turning):
             turn_on(s, turning)
-        moving = moving & (c[ix.CLOCKED] > 0.0)
+        moving = moving & np.logical_not(turning & (c[ix.CLOCKED] == 0.0))
     if np.count_nonzero(moving) > np.count_nonzero(resting):
         make_step(s, moving)
     if np.any(resting) and np.count_nonzero(resting) >= np.count_nonzero(moving):

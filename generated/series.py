@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f7d1de122b4de54b05c57e2c74d8e2c8e0e052cef5dfd6e402cb22c597ef56a9
+# sha256 of the text below: 5dc97950a01d3e29279503fd61202e5f462cd4637a99143444a11138fcbfc226
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "0409a8971657383de3e5ecce29360443d10db04300d1f14a0a834d8fd6954944"  # of the compiled integrator's source
+DIGEST = "02389346dba4115a83f20e340ba3e21e4008b9ec57a165f5452a7ee147de8da7"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -16,7 +16,7 @@ from derive.algebra import phase_plane
 from derive.algebra.phase_plane import drive, q, sine, vers, x
 from derive.check.proof import ProofError
 from derive.flow import closed
-from derive.flow.integrator import energy, hyperbolic, one_lane, softening, swing, waves
+from derive.flow.integrator import energy, hyperbolic, one_lane, recurrence, softening, swing, waves
 from derive.flow.layout import STRIDE
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
@@ -25,6 +25,7 @@ from tests.support import lanes, oracle, taylor
 from tests.support.phases import COUNT, EFFECTS, TURNING, in_time, random_scene
 
 SOFTENING_LAWS = ("exponential", "hyperbolic")
+TABLE: dict[str, Any] = {"law": "tabulated", "slip": [0.0, 0.5, 2.0, 30.0], "coefficient": [0.35, 0.3, 0.2, 0.14]}
 DECIDED = [ix.STATUS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED]
 MEASURED = [ix.REST_SINCE, ix.PEAK_TIME, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.REACH_ROTATION, ix.REACH_TIME]
 AT_END = [ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE]
@@ -80,11 +81,14 @@ def test_an_end_time_just_before_rest_keeps_the_digits_of_the_speed() -> None:
     assert found[ix.END_OMEGA] == pytest.approx(-found[ix.END_RATE] * (left / per_second), rel=1e-7)
 
 
+@pytest.mark.parametrize("law", ["linear", "tabulated"])
 @pytest.mark.parametrize("name", EFFECTS)
-def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str) -> None:
-    """Friction softens linearly; a third of the masses are pushed, in both directions."""
+def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str, law: str) -> None:
+    """Friction softens in pieces; a third of the masses are pushed, in both directions."""
     for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
         scene = random_scene(EFFECTS[name], end, softens="linear")
+        if law == "tabulated":
+            scene = replace(scene, friction=TABLE)
         problem = lanes.posed(scene, 1e-15)
         assert problem.program.by_rotation
         expected = lanes.integrate(in_time(problem), which)
@@ -148,6 +152,20 @@ def test_softening_ensembles_have_the_digits_of_a_plain_integration(length: floa
         exact = taylor.solve(given | {"friction": friction, "end_time": None}, digits=20)
         for name in ("run_out", "duration", "peak_velocity"):
             assert found[name][lane] == pytest.approx(float(exact[name]), rel=1e-10), name
+
+
+@pytest.mark.parametrize("law", [{"law": "linear", "peak": 0.35, "residual": 0.14, "length": 20.0}, TABLE])
+def test_pieces_have_the_digits_of_a_plain_integration(law: dict[str, Any]) -> None:
+    """Vaiont with three cohesions, by Taylor series in time with twenty digits."""
+    vaiont: Scene[Any] = load("vaiont")
+    cohesions = np.array([0.0, 2e4, 1e5])
+    effects = [TURNING | {"cohesion": {"cohesion": cohesion}} for cohesion in (cohesions, *cohesions)]
+    found = solve(replace(vaiont, friction=law, effects=effects[0]), 1e-9).outcomes
+    for lane, of_lane in enumerate(effects[1:]):
+        given = {"arc": oracle.plain(vaiont.arc), "effects": of_lane, "initial_velocity": 0.0}
+        exact = taylor.solve(given | {"friction": law, "end_time": None}, digits=20)
+        for name in ("run_out", "duration", "peak_velocity"):
+            assert found[name][lane] == pytest.approx(float(exact[name]), rel=1e-11), name
 
 
 # --- E and the duration, with many digits ----------------------------------------------------------------------------
@@ -277,10 +295,10 @@ def test_the_plain_series_is_not_used_near_resonances(slope: float) -> None:
     assert softening.series_suffices(s, e) == (slope > 2)
 
 
-@pytest.mark.parametrize("degree", [one_lane.SHORTEST - 1, one_lane.SHORTEST - 2])
+@pytest.mark.parametrize("degree", [2 * one_lane.SHORTEST - 1, 2 * one_lane.SHORTEST - 2])
 def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """The integrand is 1 + c P(v), with a polynomial of Legendre that the rule just resolves."""
-    nodes = np.array(one_lane.NODES[: one_lane.SHORTEST])
+    nodes = np.array(one_lane.NODES[one_lane.SHORTEST : 3 * one_lane.SHORTEST])
     unit = 1e-3
     share = 1 / (unit * nodes**2 + 1)
     for part, uncertain in ((1e-7, False), (1e-4, True)):
@@ -387,6 +405,16 @@ def test_a_fault_of_the_closed_form_is_not_proved(monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(softening, "softening_factors", wrong_series)
     with pytest.raises(ProofError, match="E under hyperbolic friction in the integrator"):
+        closed.prove()
+    monkeypatch.undo()
+    complete = recurrence.complete_net
+
+    def wrong_weight(s: Any, weight: Any, n: int) -> None:
+        complete(s, weight, n)
+        weight[n] *= 1.01 if n == 1 else 1
+
+    monkeypatch.setattr(recurrence, "complete_net", wrong_weight)
+    with pytest.raises(ProofError, match="E in a piece of a table in the integrator"):
         closed.prove()
     monkeypatch.setattr(phase_plane, "NET", phase_plane.NET + phase_plane.x)
     with pytest.raises(ProofError, match="term 0 under softening"):

@@ -9,8 +9,7 @@ from functools import cache
 
 import mpmath
 import sympy as sp
-from mpmath import fsum, linspace, mpf, nstr, quad, workdps
-from mpmath.calculus.quadrature import GaussLegendre
+from mpmath import linspace, mpf, nstr, quad, workdps
 from sympy import (
     Add,
     Expr,
@@ -151,13 +150,11 @@ def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits:
     with workdps(digits + 15):
         first = mpf(theta_1_value)
         half = mpf(alpha_value)
-        rule = GaussLegendre(mpmath.mp).calc_nodes(2, mpmath.mp.prec)  # six nodes, exact for r**11
 
         def ring(angle: mpf) -> mpf:
             chord = mpmath.cos(half) / mpmath.cos(angle - first - half)
-            middle = (1 + chord) / 2
-            reach = (1 - chord) / 2
-            return reach * fsum(share * function(middle + reach * x, angle) for x, share in rule)
+            # Degree 2 has six nodes, exact for r**11.
+            return quad(lambda x: function(x, angle), [chord, 1], method="gauss-legendre", maxdegree=2)
 
         total = quad(ring, [first, first + half, first + 2 * half])
     with workdps(digits):

@@ -33,9 +33,9 @@ x, q, drive, sine, vers = symbols("x q drive sine vers", real=True)
 SOFTENING = slope, brake, load, load_sine, load_vers = symbols("slope brake load load_sine load_vers", real=True)
 NET = drive + sine * sin(x) + vers * (1 - cos(x))  # net moment over Theta*, without the part that omega^2 causes
 LOAD = load + load_sine * sin(x) + load_vers * (1 - cos(x))  # what friction loses of it by exp(-slope x)
-E_AT, SLOPE_OF_E = symbols("E slope_of_E", real=True)
-H = 1 / (1 + slope * x)
-HYPERBOLIC = SLOPE_OF_E + (q + brake * H) * E_AT - 2 * (NET + H * LOAD)  # zero under hyperbolically softening friction
+E_AT, SLOPE_OF_E, LEFT = symbols("E slope_of_E left", real=True)
+EQUATION = SLOPE_OF_E + (q + brake * LEFT) * E_AT - 2 * (NET + LEFT * LOAD)  # zero under any law with LEFT for the exp
+HYPERBOLIC = EQUATION.subs(LEFT, 1 / (1 + slope * x))
 W = (q * x - 1 + exp(-q * x)) / q**2
 # Functions of which E is the sum: none cancels for small x, and x^2 1F1(1; 3; -q x)/2 = W is regular at q = 0.
 BASIS = (x, W, 1 - cos(x), x - sin(x))

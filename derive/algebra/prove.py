@@ -99,12 +99,8 @@ def _quotient(e: Expr, known: Mapping[Expr, Quotient], claim: str) -> Quotient:
         raise ProofError(claim, e, "a rational function")
     (top, bottom), *others = (_quotient(part, known, claim) for part in e.args)
     for over, under in others:
-        if e.is_Mul:
-            top, bottom = top * over, bottom * under
-        else:  # denominators recur, so that their products would have high powers
-            missing = under / bottom.gcd(under)
-            bottom = bottom * missing
-            top = top * missing + over * (bottom / under)
+        top = top * over if e.is_Mul else top * under + over * bottom
+        bottom = bottom * under
     return top, bottom
 
 

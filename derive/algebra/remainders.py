@@ -37,11 +37,8 @@ class SineRest(Function):
         """Return the polynomial that computes it, without terms below 2**-56 of the first."""
         coefficients = [Rational((-1) ** k, factorial(2 * k + 1)) for k in range(1, 30)]
         least = Rational(1, 2**56) * abs(coefficients[0])
-        count = 0
-        while abs(coefficients[count]) * pi ** (2 * count) >= least:
-            count += 1
         (x,) = self.args
-        return Horner(x**2, *coefficients[:count])
+        return Horner(x**2, *(c for k, c in enumerate(coefficients) if abs(c) * pi ** (2 * k) >= least))
 
 
 def unfold(expression: Expr) -> Expr:

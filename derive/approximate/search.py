@@ -23,7 +23,7 @@ from derive.check.patches import patches
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, seal
 from derive.declare.symbols import alpha
-from derive.kinds import Coefficients, Pair
+from derive.kinds import Pair
 from derive.progress import parallel
 
 SEAMS = [k / 100 for k in range(64, 124, 4)]
@@ -85,12 +85,8 @@ def baseline(closed: Expr, seam: float) -> Far:
     for k in range(25):
         x = seam + (HALF_PI - seam) * k / 24
         values.append((x, float(value_at(closed, arb(x)))))
-    about = end(closed)
-
-    def rank(far: Far) -> Coefficients:
-        return _correction(far, about.odd, values), abs(far.bend - about.first), far.slope, far.line, far.bend
-
-    return min(_baselines(values, about.odd), key=rank)
+    odd = end(closed).odd
+    return min(_baselines(values, odd), key=lambda far: _correction(far, odd, values))
 
 
 def _baselines(values: Sequence[Pair], odd: bool) -> Iterator[Far]:

@@ -83,11 +83,7 @@ def _horner(x: RecordedValue, coefficients: Coefficients) -> RecordedValue:
 
 def sinc(x: RecordedValue, terms: int) -> RecordedValue:
     """Return sin(x)/x by its Taylor series of this many terms."""
-    taylor = []
-    for k in range(terms):
-        size = 1 / math.factorial(2 * k + 1)
-        taylor.append(-size if k % 2 else size)
-    return _horner(x * x, tuple(taylor))
+    return _horner(x * x, tuple((-1) ** k / math.factorial(2 * k + 1) for k in range(terms)))
 
 
 def cotangent(x: RecordedValue) -> RecordedValue:

@@ -46,16 +46,10 @@ def _pieces(record: Record, lower: float, upper: float) -> list[tuple[float, flo
 
 
 def _cuts(record: Record) -> set[float]:
-    """Return initial cuts, guessed from the constants in comparisons. Undecided pieces are halved later."""
+    """Return initial cuts, also where an exponent in the program changes. Undecided pieces are halved later."""
     cuts = {QUARTER, *(k / 16 for k in range(26))}
-    operations = record["operations"]
-    for kind, args, value in operations:
-        if kind == "less":
-            compared = (operations[a] for a in args)
-            constants = (value for kind, _, value in compared if kind == "const")
-            cuts.update(map(float.fromhex, constants))
-        elif value == "exponent":
-            cuts |= {math.nextafter(TOP - 0.75 * 2.0**-k, 9.0) for k in range(54)}
+    if any(value == "exponent" for _, _, value in record["operations"]):
+        cuts |= {math.nextafter(TOP - 0.75 * 2.0**-k, 9.0) for k in range(54)}
     return cuts
 
 

@@ -6,19 +6,34 @@ from types import SimpleNamespace
 from typing import Any
 
 import mpmath
-from sympy import Expr, Float, Rational, cos, exp, expand_trig, lambdify, nsimplify, sin, symbols
+from sympy import Add, Expr, Float, Integer, Rational, cos, exp, expand_trig, lambdify, nsimplify, sin, symbols
 
 from derive.algebra import phase_plane
-from derive.algebra.phase_plane import BASIS, E_AT, HYPERBOLIC, NET, SLOPE_OF_E, SOFTENING, drive, q, sine, vers, x
+from derive.algebra.phase_plane import (
+    BASIS,
+    E_AT,
+    EQUATION,
+    HYPERBOLIC,
+    LEFT,
+    NET,
+    SLOPE_OF_E,
+    SOFTENING,
+    drive,
+    q,
+    sine,
+    vers,
+    x,
+)
 from derive.algebra.prove import prove_zero
 from derive.check.proof import ProofError
-from derive.flow.integrator import energy, softening
+from derive.flow.integrator import energy, recurrence, softening
 from derive.flow.integrator.hyperbolic import FIRST, HALF, SHIFT, hyperbolic_energy
 from derive.flow.integrator.softening import TERMS
 from derive.flow.layout import STRIDE
 
 PROBLEM = (drive, sine, vers, q, *SOFTENING)
 NEAR_START = 2.0**-100
+PROVED = 5  # coefficients of E, of which the last follows from all terms of the recurrence
 DIGITS = 800  # more than terms of E have so close to its start
 
 
@@ -59,7 +74,8 @@ def prove() -> str:
     claim(reversed_basis[1], BASIS[1].subs(q, -q), "w of -q")
     _prove_softening()
     _prove_hyperbolic()
-    return f"E and {len(forms) - 1} derivatives, from both ends of a phase, and E under softening"
+    _prove_recurrence()
+    return f"E and {len(forms) - 1} derivatives, from both ends of a phase, and E under softening laws"
 
 
 def lane(values: Mapping[Expr, Any], per_pole: Any = 0) -> Any:
@@ -117,3 +133,23 @@ def _prove_hyperbolic() -> None:
         found = missed(*values.values(), place, energy_at(place), mpmath.diff(energy_at, place))
         if abs(found) > place ** (2 * HALF):
             raise ProofError("E under hyperbolic friction in the integrator", mpmath.nstr(found))
+
+
+def _prove_recurrence() -> None:
+    """Prove the first coefficients of E in a piece of a table, by substitution of their series in the equation."""
+    s = lane({symbol: symbol for symbol in PROBLEM})
+    fall = symbols("fall:3")
+    s.tables = [SimpleNamespace(degree=len(fall), coefficients=fall)]
+    e, net, weight = ([Integer(0)] * STRIDE for _ in range(3))
+    e[0] = E_AT
+    s.series = SimpleNamespace(omega=e, net=net)
+    recurrence.expand_force(s, net, s.drive, s.net_sine, s.net_vers, PROVED)
+    recurrence.expand_force(s, weight, s.net_loss, s.net_loss_sine, s.net_loss_vers, PROVED)
+    for n in range(PROVED):
+        recurrence.complete_net(s, weight, n)
+        e[n + 1] = 2 * net[n] / (n + 1)
+    found = _exact(Add(*(coefficient * x**n for n, coefficient in enumerate(e))))
+    left = 1 + Add(*(coefficient * x**k for k, coefficient in enumerate(fall, 1)))
+    missed = EQUATION.subs({LEFT: left, SLOPE_OF_E: found.diff(x), E_AT: found}, simultaneous=True)
+    for n in range(PROVED):
+        prove_zero(missed.diff(x, n).subs(x, 0), "E in a piece of a table in the integrator")

@@ -96,10 +96,6 @@ GIVEN = (
     "SHARES",
     "LAST_SHARES",
     "NEXT_SHARES",
-    "LONG_NODES",
-    "LONG_SHARES",
-    "LONG_LAST_SHARES",
-    "LONG_NEXT_SHARES",
 )
 
 

@@ -48,9 +48,7 @@ class _Interval(NamedTuple):
 
     def ball(self) -> arb:
         """Return a ball that covers the interval, at the current precision."""
-        middle = (self.low + self.high) / 2
-        radius = (self.high - self.low) / 2
-        return as_ball(middle) + as_ball(radius) * arb(0, 1)
+        return as_ball(self.low).union(as_ball(self.high))
 
 
 def interval(text: str) -> _Interval:

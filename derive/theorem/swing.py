@@ -182,11 +182,9 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
     if all(x.rad() < tolerance for x in swing):
         return stand
     ends = []
-    for more, less in (("upper", "lower"), ("lower", "upper")):
+    for more, less in ((arb.upper, arb.lower), (arb.lower, arb.upper)):
         extremes = dict.fromkeys(GREATER, more) | dict.fromkeys(LESS, less)
-        coefficients = {}
-        for name, end in extremes.items():
-            coefficients[name] = getattr(getattr(swing, name), end)()
+        coefficients = {name: end(getattr(swing, name)) for name, end in extremes.items()}
         ends.append(next_standstill(swing._replace(**coefficients), tolerance))
     longest, shortest = ends
     return stand._replace(

@@ -141,7 +141,7 @@ class _Implicit(integrator.Lanes):
         self.rates = [rate for _, _, rate in program.states]
         # The step that explicit integration would take.
         endless = np.full(1, np.inf)
-        integrator.choose_step(self, _HERE, integrator.expand(self, endless, _HERE, 0, False))
+        integrator.choose_step(self, _HERE, integrator.expand(self, endless, _HERE, 0))
         step = float(self.cells[ix.STEP, 0])
         self.explicit = min(step, 1e3)
         self.events = self._events()

@@ -18,6 +18,7 @@ series. Under rate weakening the variable of a step is tau instead of the time (
 
 step       steps of moving lanes to the first event, and the consequences of events: standstill, an upright chord,
            lift-off and landing, edges of tables, the end time
+recurrence  series of omega^2 in the rotation without products of series
 rotation   steps in powers of the rotation, with omega^2 as the state
 energy     closed form of omega^2 in the rotation
 hyperbolic  the same under hyperbolically softening friction
@@ -41,4 +42,16 @@ to cells apply to these lanes.
 
 # Modules, each uses only earlier modules.
 FROM_REST = ("energy", "hyperbolic", "softening", "waves", "swing")
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "shaken", "rotation", *FROM_REST, "rest")
+TEXT = (
+    "roots",
+    "tables",
+    "series",
+    "phases",
+    "records",
+    "step",
+    "shaken",
+    "recurrence",
+    "rotation",
+    *FROM_REST,
+    "rest",
+)

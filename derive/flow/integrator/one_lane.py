@@ -38,8 +38,8 @@ LAST_OF_ARCSINE = 20
 ARCSINE = tuple(math.comb(2 * k, k) / 4**k / (2 * k + 1) for k in range(LAST_OF_ARCSINE + 1))
 _gauss = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes
 # Gauss's rules in `derive.flow.integrator.softening`: nodes on [0, 1], weights on [-1, 1], and weights of the last two
-# coefficients of Legendre's series. The rule of SHORTEST nodes is followed by one of twice as many.
-SHORTEST = 12
+# coefficients of Legendre's series. The rule of SHORTEST nodes is followed by rules of 2, 4 and 8 times as many.
+SHORTEST = 6
 
 
 def _rule(count: int, degree: int) -> list[list[Any]]:
@@ -54,9 +54,8 @@ def _rule(count: int, degree: int) -> list[list[Any]]:
     return rows
 
 
-_RULES = _rule(SHORTEST, 3) + _rule(2 * SHORTEST, 4)
+_RULES = [row for k in range(4) for row in _rule(SHORTEST * 2**k, k + 2)]
 NODES, SHARES, LAST_SHARES, NEXT_SHARES = map(tuple, zip(*_RULES, strict=True))
-LONG_NODES, LONG_SHARES, LONG_LAST_SHARES, LONG_NEXT_SHARES = map(tuple, zip(*_rule(4 * SHORTEST, 5), strict=True))
 
 
 def _codes(name: str) -> Any:

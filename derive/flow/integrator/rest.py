@@ -22,6 +22,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
 from derive.flow.integrator.records import enter_pieces, look_for_quiet, slide_together
+from derive.flow.integrator.recurrence import has_recurrence
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.rotation import turn_on
 from derive.flow.integrator.series import expand, radius_of_convergence
@@ -54,7 +55,7 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     The net moment at rest is a series of time alone. Slip begins at its root, where the drive is zero, or immediately
     if the net moment is zero and rises, or has jumped above zero.
     """
-    top: N = expand(s, room, here, 1, False)
+    top: N = expand(s, room, here, 1)
     net = s.series.net
     touches = abs(net[0]) <= TOUCHES * s.drive_scale
     jumps = net[0] > 0.0 and not touches
@@ -194,13 +195,18 @@ def advance(s: Lanes, here: M) -> None:
     """
     moving = here and s.status == Status.MOVING
     resting = here and s.status == Status.RESTING
-    if s.has.net_sine and not s.timed and not (s.samples and s.has.loss_rate):
+    complete: N = s.has.net_sine and not (s.samples and s.has.loss_rate)
+    for t in s.tables:
+        complete = complete and t.kind != Kind.SLIP and t.kind != Kind.TIME
+    if complete:
         moving = moving and not swing(s, moving)
     if s.by_rotation and not s.samples:
         turning = moving and s.clocked == 0.0
+        if has_recurrence(s):
+            turning = turning and s.x == 0.0
         if any_lane(turning):
             turn_on(s, turning)
-        moving = moving and s.clocked > 0.0
+        moving = moving and not (turning and s.clocked == 0.0)
     if lanes_in(moving) > lanes_in(resting):
         make_step(s, moving)
     if any_lane(resting) and lanes_in(resting) >= lanes_in(moving):

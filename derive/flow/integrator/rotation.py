@@ -34,9 +34,9 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import keep_faster
+from derive.flow.integrator.recurrence import expand_in_rotation, has_recurrence
 from derive.flow.integrator.roots import falling_root, increment, value, value_and_slope
-from derive.flow.integrator.series import expand
-from derive.flow.integrator.step import arrive, choose_step, find_events
+from derive.flow.integrator.step import arrive, choose_step, enter_phase, find_events
 
 LONGEST = 1.0  # of a step
 REACH = 4.0  # greatest step over the distance of a second rest behind
@@ -50,12 +50,39 @@ MOST_HALVINGS = 30
 BRIEFEST = 1e-7  # duration of a step below which series in time, which states are read from, may overflow
 
 
+def integral(p: S, n: N, k_first: N, most: V, side: V, first: V, span: V, per: V) -> V:
+    """Return the integral of v dv/(sqrt(E) (1 + per v^2)^2) over a path by a rule, infinite if it is uncertain.
+
+    The path begins where v is ``first``, ``span`` is its length, and ``k_first`` the number of the rule's first node.
+    """
+    total: V = 0.0
+    last: V = 0.0
+    last_but_one: V = 0.0
+    near_second: N = any_lane(per > 0.0)
+    for k in up(k_first, 2 * k_first + SHORTEST - 1):
+        past = span * NODES[k]
+        v = first + past
+        square = v * v
+        share: V = 1.0
+        if near_second:
+            share = 1.0 / (1.0 + per * square)
+        y = past * (first + v) * share
+        speed = sqrt(value(p, n, side * y))
+        slowness = v * (share * share) / speed
+        total = total + SHARES[k] * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
+    accurate = abs(last) + abs(last_but_one) <= most * total
+    return where(accurate, total, INFINITY)
+
+
 def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
     """Return the time over a path that begins at the distance ``beyond`` from a rest, infinite if it is uncertain.
 
     E is the polynomial ``p`` of the distance from this beginning. ``way`` is the path with its sign: against the motion
     if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the variable v
-    with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes.
+    with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes; on a short path
+    far from rest half as many may suffice.
     """
     size = abs(way)
     side = where(way < 0.0, -1.0, 1.0)
@@ -64,26 +91,17 @@ def time_over(p: S, n: N, fine: N, way: V, beyond: V, per: V) -> V:
     stretch = 1.0 + per * beyond
     final = sqrt((beyond + size) / left)
     span = size * stretch / (left * (first + final))
-    total: V = 0.0
-    last: V = 0.0
-    last_but_one: V = 0.0
-    k_first: N = SHORTEST if fine else 0
-    for k in up(k_first, 2 * k_first + SHORTEST - 1):
-        past = span * NODES[k]
-        v = first + past
-        square = v * v
-        share = 1.0 / (1.0 + per * square)
-        y = past * (first + v) * share
-        speed = sqrt(value(p, n, side * y))
-        slowness = v * (share * share) / speed
-        total = total + SHARES[k] * slowness
-        last = last + LAST_SHARES[k] * slowness
-        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    time = span * stretch * total
     most: V = CLOSER if fine else EVEN
-    accurate = abs(last) + abs(last_but_one) <= most * total
-    time = where(accurate, time, INFINITY)
-    return where(size > 0.0, time, 0.0)
+    rule: N = 3 * SHORTEST if fine else SHORTEST
+    moves = size > 0.0
+    is_short = moves and size <= beyond and per == 0.0
+    total: V = INFINITY
+    if any_lane(is_short):
+        total = where(is_short, integral(p, n, 0, most, side, first, span, per), total)
+    remains = moves and total == INFINITY
+    if any_lane(remains):
+        total = where(remains, integral(p, n, rule, most, side, first, span, per), total)
+    return where(moves, span * stretch * total, 0.0)
 
 
 def distance_of_rest(p: S, n: N, side: V, far: V) -> V:
@@ -116,6 +134,15 @@ def expand_about_end(s: Lanes, p: S, n: N) -> None:
     p[0] = where(stands, 0.0, p[0])
 
 
+def rest_ahead(s: Lanes, peaks: M, to_end: V, path: V) -> V:
+    """Return 1 over the distance of the rest ahead, beyond a peak or estimated from E, or 0 if the path is too long."""
+    e = s.series.omega
+    by_bend = maximum(-e[2] / e[1], 0.0)
+    ahead = where(peaks, 1.0 / (s.step + to_end), by_bend)
+    near = e[1] > 0.0 and ahead * path < NEAREST
+    return where(near, ahead, 0.0)
+
+
 def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     """Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain.
 
@@ -126,18 +153,19 @@ def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     peaks = peak < INFINITY
     far = STRAIGHT * step
     fine: N = s.highest > FINEST
-    of_end = new_series()
-    expand_about_end(s, of_end, top)
-    to_end = distance_of_rest(of_end, top, 1.0, far)
     rises = e[1] > 0.0
-    falls = not rises and of_end[1] < 0.0
+    of_end = new_series()
+    to_end = 1.0 * far
+    falls = none_of(s)
+    nears = here and (peaks or not rises)
+    if any_lane(nears):
+        expand_about_end(s, of_end, top)
+        to_end = distance_of_rest(of_end, top, 1.0, far)
+        falls = here and not rises and of_end[1] < 0.0
     behind = distance_of_rest(e, top, -1.0, far)
     behind = where(rises, behind, far)
-    by_bend = maximum(-e[2] / e[1], 0.0)
-    ahead = where(peaks, 1.0 / (step + to_end), by_bend)
     path = minimum(peak, step)
-    near = rises and ahead * path < NEAREST
-    ahead = where(near, ahead, 0.0)
+    ahead = rest_ahead(s, peaks, to_end, path)
     after: V = 0.0
     if any_lane(peaks):
         back = where(peaks, peak - step, 0.0)
@@ -198,6 +226,8 @@ def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
     s.omega = sqrt(maximum(square, 0.0))
     goes_on = none_of(s)
     arrive(s, here, until, rate, steady, goes_on, goes_on)
+    if has_recurrence(s):
+        enter_phase(s, here and uneventful, rate)
 
 
 def turn_on(s: Lanes, here: M) -> None:
@@ -209,10 +239,10 @@ def turn_on(s: Lanes, here: M) -> None:
     omega: V = 1.0 * s.omega
     s.omega = omega * omega
     room = way_ahead(s)
-    top: N = expand(s, room, here, 0, True)
+    top: N = expand_in_rotation(s, room, here)
     choose_step(s, here, top)
     shorten(s, here)
-    find_events(s, here, top)
+    find_events(s, here, top, True)
     peak = greatest_speed(s, here, top)
     before, after = times_of_step(s, here, top, peak)
     count: N = 0

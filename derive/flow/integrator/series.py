@@ -21,14 +21,12 @@ from derive.flow.integrator.one_lane import (
     operate,
     operate_later,
     power_of_two,
-    sqrt,
     up,
     where,
 )
 from derive.flow.integrator.roots import value
 from derive.flow.integrator.tables import expand_sine
 
-BEYOND = 1.125  # longest step in rotation over the path to the estimated end of the motion
 ROUNDING = 2.0**-56  # size over the largest term of a series below which a term is rounding
 CORRECTIONS = 10  # of the variable of a step
 LARGEST = 1000.0 * 2.0**40  # greatest log2 of a radius, scaled like `log2_of`
@@ -108,8 +106,9 @@ def is_negligible(s: Lanes, term: V, largest: V) -> M:
 
 def cut(s: Lanes, order: V, top: N) -> None:
     """Truncate the series that events use at each lane's order."""
-    for n in up(0, top - 1):
+    for n in up(least(order), top - 1):
         within = order > number(n)
+        s.series.omega[n + 1] = where(within, s.series.omega[n + 1], 0.0)
         s.series.net[n] = where(within, s.series.net[n], 0.0)
         if s.has.normal:
             s.series.normal[n] = where(within, s.series.normal[n], 0.0)
@@ -117,7 +116,7 @@ def cut(s: Lanes, order: V, top: N) -> None:
             s.series.upright[n] = where(within, s.series.upright[n], 0.0)
 
 
-def begin_expansion(s: Lanes, which: M, top: N, at_rest: N, by_rotation: N) -> None:
+def begin_expansion(s: Lanes, which: M, top: N, at_rest: N) -> None:
     """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     begin_series(s)
     for t in s.tables:
@@ -125,30 +124,14 @@ def begin_expansion(s: Lanes, which: M, top: N, at_rest: N, by_rotation: N) -> N
             t.series[1] = t.rise
         if t.sine and which:
             expand_sine(s, t, top)
-    if by_rotation and s.has.square:
-        s.series.square[0] = s.omega
     s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
 
 
-def integrate_in_rotation(s: Lanes, n: N, order: V, alike: N) -> None:
-    """Compute coefficient n + 1 of the rotation and of omega^2 in powers of the rotation."""
-    rate = 2.0 * s.series.net[n]
-    coefficient = rate * s.inverse[n + 1]
-    coefficient = coefficient if alike else where(order > number(n), coefficient, 0.0)
-    s.series.omega[n + 1] = coefficient
-    s.series.x[n + 1] = 1.0 if n == 0 else 0.0
-    if s.has.square:
-        s.series.square[n + 1] = coefficient
-
-
-def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N, by_rotation: N) -> None:
+def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
     """Compute coefficient n + 1 of the states from coefficient n of their rates.
 
     It is zero beyond a lane's order and at rest.
     """
-    if by_rotation:
-        integrate_in_rotation(s, n, order, alike)
-        return
     for q in s.states:
         coefficient: V = 0.0
         if not at_rest:
@@ -169,64 +152,25 @@ def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
     return counts
 
 
-def look_for_end(s: Lanes, room: V) -> V:
-    """Return the path beyond which a step in rotation is useless, as the mass rests, and store the size of terms.
-
-    The end is estimated by a parabola. If it is too near, another step follows.
-    """
-    e = s.series.omega
-    product = e[0] * e[2]
-    square = e[1] * e[1] - 4.0 * product
-    root = sqrt(maximum(square, 0.0))
-    end = (e[1] + root) / (-2.0 * e[2])
-    nearer = minimum(BEYOND * end, room)
-    path = where(e[2] < 0.0, nearer, room)
-    largest = maximum(abs(e[2]), path * abs(e[3]))
-    largest = maximum(abs(e[1]), path * largest)
-    s.largest_omega = maximum(abs(e[0]), path * largest)
-    return path
-
-
-def may_end_early(s: Lanes, by_rotation: N) -> N:
-    """Return whether series end as soon as their terms are negligible.
-
-    In rotation they do not where water or loads are functions of it, which may change faster than the motion.
-    """
-    early: N = s.timed
-    if by_rotation:
-        early = 1
-        for t in s.tables:
-            if t.kind == Kind.ROTATION:
-                early = 0
-    return early
-
-
-def expand(s: Lanes, room: V, which: M, at_rest: N, by_rotation: N) -> N:
+def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
     """Compute the series of all registers, of states to one order more than of rates; return the highest order.
 
-    If a function of time, or with ``by_rotation`` an edge of a table or standstill, cuts the step short after ``room``,
-    a series ends as soon as two consecutive terms are negligible there, three if the speed grows beyond its first term:
-    from rest, the square of the speed begins after a gap. At rest the states are constant, and the net moment decides.
-    Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it.
+    If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+    negligible there, three if the speed grows beyond its first term. At rest the states are constant, and the net
+    moment decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it.
     """
     order = where(which, s.order, 1.0)
     top: N = greatest(order)
     alike: N = all_lanes(order == number(top))
-    begin_expansion(s, which, top, at_rest, by_rotation)
+    begin_expansion(s, which, top, at_rest)
     first = s.largest_omega
-    early: N = may_end_early(s, by_rotation)
     power: V = 1.0 if at_rest else room
     in_a_row: V = 0.0
     n: N = 0
     while n < top:
-        operate(s, n, by_rotation)
-        integrate_rates(s, n, order, alike, at_rest, by_rotation)
-        if by_rotation and n == 3:
-            room = look_for_end(s, room)
-            power = room * room
-            power = power * power
-            in_a_row = 0.0
-        if early:
+        operate(s, n, False)
+        integrate_rates(s, n, order, alike, at_rest)
+        if s.timed:
             counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
             power = power * room
             in_a_row = where(counts, 0.0, in_a_row + 1.0)

@@ -19,10 +19,6 @@ from derive.flow.integrator.hyperbolic import FIRST, LOAD, NET, POLE, SHIFT, hyp
 from derive.flow.integrator.one_lane import (
     INFINITY,
     LAST_SHARES,
-    LONG_LAST_SHARES,
-    LONG_NEXT_SHARES,
-    LONG_NODES,
-    LONG_SHARES,
     NEXT_SHARES,
     NODES,
     SHARES,
@@ -235,18 +231,13 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
     lower: V = 0.0
     fine: N = s.highest > FINEST
     longest: N = fine and part == 0
-    k_first: N = SHORTEST if fine == part else 0
-    k_last: N = 4 * SHORTEST - 1 if longest else 2 * k_first + SHORTEST - 1
-    for k in up(k_first, k_last):
-        node: V = LONG_NODES[k] if longest else NODES[k]
-        weight: V = LONG_SHARES[k] if longest else SHARES[k]
-        weight_of_last: V = LONG_LAST_SHARES[k] if longest else LAST_SHARES[k]
-        weight_of_next: V = LONG_NEXT_SHARES[k] if longest else NEXT_SHARES[k]
-        at, slowness = at_node(s, e, end, unit, bend, node, part)
-        total = where(at > lower, total + weight * slowness, INFINITY)
+    k_first: N = 7 * SHORTEST if longest else (3 * SHORTEST if fine == part else SHORTEST)
+    for k in up(k_first, 2 * k_first + SHORTEST - 1):
+        at, slowness = at_node(s, e, end, unit, bend, NODES[k], part)
+        total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
-        last = last + weight_of_last * slowness
-        last_but_one = last_but_one + weight_of_next * slowness
+        last = last + LAST_SHARES[k] * slowness
+        last_but_one = last_but_one + NEXT_SHARES[k] * slowness
     most: V = CLOSER if fine else ALIKE
     uneven = abs(last) + abs(last_but_one)
     accurate = uneven <= most * total

@@ -202,7 +202,7 @@ def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M
         consider(s, here, first_root(e, n, s.step, asked), event)
 
 
-def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
+def find_edges(s: Lanes, here: M, t: T, top: N, by_rotation: N) -> None:
     """Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge."""
     ends = here and t.upper < FAR
     upper = minimum(t.upper, FAR)
@@ -215,10 +215,14 @@ def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
         faster = s.passed == Passed.FASTER
         find_crossing(s, varies, omega, top, 1.0, -t.lower, faster, event + 1)
         return
+    if by_rotation:
+        ahead = upper - s.x
+        consider(s, here, where(ends, ahead, INFINITY), event)
+        return
     find_crossing(s, ends, s.series.x, top, -1.0, upper, none_of(s), event)
 
 
-def find_events(s: Lanes, here: M, top: N) -> None:
+def find_events(s: Lanes, here: M, top: N, by_rotation: N) -> None:
     """Find the first event of the step. Of simultaneous events the last one in the order of the search is used.
 
     Water over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
@@ -235,7 +239,7 @@ def find_events(s: Lanes, here: M, top: N) -> None:
             if known:  # its pieces end where the pieces of the preceding table end
                 known = not any_lane(here and minimum(t.upper, FAR) != t.before.upper)
             if not known:
-                find_edges(s, here, t, top)
+                find_edges(s, here, t, top, by_rotation)
     if s.has.normal:
         sign = where(s.lifted > 0.0, -1.0, 1.0)
         passed = s.passed == Passed.LIFT
@@ -318,10 +322,10 @@ def make_step(s: Lanes, here: M) -> None:
     """Make one step of moving lanes."""
     limit = minimum(next_break(s), s.end_time)
     room = limit - s.time
-    top: N = expand(s, room, here, 0, False)
+    top: N = expand(s, room, here, 0)
     choose_step(s, here, top)
     reaches_limit = reach_limit(s, here, room, top)
-    find_events(s, here, top)
+    find_events(s, here, top, False)
     uneventful = s.event == Event.NONE
     endless = is_endless(s, here, room)
     s.step = where(endless, 0.0, s.step)

@@ -55,9 +55,9 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items() if name in definitions.cells}
-    of_time = all(table.kind == "time" for table in definitions.tables)
-    if of_time and len(arguments) < 2 and len(definitions.states) == 2:
-        outputs |= linker.closed_form(registers, outputs)
+    parts = linker.parts()
+    if len(definitions.states) == 2 and len(parts) == len(definitions.tables):
+        outputs |= linker.closed_form(registers, outputs, parts)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
     series = _needed(linker.series, pending)
     scalar = _needed(linker.scalar, pending)
@@ -171,15 +171,30 @@ class Linker:
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
-    def closed_form(self, registers: Mapping[str, str | None], outputs: dict[str, str]) -> dict[str, str]:
+    def parts(self) -> dict[str, str]:
+        """Return the registers that follow tables in sums with a closed form, with their names in roles.
+
+        They are the register that a table of slip adds to friction, and the only function of time.
+        """
+        register = str(self.register("dmu"))
+        cells = {*self._made_by(register).cells[1:]}
+        tables = self._definitions.tables
+        of_slip = [{*table.coefficients} for table in tables if table.kind == "slip"]
+        of_time = [table.argument for table in tables if table.kind == "time"]
+        losses = {register: "loss"} if cells in of_slip else {}
+        return losses | (dict.fromkeys(of_time, "record") if len(of_time) == 1 else {})
+
+    def closed_form(
+        self, registers: Mapping[str, str | None], outputs: dict[str, str], parts: dict[str, str]
+    ) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
-        The net moment may also contain exp(a x) - 1 or 1/(1 + a x) - 1, called loss, and its products with these. One
-        function of time, called record, may occur, also in products with sin(x) and 1 - cos(x). There are no factors if
+        The net moment may also contain exp(a x) - 1, 1/(1 + a x) - 1, or a register in ``parts``, called loss, and its
+        products with these, or one called record and its products with sin(x) and 1 - cos(x). There are no factors if
         other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
-        names = FACTORS | {table.argument: "record" for table in self._definitions.tables}
+        names = FACTORS | parts
         for operation, results in self.series.items():
             if operation.kind in ("exp", "rec"):
                 argument = self._made_by(operation.registers[-1])
@@ -191,7 +206,7 @@ class Linker:
                         cells = {"cell_loss_rate": self._result("neg", [rate]), "cell_per_pole": rate}
         for name, constant in CONSTANTS.items():
             factors = {role: ZERO for role in ROLES if role.startswith(f"cell_{name}")}
-            for each, cell in self._products(str(registers[name])):
+            for each, cell in self._products(str(registers[name]), names):
                 role = "_".join(("cell", name, *sorted(names.get(x, x) for x in each)))
                 factors[role] = self._result("add", [factors.get(role, ZERO), cell])
             start = factors.pop(f"cell_{name}", ZERO)
@@ -204,18 +219,21 @@ class Linker:
         """Return the operation that computes a register. The operation of a state has no operands."""
         return next((made for made, results in self.series.items() if register in results), OnSeries("", (), ()))
 
-    def _products(self, register: str) -> Iterator[tuple[Names, str]]:
-        """Yield a register as a sum of products of other registers, each with the cell of its factor."""
+    def _products(self, register: str, units: Mapping[str, str]) -> Iterator[tuple[Names, str]]:
+        """Yield a register as a sum of products of other registers, each with the cell of its factor.
+
+        Sums among ``units`` are not expanded.
+        """
         operation = self._made_by(register)
         match operation.kind:
-            case "lin":
+            case "lin" if register not in units:
                 yield (), operation.cells[0]
                 for operand, cell in zip(operation.registers, operation.cells[1:], strict=True):
-                    for names, factor in self._products(operand):
+                    for names, factor in self._products(operand, units):
                         yield names, self._result("mul", [cell, factor])
             case "mul":
                 one, other = operation.registers
-                for (a, x), (b, y) in product(self._products(one), self._products(other)):
+                for (a, x), (b, y) in product(self._products(one, units), self._products(other, units)):
                     yield a + b, self._result("mul", [x, y])
             case _:
                 yield (register,), ONE

@@ -136,7 +136,7 @@ class Motion(Conversions, Generic[Numbers]):
     @property
     def _unsolved(self) -> Any:
         """Summand of results: NaN for lanes without a result, otherwise 0, which also removes negative zeros."""
-        return choose(self._solved, 0.0, np.nan)
+        return choose(self.status <= CREEPS, 0.0, np.nan)
 
     # --- results -----------------------------------------------------------------------------------------------------
 
@@ -147,7 +147,7 @@ class Motion(Conversions, Generic[Numbers]):
 
     def _outcomes(self) -> Mapping[str, Numbers]:
         final = self._final
-        unsolved = choose(self.status <= CREEPS, 0.0, np.nan)
+        unsolved = self._unsolved
         duration = final[ix.REST_SINCE] * self._time_scale
         ended = final[ix.STATUS] == ix.ENDED
         if ended is not False:

@@ -181,9 +181,7 @@ class Problem:
     def _add_rotations(self) -> None:
         """Add the mass's functions of the rotation, and the function that extends them, if one is needed."""
         scene = self.plan.scene
-        velocity = float_or_array(scene.initial_velocity)
-        pushed = velocity != 0.0
-        upslope = bool(pushed if type(velocity) is float else pushed.any()) or "shaking" in self.recipe.effects
+        upslope = bool(np.any(scene.initial_velocity)) or "shaking" in scene.called
         tolerance = max(self.plan.accuracy / 100, FINEST) if self.lanes > 1 else FINEST
         tables, self.farther = scene.arc.tables(scene.called, scene.law, upslope, tolerance, scene.shape)
         for name, table in tables.items():
@@ -261,8 +259,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
         problem.start = start = _flat(start, scene.shape)
     if "shaking" in called:
         shaking = called["shaking"]
-        is_one_way = callable(shaking.get("horizontal")) and not shaking.get("two_way", False)
-        start["ONE_WAY"] = float(is_one_way)
+        start["ONE_WAY"] = float(callable(shaking.get("horizontal")) and not shaking.get("two_way"))
     start["FIRST_ONLY"] = _first_only(plan.recipe, start)
     return problem
 
