@@ -279,10 +279,3 @@ def without_dead(p: Program) -> Program:
         op = p.ops[index]
         ops.append(replace(op, args=tuple(place[i] for i in op.args)))
     return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs))
-
-
-def operations(counts: Mapping[str, int]) -> str:
-    """Return the counts of operations by kind as one line, basic ones first: ``12 mul, 11 add, 1 div, 1 cos``."""
-    basic = [k for k in ("mul", "add", "sub", "div", "fma", "neg", "min", "max", "less", "select") if counts.get(k)]
-    calls = sorted(k for k in counts if k not in basic)
-    return ", ".join(f"{counts[k]} {k}" for k in basic + calls)

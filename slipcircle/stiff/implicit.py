@@ -71,7 +71,6 @@ def integrate_implicitly(
         cells[:, number] = lane.stored[:, 0]
 
 
-_ONE = np.arange(1)  # the index of the one lane
 _HERE = np.ones(1, bool)
 
 
@@ -88,7 +87,8 @@ class Event(NamedTuple):
 
         The registers are (registers, times), and the result is (times,).
         """
-        return self.sign * (registers[self.register] - self.bound)
+        above_bound = registers[self.register] - self.bound
+        return self.sign * above_bound
 
 
 class _Implicit(integrator.Lanes):
