@@ -92,7 +92,7 @@ def test_records_side_by_side_are_each_alone(name: str, law: Any, effects: dict[
 @pytest.mark.parametrize("effects", [{"rotation": {}}, TURNING], ids=["turning", "centripetal"])
 @pytest.mark.parametrize("name", BACKENDS)
 def test_turning_masses_pass_samples_as_by_series(name: str, effects: dict[str, Any], radius: float) -> None:
-    """Also where it turns back beyond its lowest place, and where pieces are too long for a few orders."""
+    """Results agree also where a mass turns back, and where pieces are too long for a few orders."""
     arc = replace(ARC, radius=radius)
     records = quake(11, 300), quake(14, 120)
     scales = np.array([0.3, 0.5, 1.0, 2.0, 12.0, 0.3, 0.7, 1.5, 4.0])
