@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "02389346dba4115a83f20e340ba3e21e4008b9ec57a165f5452a7ee147de8da7"
+#define DIGEST "227889a758c52b3fa70d65818fd1811c1a70220e51b458930f0f8f3301ebda88"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3956,18 +3956,18 @@ static void turn_on(Batch *b, M here)
     choose_step(b, here, top);
     shorten(b, here);
     find_events(b, here, top, 1);
-    V peak = greatest_speed(b, here, top);
-    const Pair before_after = times_of_step(b, here, top, peak);
-    V before = before_after.one, after = before_after.other;
+    V peak = broadcast(INFINITY);
+    V before = broadcast(0.0);
+    V after = broadcast(0.0);
+    M unsure = here;
     int count = 0;
-    M unsure = here & ~((before + after) < INFINITY);
-    while (bits(unsure) && (count < MOST_HALVINGS)) {
-        c[STEP] = pick(here, pick(unsure, 0.5 * c[STEP], c[STEP]), c[STEP]);
-        c[EVENT] = pick(here, pick(unsure, broadcast(EVENT_NONE), c[EVENT]), c[EVENT]);
+    while (bits(unsure) && (count <= MOST_HALVINGS)) {
         peak = greatest_speed(b, here, top);
         const Pair before_after = times_of_step(b, here, top, peak);
         before = before_after.one, after = before_after.other;
         unsure = here & ~((before + after) < INFINITY);
+        c[STEP] = pick(here, pick(unsure, 0.5 * c[STEP], c[STEP]), c[STEP]);
+        c[EVENT] = pick(here, pick(unsure, broadcast(EVENT_NONE), c[EVENT]), c[EVENT]);
         count = count + 1;
     }
     V duration = before + after;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 545e58047c8c7b326e818ff675ea5b4b1d98bff49d56b2f3a9557d542279b65d
+# sha256 of the text below: 0a68fce14f49a510d40cdcad6de680817851d68f7d9b099fd218603ac1175f01
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2484,16 +2484,17 @@ def turn_on(s: Lanes, here: Mask) -> None:
     choose_step(s, here, top)
     shorten(s, here)
     find_events(s, here, top, True)
-    peak = greatest_speed(s, here, top)
-    before, after = times_of_step(s, here, top, peak)
+    peak: Floats = INFINITY
+    before: Floats = 0.0
+    after: Floats = 0.0
+    unsure = here
     count = 0
-    unsure = here & np.logical_not(before + after < INFINITY)
-    while np.any(unsure) and count < MOST_HALVINGS:
-        c[ix.STEP] = np.where(here, np.where(unsure, 0.5 * c[ix.STEP], c[ix.STEP]), c[ix.STEP])
-        c[ix.EVENT] = np.where(here, np.where(unsure, ix.EVENT_NONE, c[ix.EVENT]), c[ix.EVENT])
+    while np.any(unsure) and count <= MOST_HALVINGS:
         peak = greatest_speed(s, here, top)
         before, after = times_of_step(s, here, top, peak)
         unsure = here & np.logical_not(before + after < INFINITY)
+        c[ix.STEP] = np.where(here, np.where(unsure, 0.5 * c[ix.STEP], c[ix.STEP]), c[ix.STEP])
+        c[ix.EVENT] = np.where(here, np.where(unsure, ix.EVENT_NONE, c[ix.EVENT]), c[ix.EVENT])
         count = count + 1
     duration = before + after
     until = c[ix.TIME] + duration

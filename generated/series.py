@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5dc97950a01d3e29279503fd61202e5f462cd4637a99143444a11138fcbfc226
+# sha256 of the text below: 851f70718fab48e501f83878431d032363b4410dcc266b5e14db12374b96175f
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "02389346dba4115a83f20e340ba3e21e4008b9ec57a165f5452a7ee147de8da7"  # of the compiled integrator's source
+DIGEST = "227889a758c52b3fa70d65818fd1811c1a70220e51b458930f0f8f3301ebda88"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -96,7 +96,7 @@ BAD = {
     "def f(x) -> V:\n    return x\n": "one of the kinds",
     "def f(x: V) -> V:\n    y = 1.0\n    return x + y\n": "y needs an annotation",
     "def f(lane: Lane, x: float) -> None:\n    if x > 0.0:\n        x = 1.0\n": "changes x, which is known outside",
-    "def f(lane: Lane, x: float) -> float:\n    if x > 0.0:\n        return x\n    return x\n": "without a value",
+    "def f(lane: Lane, x: float) -> float:\n    if x > 0.0:\n        return x\n    return x\n": "lanes return together",
     "def f(x: V, m: M, n: N) -> V:\n    return where(m and n > 0, x, 0.0)\n": "joined with masks only",
     "def f(x: V) -> V:\n    return x if x > 0.0 else 0.0\n": "a choice by lane is `where`",
     "x: int\n": "a module has",

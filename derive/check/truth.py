@@ -118,9 +118,7 @@ def _taylor(statement: str, centre: arb) -> Balls:
 
 
 def coefficients(series: Any) -> Balls:
-    """Return all TERMS + 1 coefficients of a series or of a constant, as balls."""
-    if isinstance(series, arb):
-        series = arb_series([series])
+    """Return all TERMS + 1 coefficients of a series, as balls."""
     taylor = [arb(series[k]) for k in range(TERMS + 1)]
     if not all(x.is_finite() for x in taylor):
         raise ArithmeticError("a Taylor series is not finite on this interval")

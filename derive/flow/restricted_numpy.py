@@ -125,26 +125,18 @@ class NumPy(Writer):
         return f"{name}{declared} = {value.text}{'.copy()' if held else ''}"
 
     def of_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
-        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane, which may return."""
+        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane."""
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
         before = [f"{x}_{mark}" for x in names]
         known = ", ".join(names)
         kept = ", ".join(before)
-        leaves = isinstance(s.body[-1], ast.Return)
-        body = s.body[:-1] if leaves else s.body
         yield f"holds_{mark} = {test.text}"
         yield f"{kept} = {known}"
         yield f"{known}, = among(holds_{mark}, {kept})"
-        if body:
-            yield from self.block("if i.size", body)
-        if leaves:
-            yield f"{known}, = among(np.logical_not(holds_{mark}), {kept})"
-            yield "if not i.size:"
-            yield "    return"
-        else:
-            yield f"{known} = {kept}"
+        yield from self.block("if i.size", s.body)
+        yield f"{known} = {kept}"
 
     def repeat(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
         """Yield the lines of the loop ``s``, which continues in the lanes where ``test`` is true."""

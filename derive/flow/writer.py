@@ -320,9 +320,8 @@ class Writer:
         if shared := outside & assigned:
             names = ", ".join(sorted(shared))
             self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
-        last = s.body[-1]
-        if isinstance(last, ast.Return) and (test.kind == "M" or last.value):
-            self.refuse(s, "only one lane returns early, and without a value")
+        if isinstance(s.body[-1], ast.Return):
+            self.refuse(s, "lanes return together")
         if test.kind == "M":
             *before, head = self.say("of_mask", bare(test.text)).split("\n")
             yield from before

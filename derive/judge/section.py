@@ -32,12 +32,10 @@ GRAVITY = "9.81"  # used by the project; the paper states no value
 
 
 def printed_as(digits: str) -> tuple[mpf, mpf, mpf]:
-    """Return a printed number, and the least and the greatest value that it may represent by rounding or truncation."""
+    """Return a positive printed number, and the least and the greatest value that it represents, rounded or cut off."""
     printed = mpf(digits)
     unit = mpf(10) ** Decimal(digits).as_tuple().exponent
-    if printed >= 0:
-        return printed, printed - unit / 2, printed + unit
-    return printed, printed - unit, printed + unit / 2
+    return printed, printed - unit / 2, printed + unit
 
 
 def implied(by: str, inverse: Callable[[mpf], mpf]) -> list[mpf]:

@@ -243,16 +243,17 @@ def turn_on(s: Lanes, here: M) -> None:
     choose_step(s, here, top)
     shorten(s, here)
     find_events(s, here, top, True)
-    peak = greatest_speed(s, here, top)
-    before, after = times_of_step(s, here, top, peak)
+    peak: V = INFINITY
+    before: V = 0.0
+    after: V = 0.0
+    unsure = here
     count: N = 0
-    unsure = here and not (before + after < INFINITY)
-    while any_lane(unsure) and count < MOST_HALVINGS:
-        s.step = where(unsure, 0.5 * s.step, s.step)
-        s.event = where(unsure, Event.NONE, s.event)
+    while any_lane(unsure) and count <= MOST_HALVINGS:
         peak = greatest_speed(s, here, top)
         before, after = times_of_step(s, here, top, peak)
         unsure = here and not (before + after < INFINITY)
+        s.step = where(unsure, 0.5 * s.step, s.step)
+        s.event = where(unsure, Event.NONE, s.event)
         count = count + 1
     duration = before + after
     until = s.time + duration

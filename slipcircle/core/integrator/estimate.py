@@ -20,11 +20,7 @@ Final = Mapping[int, Any]  # entries of lanes at their end, by index
 CUT = 4.5  # ratio of the estimate to the spread of the runs where truncation dominates, as in ensembles
 LEAST = 8 * EPS / 2  # least estimate
 UNDECIDED = 8.0  # units of rounding below which it is uncertain whether the mass moves
-# Functions of the rotation are interpolated to a fraction of the accuracy, in the further runs down to rounding, and
-# beyond coarse accuracies, between which errors may hardly differ.
-CLOSER = 1e-3
-CLOSE = 1e-10
-CLOSEST = 1e-13
+CLOSEST = 1e-13  # accuracy for which functions of the rotation are interpolated in the further runs
 AT_END = {ix.ARRESTED, ix.PAUSED, ix.ENDED}  # at rest and at the end time, which differ in their durations only
 # Fractions of the duration at which states are compared where runs are not integrated with their motion.
 SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
@@ -73,7 +69,7 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
     """Return the problem of the same lanes with more accurate interpolation of functions of the rotation."""
     if not any(table.kind == "rotation" for table in problem.program.tables):
         return problem
-    closer = problem_of(replace(plan, accuracy=max(min(CLOSER * plan.accuracy, CLOSE), CLOSEST)))
+    closer = problem_of(replace(plan, accuracy=CLOSEST))
     return replace(problem, data=closer.data, farther=closer.farther)
 
 
