@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b45c51ebbc31c8125ef03942d99c4436deaea68cd141638bd1fb71ce855f9fca"
+#define DIGEST "7665f19b299826d7c4a9440d20f10a7ccbf416286f776a92ec3b3ba8a793ac50"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole;
+    int32_t x, omega, net, normal, upright, square, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving_moment_slope, driving, resisting, mu, pace, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers, net_loss, net_loss_sine, net_loss_vers, net_loss_square, loss_rate, per_pole, net_record, net_record_sine, net_record_vers, normal_record, normal_record_sine, normal_record_vers;
 } Roles;
 
 typedef struct {
@@ -135,7 +135,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #include <string.h>
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, CLOCKED };
+enum { PENDING = -19, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -548,7 +548,7 @@ typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, CLOCKED };
+enum { PENDING = -19, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -1437,6 +1437,10 @@ static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.
 #define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
+#define TOP 7
+#define SHORT 0x1.0000000000000p-7
+#define PRESSED 0x1.47ae147ae147bp-7
+#define SURELY 0x1.0000000000000p+2
 #define BEYOND 0x1.2000000000000p+0
 #define LONGEST 0x1.0000000000000p+0
 #define REACH 0x1.0000000000000p+2
@@ -2598,15 +2602,14 @@ INLINE void look_for_quiet(Batch *b, M here)
 }
 
 /* Return whether the mass certainly rests through a piece, as both its end values are in the quiet range. The
- * piece must end before a place, and not at the last break, where the function may jump. */
+ * following piece must end before a place, so that the function cannot jump between both. */
 INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece, double low, double high, double before)
 {
     const Job *const job = b->job;
     int last = (int)job->data[t].pieces - 1;
     int64_t following = (piece + 1) < last ? (piece + 1) : last;
     double height = constant_of(b, lane, t, following);
-    int inside = (break_of(b, lane, t, following) < before) && (end_of_piece(b, lane, t, following) < INFINITY);
-    return (low <= height) && (height <= high) && inside;
+    return (end_of_piece(b, lane, t, following) < before) && (low <= height) && (height <= high);
 }
 
 /* Pass the pieces through which the mass certainly rests. */
@@ -2630,6 +2633,18 @@ static void rest_through(Batch *b, unsigned lane, int t)
         }
         stand_before(b, lane, t, piece, now);
     }
+}
+
+/* Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests. */
+static void enter_pieces(Batch *b, unsigned lane)
+{
+    const Job *const job = b->job;
+    for (int t = 0; t < job->tables; t++) {
+        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
+            rest_through(b, lane, t);
+        }
+    }
+    pass_breaks(b, lane);
 }
 
 /* Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly. */
@@ -2666,7 +2681,7 @@ static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
-INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
+INLINE void end_slide(Batch *b, M here, int t, V piece, V x, V omega)
 {
     V *const c = b->c;
     c[X] = pick(here, x, c[X]);
@@ -2679,7 +2694,7 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
     update_reach(b, here & ~moves);
     advance_origin(b, here);
     EACH(lane, bits(here)) {
-        enter_at(b, lane, t, piece);
+        enter_at(b, lane, t, (int64_t)piece[lane]);
     }
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
@@ -2852,7 +2867,7 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
     if (bits(leaves)) {
-        end_slide(b, leaves, t, piece, x, omega);
+        end_slide(b, leaves, t, (double)piece + (0.0 * x), x, omega);
     }
     return on & inside;
 }
@@ -2901,8 +2916,8 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     }
 }
 
-/* Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round. So
- * the numbers of a lane do not depend on other lanes. */
+/* Move lanes that rest in the same piece, down-slope; return lanes that follow in a later round. So the numbers of
+ * a lane do not depend on other lanes. */
 static M slide_together(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
@@ -2918,9 +2933,7 @@ static M slide_together(Batch *b, M here, int t)
     V force = normal_force(b);
     V weight = force - (grip * origin);
     M straight = net[2] == 0.0;
-    M linear = here & straight & (c[job->table[t].cell + RISE] != 0.0);
-    M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0);
-    M forward = linear & down_slope & (c[LIFTED] == 0.0);
+    M forward = here & straight & (c[job->table[t].cell + RISE] != 0.0);
     int piece = greatest(pick(forward, c[job->table[t].cell + PIECE], broadcast(-1.0)));
     M same = c[job->table[t].cell + PIECE] == (double)piece;
     M there = forward & same;
@@ -3321,6 +3334,229 @@ static void make_step(Batch *b, M here)
     advance_states(b, here, top);
     rate = per_time(b, rate, c[OMEGA]);
     arrive(b, here, until, rate, steady, at_limit, endless);
+}
+
+/* Return a sum with sine and 1 - cosine of the current rotation. */
+INLINE V at_rotation(Batch *b, V constant, V sine, V versine)
+{
+    V *const c = b->c;
+    V turned = (sine * c[SINE_X]) + (versine * c[VERSINE_X]);
+    return constant + turned;
+}
+
+/* Return the net moment of a mass at rest after a change of the function of time. */
+INLINE V net_at_rest(Batch *b, V change)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V steady = at_rotation(b, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers]);
+    return steady + (change * at_rotation(b, c[job->role->net_record], c[job->role->net_record_sine], c[job->role->net_record_vers]));
+}
+
+/* Return the normal force of a mass at rest after a change of the function of time. */
+INLINE V force_at_rest(Batch *b, V change)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V steady = at_rotation(b, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers]);
+    return steady + (change * at_rotation(b, c[job->role->normal_record], c[job->role->normal_record_sine], c[job->role->normal_record_vers]));
+}
+
+/* Return coefficient n of the product of two series. */
+INLINE V coefficient_of_product(V *p, V *q, int n)
+{
+    V total = broadcast(0);
+    for (int k = 0; k <= n; k++) {
+        total = total + (p[k] * q[n - k]);
+    }
+    return total;
+}
+
+/* Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates. */
+INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *x = b->r + job->role->x;
+    V *omega = b->r + job->role->omega;
+    V *net = b->r + job->role->net;
+    x[0] = c[X];
+    omega[0] = c[OMEGA];
+    sine[0] = c[SINE_X];
+    versine[0] = c[VERSINE_X];
+    for (int n = 0; n <= TOP - 1; n++) {
+        V total = ((e[1] * sine[n]) + (e[2] * versine[n])) + (c[job->role->net_square] * coefficient_of_product(omega, omega, n));
+        if (n == 0) {
+            total = total + e[0];
+        }
+        if (n == 1) {
+            total = total + rise[0];
+        }
+        if (n > 0) {
+            total = total + ((rise[1] * sine[n - 1]) + (rise[2] * versine[n - 1]));
+        }
+        net[n] = total;
+        x[n + 1] = omega[n] * b->inverse[n + 1];
+        omega[n + 1] = total * b->inverse[n + 1];
+        V along = omega[n] - coefficient_of_product(versine, omega, n);
+        sine[n + 1] = along * b->inverse[n + 1];
+        versine[n + 1] = coefficient_of_product(sine, omega, n) * b->inverse[n + 1];
+    }
+}
+
+/* Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment, and their rates. */
+INLINE void find_factors(Batch *b, int t, V *factors, V *rise)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    rise[0] = c[job->role->net_record] * c[job->table[t].cell + RISE];
+    rise[1] = c[job->role->net_record_sine] * c[job->table[t].cell + RISE];
+    rise[2] = c[job->role->net_record_vers] * c[job->table[t].cell + RISE];
+    factors[0] = c[job->role->drive] + (c[job->role->net_record] * c[job->table[t].cell + INC]);
+    factors[1] = c[job->role->net_sine] + (c[job->role->net_record_sine] * c[job->table[t].cell + INC]);
+    factors[2] = c[job->role->net_vers] + (c[job->role->net_record_vers] * c[job->table[t].cell + INC]);
+}
+
+/* Shorten a step to a standstill, record a peak within it, and return the rate of the speed at its end. */
+static V pass_events(Batch *b, M here, V left)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *omega = b->r + job->role->omega;
+    V *net = b->r + job->role->net;
+    c[STEP] = pick(here, left, c[STEP]);
+    c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
+    V loss = left * minimum(net[0], broadcast(0.0));
+    V bend = (left * left) * magnitude(omega[2]);
+    M slow = here & (omega[0] > 0.0) & ((omega[0] + loss) <= (2.0 * bend));
+    if (bits(slow)) {
+        find_standstill(b, slow, TOP);
+    }
+    V step = c[STEP];
+    const Pair rate_slope = value_and_slope(net, TOP - 1, step);
+    V rate = rate_slope.one, slope = rate_slope.other;
+    V most = omega[0] + (step * net[0]);
+    M peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > magnitude(c[PEAK_OMEGA]));
+    if (bits(peaks)) {
+        keep_peak(b, peaks, TOP, rate, slope);
+    }
+    return rate;
+}
+
+/* Move lanes to the end of a piece, or to a standstill within it. */
+static void move_within(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V factors[STRIDE];
+    V rise[STRIDE];
+    V sine[STRIDE];
+    V versine[STRIDE];
+    find_factors(b, t, factors, rise);
+    expand_piece(b, factors, rise, sine, versine);
+    V rate = pass_events(b, here, c[job->table[t].cell + UPPER] - c[TIME]);
+    V step = c[STEP];
+    V *omega = b->r + job->role->omega;
+    V speed = omega[0] + increment(omega, TOP, step);
+    M stops = here & ((c[EVENT] == (double)EVENT_STANDSTILL) | (speed <= 0.0));
+    c[X] = pick(here, c[X] + increment(b->r + job->role->x, TOP, step), c[X]);
+    c[OMEGA] = pick(here, pick(stops, broadcast(0.0), speed), c[OMEGA]);
+    c[SINE_X] = pick(here, c[SINE_X] + increment(sine, TOP, step), c[SINE_X]);
+    c[VERSINE_X] = pick(here, c[VERSINE_X] + increment(versine, TOP, step), c[VERSINE_X]);
+    c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + (step * c[job->table[t].cell + RISE]), c[job->table[t].cell + INC]);
+    V then = pick(stops, c[TIME] + step, c[job->table[t].cell + UPPER]);
+    keep_faster(b, here, c[OMEGA], then, c[X], rate);
+    c[REST_SINCE] = pick(here, pick(stops, then, c[REST_SINCE]), c[REST_SINCE]);
+    c[TIME] = pick(here, then, c[TIME]);
+}
+
+/* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. */
+INLINE M wait_for_start(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V *net = b->r + job->role->net;
+    V *normal = b->r + job->role->normal;
+    net[0] = net_at_rest(b, c[job->table[t].cell + INC]);
+    net[1] = net_at_rest(b, c[job->table[t].cell + INC] + c[job->table[t].cell + RISE]) - net[0];
+    net[2] = broadcast(0.0);
+    normal[0] = force_at_rest(b, c[job->table[t].cell + INC]);
+    normal[1] = force_at_rest(b, c[job->table[t].cell + INC] + c[job->table[t].cell + RISE]) - normal[0];
+    normal[2] = broadcast(0.0);
+    c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
+    c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
+    look_for_quiet(b, here);
+    EACH(lane, bits(here)) {
+        enter_pieces(b, lane);
+    }
+    V now = minimum(net_at_rest(b, c[job->table[t].cell + INC]), broadcast(0.0));
+    V then = net_at_rest(b, c[job->table[t].cell + LOWER]);
+    M starts = here & (then > (SURELY * c[job->role->drive_scale]));
+    V share = pick(starts, now / (now - then), broadcast(0.0));
+    c[TIME] = pick(here, c[TIME] + (share * (c[job->table[t].cell + UPPER] - c[TIME])), c[TIME]);
+    c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + (share * (c[job->table[t].cell + LOWER] - c[job->table[t].cell + INC])), c[job->table[t].cell + INC]);
+    return starts;
+}
+
+/* Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place.
+ * The piece must end before the end time, and not at the last break, where the function may jump. */
+INLINE M fits(Batch *b, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    V beyond = breaks_at(b, t, minimum(c[job->table[t].cell + PIECE] + 2.0, last));
+    M inside = ((c[job->table[t].cell + PIECE] + 1.0) < last) & (beyond < INFINITY) & (c[job->table[t].cell + UPPER] < c[END_TIME]);
+    V size = c[job->role->driving_moment] + magnitude(c[job->role->driving_moment_slope]);
+    M drives = (size * c[X]) < (0.5 * c[job->role->driving_moment]);
+    V length = c[job->table[t].cell + UPPER] - c[TIME];
+    V turning = magnitude(c[job->role->net_record_sine]) + magnitude(c[job->role->net_record_vers]);
+    V moments = (magnitude(c[job->role->net_sine]) + magnitude(c[job->role->net_vers])) + (turning * magnitude(c[job->table[t].cell + LOWER]));
+    V path = length * (c[OMEGA] + ((32.0 * length) * moments));
+    V terms = magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]);
+    return inside & drives & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
+}
+
+/* Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion. */
+INLINE void leave_series(Batch *b, M here, V since)
+{
+    V *const c = b->c;
+    M moves = c[OMEGA] > 0.0;
+    c[STATUS] = pick(here, pick(moves, broadcast(MOVING), broadcast(RESTING)), c[STATUS]);
+    here = here & ~moves & (c[TIME] > since);
+    c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
+    update_reach(b, here);
+    advance_origin(b, here);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
+}
+
+/* Move lanes at rest through the pieces of a record, down-slope, as far as the series of a piece fit. */
+static void turn_through(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    c[SINE_X] = pick(here, broadcast(0.0), c[SINE_X]);
+    c[VERSINE_X] = pick(here, broadcast(0.0), c[VERSINE_X]);
+    V since = c[TIME];
+    while (bits(here)) {
+        M moves = here & (c[OMEGA] > 0.0);
+        M rests = here & (c[OMEGA] == 0.0);
+        M starts = (M){0};
+        if (bits(rests)) {
+            starts = wait_for_start(b, rests, t);
+        }
+        M goes = (moves | starts) & fits(b, t);
+        M leaves = here & ~goes;
+        if (bits(leaves)) {
+            leave_series(b, leaves, since);
+        }
+        count_starts(b, starts & goes);
+        here = goes;
+        if (bits(here)) {
+            move_within(b, here, t);
+            enter_line(b, here & (c[TIME] == c[job->table[t].cell + UPPER]), t);
+        }
+    }
 }
 
 /* Return whether the net moment has this form. */
@@ -4665,18 +4901,6 @@ INLINE void start_again(Batch *b, M here)
     c[PENDING] = pick(here, broadcast(START_AGAIN), c[PENDING]);
 }
 
-/* Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests. */
-static void enter_pieces(Batch *b, unsigned lane)
-{
-    const Job *const job = b->job;
-    for (int t = 0; t < job->tables; t++) {
-        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
-            rest_through(b, lane, t);
-        }
-    }
-    pass_breaks(b, lane);
-}
-
 /* Advance to the first change: start of slip, change of contact, break or end. */
 INLINE void leave_rest(Batch *b, M here, V limit, V room)
 {
@@ -4750,12 +4974,19 @@ static void rest_on(Batch *b, M here)
     M later = (M){0};
     for (int t = 0; t < job->tables; t++) {
         int alone = (job->autonomous == 2) && (job->timed == 1);
-        int exact = alone && !job->samples && !(job->notes_room > 0) && (job->data[t].terms == 2);
-        if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
-            later = slide_together(b, here, t);
+        int linear = !job->samples && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        if ((alone || (job->role->net_record >= 0)) && linear && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
+            M down_slope = here & (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0) & (c[LIFTED] == 0.0);
+            if (job->role->net_record >= 0) {
+                turn_through(b, down_slope, t);
+            }
+            if (!(job->role->net_record >= 0)) {
+                later = slide_together(b, down_slope, t);
+            }
         }
     }
-    rest_to_change(b, here & (c[PENDING] == (double)READY) & ~later, limit, room);
+    M stays = here & (c[STATUS] == (double)RESTING) & (c[PENDING] == (double)READY);
+    rest_to_change(b, stays & ~later, limit, room);
 }
 
 /* Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow. */
@@ -4785,7 +5016,7 @@ static void advance(Batch *b, M here)
     M resting = here & (c[STATUS] == (double)RESTING);
     int complete = HAS_CLOSED_FORM(job->role) && !(job->samples && SOFTENS(job->role));
     for (int t = 0; t < job->tables; t++) {
-        complete = complete && (job->table[t].kind != OF_SLIP);
+        complete = complete && (job->table[t].kind != OF_SLIP) && (job->table[t].kind != OF_TIME);
     }
     if (complete) {
         moving = moving & ~swing(b, moving);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9b28839296ee13e4091a2f88398c02c123089ade43f09a05671dee3cf39807ec
+# sha256 of the text below: 0a68fce14f49a510d40cdcad6de680817851d68f7d9b099fd218603ac1175f01
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -390,6 +390,10 @@ SIXTH = 0.16666666666666666
 LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
 FAR = 1e+300
+TOP = 7
+SHORT = 0.0078125
+PRESSED = 0.01
+SURELY = 4.0
 BEYOND = 1.125
 LONGEST = 1.0
 REACH = 4.0
@@ -1383,8 +1387,7 @@ def rests_on(lane: Lanes, i: Index, t: Table, piece: Index, low: Floats, high: F
     last = t.pieces - 1
     following = np.fmin(piece + 1, last)
     height = constant_of(lane, i, t, following)
-    inside = (break_of(lane, i, t, following) < before) & (end_of_piece(lane, i, t, following) < INFINITY)
-    return (low <= height) & (height <= high) & inside
+    return (end_of_piece(lane, i, t, following) < before) & (low <= height) & (height <= high)
 
 
 def rest_through(lane: Lanes, i: Index, t: Table) -> None:
@@ -1417,6 +1420,14 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = (i_2, piece_2)
 
 
+def enter_pieces(lane: Lanes, i: Index) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
+    for t in lane.tables:
+        if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+            rest_through(lane, i, t)
+    pass_breaks(lane, i)
+
+
 def path(time: Floats, omega: Floats, net: Floats, rise: Floats) -> Floats:
     """Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly."""
     by_rise = SIXTH * time * rise
@@ -1446,7 +1457,7 @@ def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
     pass_break(lane, i, t)
 
 
-def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
+def end_slide(s: Lanes, here: Mask, t: Table, piece: Floats, x: Floats, omega: Floats) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = s.cells
     c[ix.X] = np.where(here, x, c[ix.X])
@@ -1460,7 +1471,7 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floa
     advance_origin(s, here)
     i = np.flatnonzero(here)
     if i.size:
-        enter_at(s, i, t, np.full(i.size, piece))
+        enter_at(s, i, t, integer(piece[i]))
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
@@ -1606,7 +1617,7 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
     if np.any(leaves):
-        end_slide(s, leaves, t, piece, x, omega)
+        end_slide(s, leaves, t, piece + 0.0 * x, x, omega)
     return on & inside
 
 
@@ -1647,7 +1658,7 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
 
 
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
-    """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round."""
+    """Move lanes that rest in the same piece, down-slope; return lanes that follow in a later round."""
     c = s.cells
     net = s.registers[s.roles.net]
     slope = net[1] / c[t.cells + ix.RISE]
@@ -1659,9 +1670,7 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     force = normal_force(s)
     weight = force - grip * origin
     straight = net[2] == 0.0
-    linear = here & straight & (c[t.cells + ix.RISE] != 0.0)
-    down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0)
-    forward = linear & down_slope & (c[ix.LIFTED] == 0.0)
+    forward = here & straight & (c[t.cells + ix.RISE] != 0.0)
     piece = greatest(np.where(forward, c[t.cells + ix.PIECE], -1.0))
     same = c[t.cells + ix.PIECE] == float(piece)
     there = forward & same
@@ -1991,6 +2000,198 @@ def make_step(s: Lanes, here: Mask) -> None:
     advance_states(s, here, top)
     rate = per_time(s, rate, c[ix.OMEGA])
     arrive(s, here, until, rate, steady, at_limit, endless)
+
+
+def at_rotation(s: Lanes, constant: Floats, sine: Floats, versine: Floats) -> Floats:
+    """Return a sum with sine and 1 - cosine of the current rotation."""
+    c = s.cells
+    turned = sine * c[ix.SINE_X] + versine * c[ix.VERSINE_X]
+    return constant + turned
+
+
+def net_at_rest(s: Lanes, change: Floats) -> Floats:
+    """Return the net moment of a mass at rest after a change of the function of time."""
+    c = s.cells
+    steady = at_rotation(s, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers])
+    return steady + change * at_rotation(s, c[s.roles.net_record], c[s.roles.net_record_sine],
+        c[s.roles.net_record_vers])
+
+
+def force_at_rest(s: Lanes, change: Floats) -> Floats:
+    """Return the normal force of a mass at rest after a change of the function of time."""
+    c = s.cells
+    steady = at_rotation(s, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers])
+    return steady + change * at_rotation(s, c[s.roles.normal_record], c[s.roles.normal_record_sine],
+        c[s.roles.normal_record_vers])
+
+
+def coefficient_of_product(p: Floats, q: Floats, n: int) -> Floats:
+    """Return coefficient n of the product of two series."""
+    total: Floats = 0
+    for k in range(n + 1):
+        total = total + p[k] * q[n - k]
+    return total
+
+
+def expand_piece(s: Lanes, e: Floats, rise: Floats, sine: Floats, versine: Floats) -> None:
+    """Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates."""
+    c = s.cells
+    x = s.registers[s.roles.x]
+    omega = s.registers[s.roles.omega]
+    net = s.registers[s.roles.net]
+    x[0] = c[ix.X]
+    omega[0] = c[ix.OMEGA]
+    sine[0] = c[ix.SINE_X]
+    versine[0] = c[ix.VERSINE_X]
+    for n in range(TOP - 1 + 1):
+        total = e[1] * sine[n] + e[2] * versine[n] + c[s.roles.net_square] * coefficient_of_product(omega, omega, n)
+        if n == 0:
+            total = total + e[0]
+        if n == 1:
+            total = total + rise[0]
+        if n > 0:
+            total = total + (rise[1] * sine[n - 1] + rise[2] * versine[n - 1])
+        net[n] = total
+        x[n + 1] = omega[n] * (1.0 / (n + 1))
+        omega[n + 1] = total * (1.0 / (n + 1))
+        along = omega[n] - coefficient_of_product(versine, omega, n)
+        sine[n + 1] = along * (1.0 / (n + 1))
+        versine[n + 1] = coefficient_of_product(sine, omega, n) * (1.0 / (n + 1))
+
+
+def find_factors(s: Lanes, t: Table, factors: Floats, rise: Floats) -> None:
+    """Compute the factors of 1, sin(x) and 1 - cos(x) in the net moment, and their rates."""
+    c = s.cells
+    rise[0] = c[s.roles.net_record] * c[t.cells + ix.RISE]
+    rise[1] = c[s.roles.net_record_sine] * c[t.cells + ix.RISE]
+    rise[2] = c[s.roles.net_record_vers] * c[t.cells + ix.RISE]
+    factors[0] = c[s.roles.drive] + c[s.roles.net_record] * c[t.cells + ix.INC]
+    factors[1] = c[s.roles.net_sine] + c[s.roles.net_record_sine] * c[t.cells + ix.INC]
+    factors[2] = c[s.roles.net_vers] + c[s.roles.net_record_vers] * c[t.cells + ix.INC]
+
+
+def pass_events(s: Lanes, here: Mask, left: Floats) -> Floats:
+    """Shorten a step to a standstill, record a peak within it, and return the rate of the speed at its end."""
+    c = s.cells
+    omega = s.registers[s.roles.omega]
+    net = s.registers[s.roles.net]
+    c[ix.STEP] = np.where(here, left, c[ix.STEP])
+    c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
+    loss = left * np.minimum(net[0], 0.0)
+    bend = left * left * np.abs(omega[2])
+    slow = here & (omega[0] > 0.0) & (omega[0] + loss <= 2.0 * bend)
+    if np.any(slow):
+        find_standstill(s, slow, TOP)
+    step = c[ix.STEP].copy()
+    rate, slope = value_and_slope(net, TOP - 1, step)
+    most = omega[0] + step * net[0]
+    peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > np.abs(c[ix.PEAK_OMEGA]))
+    if np.any(peaks):
+        keep_peak(s, peaks, TOP, rate, slope)
+    return rate
+
+
+def move_within(s: Lanes, here: Mask, t: Table) -> None:
+    """Move lanes to the end of a piece, or to a standstill within it."""
+    c = s.cells
+    factors = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    rise = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    sine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    versine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    find_factors(s, t, factors, rise)
+    expand_piece(s, factors, rise, sine, versine)
+    rate = pass_events(s, here, c[t.cells + ix.UPPER] - c[ix.TIME])
+    step = c[ix.STEP].copy()
+    omega = s.registers[s.roles.omega]
+    speed = omega[0] + increment(omega, TOP, step)
+    stops = here & ((c[ix.EVENT] == ix.EVENT_STANDSTILL) | (speed <= 0.0))
+    c[ix.X] = np.where(here, c[ix.X] + increment(s.registers[s.roles.x], TOP, step), c[ix.X])
+    c[ix.OMEGA] = np.where(here, np.where(stops, 0.0, speed), c[ix.OMEGA])
+    c[ix.SINE_X] = np.where(here, c[ix.SINE_X] + increment(sine, TOP, step), c[ix.SINE_X])
+    c[ix.VERSINE_X] = np.where(here, c[ix.VERSINE_X] + increment(versine, TOP, step), c[ix.VERSINE_X])
+    c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + step * c[t.cells + ix.RISE], c[t.cells + ix.INC])
+    then = np.where(stops, c[ix.TIME] + step, c[t.cells + ix.UPPER])
+    keep_faster(s, here, c[ix.OMEGA], then, c[ix.X], rate)
+    c[ix.REST_SINCE] = np.where(here, np.where(stops, then, c[ix.REST_SINCE]), c[ix.REST_SINCE])
+    c[ix.TIME] = np.where(here, then, c[ix.TIME])
+
+
+def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
+    """Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach."""
+    c = s.cells
+    net = s.registers[s.roles.net]
+    normal = s.registers[s.roles.normal]
+    net[0] = net_at_rest(s, c[t.cells + ix.INC])
+    net[1] = net_at_rest(s, c[t.cells + ix.INC] + c[t.cells + ix.RISE]) - net[0]
+    net[2] = 0.0
+    normal[0] = force_at_rest(s, c[t.cells + ix.INC])
+    normal[1] = force_at_rest(s, c[t.cells + ix.INC] + c[t.cells + ix.RISE]) - normal[0]
+    normal[2] = 0.0
+    c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
+    c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
+    look_for_quiet(s, here)
+    i = np.flatnonzero(here)
+    if i.size:
+        enter_pieces(s, i)
+    now = np.minimum(net_at_rest(s, c[t.cells + ix.INC]), 0.0)
+    then = net_at_rest(s, c[t.cells + ix.LOWER])
+    starts = here & (then > SURELY * c[s.roles.drive_scale])
+    share = np.where(starts, now / (now - then), 0.0)
+    c[ix.TIME] = np.where(here, c[ix.TIME] + share * (c[t.cells + ix.UPPER] - c[ix.TIME]), c[ix.TIME])
+    c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + share * (c[t.cells + ix.LOWER] - c[t.cells + ix.INC]),
+        c[t.cells + ix.INC])
+    return starts
+
+
+def fits(s: Lanes, t: Table) -> Mask:
+    """Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place."""
+    c = s.cells
+    last: Floats = float(t.pieces - 1)
+    beyond = breaks_at(s, t, np.minimum(c[t.cells + ix.PIECE] + 2.0, last))
+    inside = (c[t.cells + ix.PIECE] + 1.0 < last) & (beyond < INFINITY) & (c[t.cells + ix.UPPER] < c[ix.END_TIME])
+    size = c[s.roles.driving_moment] + np.abs(c[s.roles.driving_moment_slope])
+    drives = size * c[ix.X] < 0.5 * c[s.roles.driving_moment]
+    length = c[t.cells + ix.UPPER] - c[ix.TIME]
+    turning = np.abs(c[s.roles.net_record_sine]) + np.abs(c[s.roles.net_record_vers])
+    moments = np.abs(c[s.roles.net_sine]) + np.abs(c[s.roles.net_vers]) + turning * np.abs(c[t.cells + ix.LOWER])
+    path = length * (c[ix.OMEGA] + 32.0 * length * moments)
+    terms = np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope])
+    return inside & drives & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
+
+
+def leave_series(s: Lanes, here: Mask, since: Floats) -> None:
+    """Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion."""
+    c = s.cells
+    moves = c[ix.OMEGA] > 0.0
+    c[ix.STATUS] = np.where(here, np.where(moves, ix.MOVING, ix.RESTING), c[ix.STATUS])
+    here = here & np.logical_not(moves) & (c[ix.TIME] > since)
+    c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
+    update_reach(s, here)
+    advance_origin(s, here)
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
+
+
+def turn_through(s: Lanes, here: Mask, t: Table) -> None:
+    """Move lanes at rest through the pieces of a record, down-slope, as far as the series of a piece fit."""
+    c = s.cells
+    c[ix.SINE_X] = np.where(here, 0.0, c[ix.SINE_X])
+    c[ix.VERSINE_X] = np.where(here, 0.0, c[ix.VERSINE_X])
+    since = c[ix.TIME].copy()
+    while np.any(here):
+        moves = here & (c[ix.OMEGA] > 0.0)
+        rests = here & (c[ix.OMEGA] == 0.0)
+        starts = none_of(s)
+        if np.any(rests):
+            starts = wait_for_start(s, rests, t)
+        goes = (moves | starts) & fits(s, t)
+        leaves = here & np.logical_not(goes)
+        if np.any(leaves):
+            leave_series(s, leaves, since)
+        count_starts(s, starts & goes)
+        here = goes
+        if np.any(here):
+            move_within(s, here, t)
+            enter_line(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
 
 
 def has_recurrence(s: Lanes) -> int:
@@ -3114,14 +3315,6 @@ def start_again(s: Lanes, here: Mask) -> None:
     c[ix.PENDING] = np.where(here, ix.START_AGAIN, c[ix.PENDING])
 
 
-def enter_pieces(lane: Lanes, i: Index) -> None:
-    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
-    for t in lane.tables:
-        if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
-            rest_through(lane, i, t)
-    pass_breaks(lane, i)
-
-
 def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
     c = s.cells
@@ -3186,10 +3379,15 @@ def rest_on(s: Lanes, here: Mask) -> None:
     later = none_of(s)
     for t in s.tables:
         alone = s.autonomous == 2 and s.timed == 1
-        exact = alone and (not s.sample_count) and (not s.logged) and (t.terms == 2)
-        if exact and t.kind == ix.OF_TIME and (not t.sine):
-            later = slide_together(s, here, t)
-    rest_to_change(s, here & (c[ix.PENDING] == ix.READY) & np.logical_not(later), limit, room)
+        linear = not s.sample_count and (not s.logged) and (t.terms == 2)
+        if (alone or s.roles.net_record >= 0) and linear and (t.kind == ix.OF_TIME) and (not t.sine):
+            down_slope = here & (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0) & (c[ix.LIFTED] == 0.0)
+            if s.roles.net_record >= 0:
+                turn_through(s, down_slope, t)
+            if not s.roles.net_record >= 0:
+                later = slide_together(s, down_slope, t)
+    stays = here & (c[ix.STATUS] == ix.RESTING) & (c[ix.PENDING] == ix.READY)
+    rest_to_change(s, stays & np.logical_not(later), limit, room)
 
 
 def stop_endless(s: Lanes, here: Mask) -> None:
@@ -3213,7 +3411,7 @@ def advance(s: Lanes, here: Mask) -> None:
     resting = here & (c[ix.STATUS] == ix.RESTING)
     complete = s.roles.net_sine >= 0 and (not (s.sample_count and s.roles.loss_rate >= 0))
     for t in s.tables:
-        complete = complete and t.kind != ix.OF_SLIP
+        complete = complete and t.kind != ix.OF_SLIP and (t.kind != ix.OF_TIME)
     if complete:
         moving = moving & np.logical_not(swing(s, moving))
     if s.by_rotation and (not s.sample_count):

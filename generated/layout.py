@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7f4d06af70eb31e757b362203b4615d7282d66b572b8da09622134dcac11e2b8
+# sha256 of the text below: bb9c2d180cd44d7b0de1450241cc736c062402aadc1f5b858ad2cec916362dc6
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -38,22 +38,24 @@ X = 31  # rotation since the phase began, in the direction of travel
 OMEGA = 32  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
-PENDING = -17  # action required before its next step
-FACED = -16  # directions checked since its standstill
-SUDDEN = -15  # 1 if slip begins at a jump of forces, else 0
-RATE_BEFORE = -14  # d omega*/dt* where the phase before ended
-DRIVE_BEFORE = -13  # the drive of that phase
-SCALE_BEFORE = -12  # the size of the terms of that drive
-SERIES_ORDER = -11  # order of the series of this step
-LARGEST_OMEGA = -10  # largest term of the series of omega so far, at rest of the net moment
-STEP = -9  # length of this step, up to its first event
-EVENT = -8  # that event
-STRETCH = -7  # at rest, the time ahead that is known
-START_AHEAD = -6  # time until slip begins
-START_DIRECTION = -5  # of that slip
-LIFT_AHEAD = -4  # time until contact is lost or regained
-QUIET_FROM = -3  # least value of the function of time at which it certainly stays at rest
-QUIET_TO = -2  # greatest such value
+PENDING = -19  # action required before its next step
+FACED = -18  # directions checked since its standstill
+SUDDEN = -17  # 1 if slip begins at a jump of forces, else 0
+RATE_BEFORE = -16  # d omega*/dt* where the phase before ended
+DRIVE_BEFORE = -15  # the drive of that phase
+SCALE_BEFORE = -14  # the size of the terms of that drive
+SERIES_ORDER = -13  # order of the series of this step
+LARGEST_OMEGA = -12  # largest term of the series of omega so far, at rest of the net moment
+STEP = -11  # length of this step, up to its first event
+EVENT = -10  # that event
+STRETCH = -9  # at rest, the time ahead that is known
+START_AHEAD = -8  # time until slip begins
+START_DIRECTION = -7  # of that slip
+LIFT_AHEAD = -6  # time until contact is lost or regained
+QUIET_FROM = -5  # least value of the function of time at which it certainly stays at rest
+QUIET_TO = -4  # greatest such value
+SINE_X = -3  # sine of the rotation of a mass that passes a record by short series
+VERSINE_X = -2  # 1 - cosine of this rotation
 CLOCKED = -1  # 1 if its steps are series in time to the end, although series in the rotation exist
 
 # Cells of a table.
@@ -123,10 +125,12 @@ CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', '
 TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'RISE', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'square', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
-    'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu',
-    'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine', 'cell_normal_vers',
-    'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss', 'cell_net_loss_sine',
-    'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate', 'cell_per_pole')
+    'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving_moment_slope', 'cell_driving',
+    'cell_resisting', 'cell_mu', 'cell_pace', 'cell_net_sine', 'cell_net_vers', 'cell_net_square', 'cell_normal_sine',
+    'cell_normal_vers', 'cell_normal_square', 'cell_upright_sine', 'cell_upright_vers', 'cell_net_loss',
+    'cell_net_loss_sine', 'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate', 'cell_per_pole',
+    'cell_net_record', 'cell_net_record_sine', 'cell_net_record_vers', 'cell_normal_record', 'cell_normal_record_sine',
+    'cell_normal_record_vers')
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a16ab7ddec570b069e93045377ff198b446153b7644eb4c281b791c8a0be30b6
+# sha256 of the text below: d6e723cd73d9900e1cadc82d545c8bd84122480ab31fd933889d7896b5448817
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "b45c51ebbc31c8125ef03942d99c4436deaea68cd141638bd1fb71ce855f9fca"  # of the compiled integrator's source
+DIGEST = "7665f19b299826d7c4a9440d20f10a7ccbf416286f776a92ec3b3ba8a793ac50"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -27,11 +27,21 @@ from tests.support.lanes import BACKENDS, backend
 STILL = Series(np.array([0.0, 1000.0]), np.zeros(2))
 
 
-def shaken(horizontal: Series | LaneSeries, vertical: Series | None = None, mu: Any = MU, **more: Any) -> Motion:
+TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+
+
+def shaken(
+    horizontal: Series | LaneSeries,
+    vertical: Series | None = None,
+    mu: Any = MU,
+    arc: Arc = ARC,
+    effects: dict[str, Any] | None = None,
+    **more: Any,
+) -> Motion:
     given: dict[str, Any] = {"horizontal": horizontal, **more}
     if vertical is not None:
         given["vertical"] = vertical
-    return solve(Scene(ARC, mu, {"shaking": given}))
+    return solve(Scene(arc, mu, {"shaking": given, **(effects or {})}))
 
 
 @pytest.mark.parametrize("name", BACKENDS)
@@ -53,9 +63,10 @@ def test_a_suite_is_that_of_the_exact_block(name: str) -> None:
     assert motion.peak.time == pytest.approx(by_series.peak.time, rel=1e-7)  # where the speed is level
 
 
+@pytest.mark.parametrize("effects", [{}, TURNING], ids=["frozen", "turning"])
 @pytest.mark.parametrize("law", [MU, {"law": "exponential", "peak": MU, "residual": 0.9 * MU, "length": 0.2}])
 @pytest.mark.parametrize("name", BACKENDS)
-def test_records_side_by_side_are_each_alone(name: str, law: Any) -> None:
+def test_records_side_by_side_are_each_alone(name: str, law: Any, effects: dict[str, Any]) -> None:
     """Bit for bit, in any order: of any length, that end at a jump or not, that start late, and that are held."""
     short = quake(12, 90)
     late = Series(1.0 + quake(13, 300).time, quake(13, 300).values)
@@ -63,11 +74,11 @@ def test_records_side_by_side_are_each_alone(name: str, law: Any) -> None:
     records = quake(11, 700), short, late, cut, quake(14, 120)
     which = np.array([3, 0, 1, 4, 2, 0, 3, 1, 2, 4, 4])
     scales = np.linspace(1.0, 3.0, which.size)
-    frozen = isinstance(law, float)
+    frozen = isinstance(law, float) and not effects
     with backend(name):
-        together = shaken(LaneSeries(records, which), mu=law, scale=scales)
+        together = shaken(LaneSeries(records, which), mu=law, effects=effects, scale=scales)
         for k, record in enumerate(records):
-            alone = shaken(record, mu=law, scale=scales[which == k])
+            alone = shaken(record, mu=law, effects=effects, scale=scales[which == k])
             for outcome in ("run_out", "peak_velocity", "duration"):
                 np.testing.assert_array_equal(together.outcomes[outcome][which == k], alone.outcomes[outcome])
             for run_out, scale in zip(alone.run_out, scales[which == k], strict=True):
@@ -75,6 +86,25 @@ def test_records_side_by_side_are_each_alone(name: str, law: Any) -> None:
                     places, _, _ = of_block(replace(record, values=scale * record.values))
                     assert run_out == pytest.approx(places[-1], rel=1e-12)
     assert np.count_nonzero(together.moves) > 5
+
+
+@pytest.mark.parametrize("radius", [2.0, 9.0, 60.0, 900.0])
+@pytest.mark.parametrize("effects", [{"rotation": {}}, TURNING], ids=["turning", "centripetal"])
+@pytest.mark.parametrize("name", BACKENDS)
+def test_turning_masses_pass_samples_as_by_series(name: str, effects: dict[str, Any], radius: float) -> None:
+    """Results agree also where a mass turns back, and where pieces are too long for a few orders."""
+    arc = replace(ARC, radius=radius)
+    records = quake(11, 300), quake(14, 120)
+    scales = np.array([0.3, 0.5, 1.0, 2.0, 12.0, 0.3, 0.7, 1.5, 4.0])
+    suite = LaneSeries(records, np.repeat([0, 1], [5, 4]))
+    with backend(name):
+        motion, by_series = (shaken(suite, v, arc=arc, effects=effects, scale=scales) for v in (None, STILL))
+    assert by_series.slips.max() > 4
+    assert motion.slips.tolist() == by_series.slips.tolist()
+    assert motion.run_out == pytest.approx(by_series.run_out, rel=1e-11)
+    assert motion.duration == pytest.approx(by_series.duration, rel=1e-12)
+    assert motion.peak.velocity == pytest.approx(by_series.peak.velocity, rel=1e-11)
+    assert motion.peak.displacement == pytest.approx(by_series.peak.displacement, rel=1e-6)  # where the speed is level
 
 
 @pytest.mark.parametrize("ulps", [-1000, -1, 0, 1, 1000])
@@ -253,15 +283,15 @@ def test_states_on_the_way_are_read_where_samples_are_passed() -> None:
     assert np.abs(read.velocity - speeds).max() < 1e-13 * speeds.max()
 
 
+@pytest.mark.parametrize("step", [0.02, 0.1])
 @pytest.mark.parametrize("name", BACKENDS)
-def test_orders_between_samples_keep_the_accuracy(name: str) -> None:
+def test_orders_between_samples_keep_the_accuracy(name: str, step: float) -> None:
     """Turning under a record, by steps that its samples cut short, beside a series in ball arithmetic."""
-    record = quake(7, 120, 0.1)
+    record = quake(7, 120, step)
     shaking = {"time": record.time.tolist(), "horizontal": record.values.tolist()}
-    turning: dict[str, Any] = {"rotation": {}, "centripetal": {}}
     given = {"arc": oracle.plain(ARC), "friction": MU, "initial_velocity": 0.0, "end_time": None}
-    exact = taylor.solve(given | {"effects": turning | {"shaking": shaking}}, digits=16)
-    lanes = Scene(ARC, np.full(2, MU), turning | {"shaking": {"horizontal": record}})
+    exact = taylor.solve(given | {"effects": TURNING | {"shaking": shaking}}, digits=16)
+    lanes = Scene(ARC, np.full(2, MU), TURNING | {"shaking": {"horizontal": record}})
     for accuracy in (1e-3, 1e-6, 1e-9, 1e-12):
         with backend(name):
             motion = solve(lanes, accuracy)

@@ -97,6 +97,8 @@ WORKING = {
     "LIFT_AHEAD": "time until contact is lost or regained",
     "QUIET_FROM": "least value of the function of time at which it certainly stays at rest",
     "QUIET_TO": "greatest such value",
+    "SINE_X": "sine of the rotation of a mass that passes a record by short series",
+    "VERSINE_X": "1 - cosine of this rotation",
     "CLOCKED": "1 if its steps are series in time to the end, although series in the rotation exist",
 }
 PENDING = {
@@ -113,7 +115,7 @@ NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again
 KINDS = ("slip", "speed", "time", "rotation")  # arguments of tables
 # Registers and cells of a program that the integrator reads, the last ones where phases have a closed form: factors of
 # sin(x), 1 - cos(x) and omega^2, then of exp(rate x) - 1 or 1/(1 + per_pole x) - 1 and its products with these, and
-# its derivative at the start.
+# its derivative at the start; at last of the change of the only function of time, the record.
 ROLES = (
     "x",
     "omega",
@@ -127,6 +129,7 @@ ROLES = (
     "cell_driving_moment",
     "cell_normal_load",
     "cell_normal_load_slope",
+    "cell_driving_moment_slope",
     "cell_driving",
     "cell_resisting",
     "cell_mu",
@@ -145,6 +148,7 @@ ROLES = (
     "cell_net_loss_square",
     "cell_loss_rate",
     "cell_per_pole",
+    *(f"cell_{force}_record{factor}" for force in ("net", "normal") for factor in ("", "_sine", "_vers")),
 )
 HIGHEST = 40  # order of a series
 STRIDE = HIGHEST + 2  # distance of registers: states have one more coefficient, followed by zero

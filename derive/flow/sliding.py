@@ -1,13 +1,14 @@
-"""Proof that the integrator passes a piece of a record by the derived motion of a frozen mass."""
+"""Proof that the integrator passes a piece of a record by the derived motion of a frozen or of a turning mass."""
 
 from types import SimpleNamespace
 from typing import Any
 
-from sympy import Catalan, EulerGamma, nsimplify, pi, symbols
+from sympy import Catalan, EulerGamma, Expr, Rational, cos, nsimplify, pi, sin, symbols
 
-from derive.algebra import pieces
-from derive.algebra.prove import prove_rational
-from derive.flow.integrator import records
+from derive.algebra import phase_plane, pieces
+from derive.algebra.prove import prove_rational, prove_zero
+from derive.flow.integrator import records, shaken
+from derive.flow.layout import STRIDE
 
 length, now, behind = symbols("length now behind", positive=True)
 # Constants in place of symbols, by which SymPy decides comparisons. The proof is for any numbers in their place.
@@ -67,8 +68,41 @@ def _peak(speed: Any, net: Any, after: Any) -> list[Any]:
     return [top, now + length * level.subs(numbers), behind + length * way]
 
 
+def _turn(factors: list[Any], rise: list[Any], square: Any) -> list[Expr]:
+    """Return rotation, speed, sine and 1 - cosine of a turning mass as polynomials of the time in a piece."""
+    names = ("x", "omega", "net", "sine", "versine")
+    series: dict[str, list[Any]] = {name: [0] * STRIDE for name in names}
+    s = SimpleNamespace(x=0, omega=Rational(2, 7), sine_x=Rational(3, 7), versine_x=Rational(4, 7), net_square=square)
+    s.inverse = [0, *(Rational(1, k) for k in range(1, STRIDE))]
+    s.series = SimpleNamespace(**series)
+    shaken.expand_piece(s, factors, rise, series["sine"], series["versine"])
+    del series["net"]
+    return [sum(c * pieces.time**k for k, c in enumerate(of)) for of in series.values()]
+
+
+def _prove_series() -> None:
+    """Prove that the series of a turning mass satisfy the equation of motion to their order, for rational numbers."""
+    *numbers, square = (Rational(k, 5) for k in range(2, 9))
+    factors, rise = numbers[:3], numbers[3:]
+    x, omega, sine, versine = _turn(factors, rise, square)
+    moments = (a + b * pieces.time for a, b in zip(factors, rise, strict=True))
+    given = dict(zip((phase_plane.drive, phase_plane.sine, phase_plane.vers), moments, strict=True))
+    given |= {sin(phase_plane.x): sine, cos(phase_plane.x): 1 - versine}
+    rates = {
+        x: omega,
+        omega: phase_plane.NET.subs(given) + square * omega**2,
+        sine: (1 - versine) * omega,
+        versine: sine * omega,
+    }
+    for state, rate in rates.items():
+        missing = (state.diff(pieces.time) - rate).expand()
+        for k in range(shaken.TOP):
+            prove_zero(missing.coeff(pieces.time, k), f"coefficient {k} of a turning mass in a piece")
+
+
 def prove() -> str:
-    """Prove speed, path, standstill and peak in every kind of piece, and return the claim."""
+    """Prove speed, path, standstill and peak in every kind of piece, and the series of a turning mass."""
+    _prove_series()
     names = ("speed", "path", "standstill", "peak", "time of the peak", "place of the peak")
     cells = (
         "rest_since",
@@ -98,4 +132,4 @@ def prove() -> str:
                 (nsimplify(value, rational=True) - derived).xreplace(of_units),
                 f"{name} in a piece in which a mass {case}",
             )
-    return f"speed, path, standstill and peak in {len(rows)} kinds of pieces"
+    return f"speed, path, standstill and peak in {len(rows)} kinds of pieces, and {shaken.TOP} orders of a turning mass"

@@ -28,6 +28,7 @@ swing      phases from rest that have a closed form
 rest       lanes at rest, until the next break of a function of time or the root of the net moment
 phases     stick or slip at a standstill; the numbers of the phase that begins; greatest speed and rotation
 records    samples that a resting or gliding mass passes without series
+shaken     samples that a turning mass passes by short series
 tables     the piece of each table that applies to a lane
 series     the series of a step, and their radius of convergence
 roots      polynomials of many lanes: values and roots
@@ -41,4 +42,16 @@ to cells apply to these lanes.
 
 # Modules, each uses only earlier modules.
 FROM_REST = ("energy", "hyperbolic", "softening", "waves", "swing")
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "recurrence", "rotation", *FROM_REST, "rest")
+TEXT = (
+    "roots",
+    "tables",
+    "series",
+    "phases",
+    "records",
+    "step",
+    "shaken",
+    "recurrence",
+    "rotation",
+    *FROM_REST,
+    "rest",
+)

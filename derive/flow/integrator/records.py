@@ -33,7 +33,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
 from derive.flow.integrator.series import normal_force
-from derive.flow.integrator.tables import end_of_piece, pass_break
+from derive.flow.integrator.tables import end_of_piece, pass_break, pass_breaks
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
 SIXTH = 1.0 / 6.0
@@ -79,13 +79,12 @@ def look_for_quiet(s: Lanes, here: M) -> None:
 def rests_on(lane: Lane, t: T, piece: int, low: float, high: float, before: float) -> bool:
     """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range.
 
-    The piece must end before a place, and not at the last break, where the function may jump.
+    The following piece must end before a place, so that the function cannot jump between both.
     """
     last: N = t.pieces - 1
     following = minimum(piece + 1, last)
     height = constant_of(lane, t, following)
-    inside = break_of(lane, t, following) < before and end_of_piece(lane, t, following) < INFINITY
-    return low <= height and height <= high and inside
+    return end_of_piece(lane, t, following) < before and low <= height and height <= high
 
 
 def rest_through(lane: Lane, t: T) -> None:
@@ -103,6 +102,14 @@ def rest_through(lane: Lane, t: T) -> None:
         if lane.samples:
             read_samples(lane, lane.time, now, 0, 0)
         stand_before(lane, t, piece, now)
+
+
+def enter_pieces(lane: Lane) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
+    for t in lane.tables:
+        if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
+            rest_through(lane, t)
+    pass_breaks(lane)
 
 
 # --- side by side ----------------------------------------------------------------------------------------------------
@@ -139,7 +146,7 @@ def enter_at(lane: Lane, t: T, piece: int) -> None:
     pass_break(lane, t)
 
 
-def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
+def end_slide(s: Lanes, here: M, t: T, piece: V, x: V, omega: V) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     s.x = x
     s.omega = omega
@@ -151,7 +158,7 @@ def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
     update_reach(s, here and not moves)
     advance_origin(s, here)
     if here:
-        enter_at(s, t, piece)
+        enter_at(s, t, integer(piece))
     s.pending = Pending.BEGIN_PHASE
 
 
@@ -299,7 +306,7 @@ def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, ome
     inside = passes(s, t, piece, before) and press > 0.0
     leaves = on and not inside
     if any_lane(leaves):
-        end_slide(s, leaves, t, piece, x, omega)
+        end_slide(s, leaves, t, piece + 0.0 * x, x, omega)
     return on and inside
 
 
@@ -342,7 +349,7 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
 
 
 def slide_together(s: Lanes, here: M, t: T) -> M:
-    """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round.
+    """Move lanes that rest in the same piece, down-slope; return lanes that follow in a later round.
 
     So the numbers of a lane do not depend on other lanes.
     """
@@ -356,9 +363,7 @@ def slide_together(s: Lanes, here: M, t: T) -> M:
     force = normal_force(s)
     weight = force - grip * origin
     straight = net[2] == 0.0
-    linear = here and straight and t.rise != 0.0
-    down_slope = s.one_way > 0.0 and s.direction > 0.0
-    forward = linear and down_slope and s.lifted == 0.0
+    forward = here and straight and t.rise != 0.0
     piece: N = greatest(where(forward, t.piece, -1.0))
     same = t.piece == number(piece)
     there = forward and same

@@ -3,7 +3,6 @@
 from derive.flow.integrator.one_lane import (
     INFINITY,
     Kind,
-    Lane,
     Lanes,
     Limit,
     M,
@@ -22,14 +21,15 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
-from derive.flow.integrator.records import look_for_quiet, rest_through, slide_together
+from derive.flow.integrator.records import enter_pieces, look_for_quiet, slide_together
 from derive.flow.integrator.recurrence import has_recurrence
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.rotation import turn_on
 from derive.flow.integrator.series import expand, radius_of_convergence
+from derive.flow.integrator.shaken import turn_through
 from derive.flow.integrator.step import make_step
 from derive.flow.integrator.swing import swing
-from derive.flow.integrator.tables import next_break, pass_breaks
+from derive.flow.integrator.tables import next_break
 
 TOUCHES = 2.0  # units of rounding of the drive below which the net moment at rest is zero
 TOGETHER = 1e-9  # relative difference below which two times are equal
@@ -103,14 +103,6 @@ def start_again(s: Lanes, here: M) -> None:
     s.pending = Pending.START_AGAIN
 
 
-def enter_pieces(lane: Lane) -> None:
-    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
-    for t in lane.tables:
-        if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
-            rest_through(lane, t)
-    pass_breaks(lane)
-
-
 def leave_rest(s: Lanes, here: M, limit: V, room: V) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
     stretch = s.stretch
@@ -169,10 +161,15 @@ def rest_on(s: Lanes, here: M) -> None:
     later = none_of(s)
     for t in s.tables:
         alone: N = s.autonomous == 2 and s.timed == 1
-        exact: N = alone and not s.samples and not s.logged and t.terms == 2
-        if exact and t.kind == Kind.TIME and not t.sine:
-            later = slide_together(s, here, t)
-    rest_to_change(s, here and s.pending == Pending.READY and not later, limit, room)
+        linear: N = not s.samples and not s.logged and t.terms == 2
+        if (alone or s.has.net_record) and linear and t.kind == Kind.TIME and not t.sine:
+            down_slope = here and s.one_way > 0.0 and s.direction > 0.0 and s.lifted == 0.0
+            if s.has.net_record:
+                turn_through(s, down_slope, t)
+            if not s.has.net_record:
+                later = slide_together(s, down_slope, t)
+    stays = here and s.status == Status.RESTING and s.pending == Pending.READY
+    rest_to_change(s, stays and not later, limit, room)
 
 
 # --- one round -------------------------------------------------------------------------------------------------------
@@ -200,7 +197,7 @@ def advance(s: Lanes, here: M) -> None:
     resting = here and s.status == Status.RESTING
     complete: N = s.has.net_sine and not (s.samples and s.has.loss_rate)
     for t in s.tables:
-        complete = complete and t.kind != Kind.SLIP
+        complete = complete and t.kind != Kind.SLIP and t.kind != Kind.TIME
     if complete:
         moving = moving and not swing(s, moving)
     if s.by_rotation and not s.samples:

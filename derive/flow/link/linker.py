@@ -20,6 +20,7 @@ OUTPUT_CELLS = {
     "cell_driving_moment": "driving_moment_0",
     "cell_normal_load": "normal_load_0",
     "cell_normal_load_slope": "normal_load_slope_0",
+    "cell_driving_moment_slope": "driving_moment_slope_0",
     "cell_driving": "driving_0",
     "cell_resisting": "resisting_0",
     "cell_mu": "mu_0",
@@ -54,9 +55,9 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items() if name in definitions.cells}
-    losses = linker.losses()
-    if len(definitions.states) == 2 and len(losses) == len(definitions.tables):
-        outputs |= linker.closed_form(registers, outputs, losses)
+    parts = linker.parts()
+    if len(definitions.states) == 2 and len(parts) == len(definitions.tables):
+        outputs |= linker.closed_form(registers, outputs, parts)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
     series = _needed(linker.series, pending)
     scalar = _needed(linker.scalar, pending)
@@ -170,23 +171,30 @@ class Linker:
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
-    def losses(self) -> dict[str, str]:
-        """Return the register that a table of slip adds to friction, and its name in roles."""
+    def parts(self) -> dict[str, str]:
+        """Return the registers that follow tables in sums with a closed form, with their names in roles.
+
+        They are the register that a table of slip adds to friction, and the only function of time.
+        """
         register = str(self.register("dmu"))
         cells = {*self._made_by(register).cells[1:]}
-        of_slip = [{*table.coefficients} for table in self._definitions.tables if table.kind == "slip"]
-        return {register: "loss"} if cells in of_slip else {}
+        tables = self._definitions.tables
+        of_slip = [{*table.coefficients} for table in tables if table.kind == "slip"]
+        of_time = [table.argument for table in tables if table.kind == "time"]
+        losses = {register: "loss"} if cells in of_slip else {}
+        return losses | (dict.fromkeys(of_time, "record") if len(of_time) == 1 else {})
 
     def closed_form(
-        self, registers: Mapping[str, str | None], outputs: dict[str, str], losses: dict[str, str]
+        self, registers: Mapping[str, str | None], outputs: dict[str, str], parts: dict[str, str]
     ) -> dict[str, str]:
         """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
 
-        The net moment may also contain exp(a x) - 1, 1/(1 + a x) - 1, or the register in ``losses``, called loss, and
-        its products with these. There are no factors if other registers or products occur in these sums, or no sine.
+        The net moment may also contain exp(a x) - 1, 1/(1 + a x) - 1, or a register in ``parts``, called loss, and its
+        products with these, or one called record and its products with sin(x) and 1 - cos(x). There are no factors if
+        other registers or products occur in these sums, or no sine.
         """
         cells = dict[str, str]()
-        names = FACTORS | losses
+        names = FACTORS | parts
         for operation, results in self.series.items():
             if operation.kind in ("exp", "rec"):
                 argument = self._made_by(operation.registers[-1])
