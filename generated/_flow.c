@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7665f19b299826d7c4a9440d20f10a7ccbf416286f776a92ec3b3ba8a793ac50"
+#define DIGEST "129b4a6e36abb91dceb4e18100549c65831b2aa700203e8653c5f948c73bcdbc"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3822,7 +3822,7 @@ INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
     if (bits(nears)) {
         expand_about_end(b, of_end, top);
         to_end = distance_of_rest(of_end, top, broadcast(1.0), far);
-        falls = here & ~rises & (of_end[1] < 0.0);
+        falls = here & ~peaks & ~rises & (of_end[1] < 0.0);
     }
     V behind = distance_of_rest(e, top, broadcast(-1.0), far);
     behind = pick(rises, behind, far);

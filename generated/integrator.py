@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0a68fce14f49a510d40cdcad6de680817851d68f7d9b099fd218603ac1175f01
+# sha256 of the text below: 965fb247e2bf07af4eaf3fd09d8032f45b71236ccb45ed73750a1ade557c185d
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2401,7 +2401,7 @@ def times_of_step(s: Lanes, here: Mask, top: int, peak: Floats) -> tuple[Floats,
     if np.any(nears):
         expand_about_end(s, of_end, top)
         to_end = distance_of_rest(of_end, top, 1.0, far)
-        falls = here & np.logical_not(rises) & (of_end[1] < 0.0)
+        falls = here & np.logical_not(peaks) & np.logical_not(rises) & (of_end[1] < 0.0)
     behind = distance_of_rest(e, top, -1.0, far)
     behind = np.where(rises, behind, far)
     path = np.minimum(peak, step)

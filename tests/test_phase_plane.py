@@ -98,6 +98,20 @@ def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str
 
 
 @pytest.mark.parametrize("name", lanes.BACKENDS)
+def test_a_speed_that_falls_before_it_rises_to_its_peak_within_a_step(name: str) -> None:
+    """Friction that falls and rises with slip makes the speed of a pushed mass low and then high within one piece."""
+    slip, coefficient = (
+        [0.0, 85.2, 380.0, 385.7, 417.6, 440.6, 785.7],
+        [0.096, 0.382, 0.117, 0.335, 0.181, 0.545, 0.139],
+    )
+    law: Any = {"law": "tabulated", "slip": slip, "coefficient": coefficient}
+    effects: Any = TURNING | {"cohesion": {"cohesion": 445.0}, "drag": {"xi": np.linspace(600.0, 800.0, 8)}}
+    scene: Scene[Any] = Scene(Arc(1475.6, 5.30215, 5.75488, 20e3), law, effects, 29.277992469160623)
+    problem = lanes.posed(scene, 1e-13)
+    assert agree(lanes.integrate(problem, slice(None), name), lanes.integrate(in_time(problem)), 1e-11)
+
+
+@pytest.mark.parametrize("name", lanes.BACKENDS)
 def test_a_step_of_uncertain_duration_is_halved(name: str) -> None:
     """Near the limit a second rest is close behind the start; steps in time would be twice as many."""
     law: Any = {"law": "linear", "peak": np.array([0.3, 0.35]), "residual": 0.14, "length": 1.0}

@@ -161,7 +161,7 @@ def times_of_step(s: Lanes, here: M, top: N, peak: V) -> tuple[V, V]:
     if any_lane(nears):
         expand_about_end(s, of_end, top)
         to_end = distance_of_rest(of_end, top, 1.0, far)
-        falls = here and not rises and of_end[1] < 0.0
+        falls = here and not peaks and not rises and of_end[1] < 0.0
     behind = distance_of_rest(e, top, -1.0, far)
     behind = where(rises, behind, far)
     path = minimum(peak, step)
