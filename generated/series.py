@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0ba300f9702db9e36f7dc9529c9813839e6e6c65bfdac7fa05fcda8f90cb9f45
+# sha256 of the text below: 848c60479e81b5f84fb2d7f8562cc8bb3dd85a43a27f5393d15acf41293a5311
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "129b4a6e36abb91dceb4e18100549c65831b2aa700203e8653c5f948c73bcdbc"  # of the compiled integrator's source
+DIGEST = "86130e112f2f045ddc20ad13316d089f8f0794cb6d4b3ac5f0d2bbdb86981659"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

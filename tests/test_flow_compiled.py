@@ -1,6 +1,9 @@
 """The compiled integrator beside the one in NumPy: the same lanes, whatever their neighbours, wherever interrupted."""
 
+import os
 import platform
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import replace
@@ -282,6 +285,22 @@ def test_malformed_integers_are_refused(name: str) -> None:
     for arguments in bad:
         with pytest.raises(ValueError, match="not those of as many lanes"):
             call(**arguments)
+
+
+ALONE = """
+import numpy as np
+from tests.support import lanes, phases
+for law in ("", "linear", "exponential", "hyperbolic"):
+    problem = lanes.posed(phases.random_scene({}, None, law))
+    together = lanes.integrate(problem)
+    for k in range(phases.COUNT):
+        assert np.array_equal(lanes.integrate(problem, [k])[:, 0], together[:, k], equal_nan=True), (law, k)
+"""
+
+
+def test_what_memory_contained_changes_no_bit() -> None:
+    """The free lanes of a vector compute with anything; with glibc, new memory is full of one byte here."""
+    subprocess.run([sys.executable, "-c", ALONE], env=os.environ | {"MALLOC_PERTURB_": "1"}, check=True)
 
 
 def test_a_binary_of_another_source_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

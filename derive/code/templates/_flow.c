@@ -616,14 +616,16 @@ APART V by_lanes(double f(double), V x)
 /* log(1 + x): 1 + x = 2^k (1 + f) with |f| < 0.42, and twice the series of artanh(f / (2 + f)). */
 APART V log1p_of(V x)
 {
-    if (bits((x > -1.0) & (x < 0x1p1000)) != ALL) return by_lanes(log1p, x);
+    const unsigned inside = bits((x > -1.0) & (x < 0x1p1000)); /* a lane elsewhere changes no bit of the others */
     const V y = 1.0 + x;
     const M n = ((M)y - INT64_C(0x3fe6a09e667f3bcd)) >> 52;
     const V per = (V)((INT64_C(1023) - n) << 52), k = (V)(n + (M)broadcast(TO_INTEGER)) - TO_INTEGER;
     const V f = (y * per - 1.0) + (x - (y - 1.0)) * per, s = f / (2.0 + f), z = s * s;
     V p = broadcast(2 / 21.0);
     for (int j = 19; j > 1; j -= 2) p = p * z + 2.0 / j;
-    return k * 0x1.62e42ffp-1 + (2.0 * s + (s * z * p - k * 0x1.718432a1b0e26p-35));
+    V result = k * 0x1.62e42ffp-1 + (2.0 * s + (s * z * p - k * 0x1.718432a1b0e26p-35));
+    EACH(lane, ~inside & ALL) result[lane] = log1p(x[lane]);
+    return result;
 }
 
 INLINE V sin_of(V x) { V s, c; sine_cosine(x, &s, &c); return s; }
