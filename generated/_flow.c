@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "86130e112f2f045ddc20ad13316d089f8f0794cb6d4b3ac5f0d2bbdb86981659"
+#define DIGEST "f9de94eece8fe9248b7a7cad00f1a6db90f76a6f8e69eb78a2a52a844f31a833"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2683,7 +2683,7 @@ static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
-INLINE void end_slide(Batch *b, M here, int t, V piece, V x, V omega)
+INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 {
     V *const c = b->c;
     c[X] = pick(here, x, c[X]);
@@ -2696,7 +2696,7 @@ INLINE void end_slide(Batch *b, M here, int t, V piece, V x, V omega)
     update_reach(b, here & ~moves);
     advance_origin(b, here);
     EACH(lane, bits(here)) {
-        enter_at(b, lane, t, (int64_t)piece[lane]);
+        enter_at(b, lane, t, piece);
     }
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
@@ -2869,7 +2869,7 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
     if (bits(leaves)) {
-        end_slide(b, leaves, t, (double)piece + (0.0 * x), x, omega);
+        end_slide(b, leaves, t, piece, x, omega);
     }
     return on & inside;
 }
@@ -3472,7 +3472,27 @@ static void move_within(Batch *b, M here, int t)
     c[TIME] = pick(here, then, c[TIME]);
 }
 
-/* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. */
+/* Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place.
+ * The piece must end before the end time, and not at the last break, where the function may jump. */
+INLINE M fits(Batch *b, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    V beyond = breaks_at(b, t, minimum(c[job->table[t].cell + PIECE] + 2.0, last));
+    M inside = ((c[job->table[t].cell + PIECE] + 1.0) < last) & (beyond < INFINITY) & (c[job->table[t].cell + UPPER] < c[END_TIME]);
+    V size = c[job->role->driving_moment] + magnitude(c[job->role->driving_moment_slope]);
+    M drives = (size * c[X]) < (0.5 * c[job->role->driving_moment]);
+    V length = c[job->table[t].cell + UPPER] - c[TIME];
+    V turning = magnitude(c[job->role->net_record_sine]) + magnitude(c[job->role->net_record_vers]);
+    V moments = (magnitude(c[job->role->net_sine]) + magnitude(c[job->role->net_vers])) + (turning * magnitude(c[job->table[t].cell + LOWER]));
+    V path = length * (c[OMEGA] + ((32.0 * length) * moments));
+    V terms = magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]);
+    return inside & drives & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
+}
+
+/* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. The
+ * net moment is valid in contact. Lanes that may lift within a piece stay at its left end, where they leave. */
 INLINE M wait_for_start(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
@@ -3493,30 +3513,11 @@ INLINE M wait_for_start(Batch *b, M here, int t)
     }
     V now = minimum(net_at_rest(b, c[job->table[t].cell + INC]), broadcast(0.0));
     V then = net_at_rest(b, c[job->table[t].cell + LOWER]);
-    M starts = here & (then > (SURELY * c[job->role->drive_scale]));
+    M starts = here & (then > (SURELY * c[job->role->drive_scale])) & fits(b, t);
     V share = pick(starts, now / (now - then), broadcast(0.0));
     c[TIME] = pick(here, c[TIME] + (share * (c[job->table[t].cell + UPPER] - c[TIME])), c[TIME]);
     c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + (share * (c[job->table[t].cell + LOWER] - c[job->table[t].cell + INC])), c[job->table[t].cell + INC]);
     return starts;
-}
-
-/* Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place.
- * The piece must end before the end time, and not at the last break, where the function may jump. */
-INLINE M fits(Batch *b, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V last = broadcast((double)((int)job->data[t].pieces - 1));
-    V beyond = breaks_at(b, t, minimum(c[job->table[t].cell + PIECE] + 2.0, last));
-    M inside = ((c[job->table[t].cell + PIECE] + 1.0) < last) & (beyond < INFINITY) & (c[job->table[t].cell + UPPER] < c[END_TIME]);
-    V size = c[job->role->driving_moment] + magnitude(c[job->role->driving_moment_slope]);
-    M drives = (size * c[X]) < (0.5 * c[job->role->driving_moment]);
-    V length = c[job->table[t].cell + UPPER] - c[TIME];
-    V turning = magnitude(c[job->role->net_record_sine]) + magnitude(c[job->role->net_record_vers]);
-    V moments = (magnitude(c[job->role->net_sine]) + magnitude(c[job->role->net_vers])) + (turning * magnitude(c[job->table[t].cell + LOWER]));
-    V path = length * (c[OMEGA] + ((32.0 * length) * moments));
-    V terms = magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]);
-    return inside & drives & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
 }
 
 /* Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion. */
@@ -3547,7 +3548,7 @@ static void turn_through(Batch *b, M here, int t)
         if (bits(rests)) {
             starts = wait_for_start(b, rests, t);
         }
-        M goes = (moves | starts) & fits(b, t);
+        M goes = starts | (moves & fits(b, t));
         M leaves = here & ~goes;
         if (bits(leaves)) {
             leave_series(b, leaves, since);

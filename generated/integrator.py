@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 965fb247e2bf07af4eaf3fd09d8032f45b71236ccb45ed73750a1ade557c185d
+# sha256 of the text below: d46602b09cc35272e4d44ede2291709fe2e21adb9c68c49a1a43ebaf98e9d025
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1457,7 +1457,7 @@ def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
     pass_break(lane, i, t)
 
 
-def end_slide(s: Lanes, here: Mask, t: Table, piece: Floats, x: Floats, omega: Floats) -> None:
+def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = s.cells
     c[ix.X] = np.where(here, x, c[ix.X])
@@ -1471,7 +1471,7 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: Floats, x: Floats, omega: F
     advance_origin(s, here)
     i = np.flatnonzero(here)
     if i.size:
-        enter_at(s, i, t, integer(piece[i]))
+        enter_at(s, i, t, np.full(i.size, piece))
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
@@ -1617,7 +1617,7 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
     if np.any(leaves):
-        end_slide(s, leaves, t, piece + 0.0 * x, x, omega)
+        end_slide(s, leaves, t, piece, x, omega)
     return on & inside
 
 
@@ -2116,6 +2116,22 @@ def move_within(s: Lanes, here: Mask, t: Table) -> None:
     c[ix.TIME] = np.where(here, then, c[ix.TIME])
 
 
+def fits(s: Lanes, t: Table) -> Mask:
+    """Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place."""
+    c = s.cells
+    last: Floats = float(t.pieces - 1)
+    beyond = breaks_at(s, t, np.minimum(c[t.cells + ix.PIECE] + 2.0, last))
+    inside = (c[t.cells + ix.PIECE] + 1.0 < last) & (beyond < INFINITY) & (c[t.cells + ix.UPPER] < c[ix.END_TIME])
+    size = c[s.roles.driving_moment] + np.abs(c[s.roles.driving_moment_slope])
+    drives = size * c[ix.X] < 0.5 * c[s.roles.driving_moment]
+    length = c[t.cells + ix.UPPER] - c[ix.TIME]
+    turning = np.abs(c[s.roles.net_record_sine]) + np.abs(c[s.roles.net_record_vers])
+    moments = np.abs(c[s.roles.net_sine]) + np.abs(c[s.roles.net_vers]) + turning * np.abs(c[t.cells + ix.LOWER])
+    path = length * (c[ix.OMEGA] + 32.0 * length * moments)
+    terms = np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope])
+    return inside & drives & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
+
+
 def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
     """Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach."""
     c = s.cells
@@ -2135,28 +2151,12 @@ def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
         enter_pieces(s, i)
     now = np.minimum(net_at_rest(s, c[t.cells + ix.INC]), 0.0)
     then = net_at_rest(s, c[t.cells + ix.LOWER])
-    starts = here & (then > SURELY * c[s.roles.drive_scale])
+    starts = here & (then > SURELY * c[s.roles.drive_scale]) & fits(s, t)
     share = np.where(starts, now / (now - then), 0.0)
     c[ix.TIME] = np.where(here, c[ix.TIME] + share * (c[t.cells + ix.UPPER] - c[ix.TIME]), c[ix.TIME])
     c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + share * (c[t.cells + ix.LOWER] - c[t.cells + ix.INC]),
         c[t.cells + ix.INC])
     return starts
-
-
-def fits(s: Lanes, t: Table) -> Mask:
-    """Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place."""
-    c = s.cells
-    last: Floats = float(t.pieces - 1)
-    beyond = breaks_at(s, t, np.minimum(c[t.cells + ix.PIECE] + 2.0, last))
-    inside = (c[t.cells + ix.PIECE] + 1.0 < last) & (beyond < INFINITY) & (c[t.cells + ix.UPPER] < c[ix.END_TIME])
-    size = c[s.roles.driving_moment] + np.abs(c[s.roles.driving_moment_slope])
-    drives = size * c[ix.X] < 0.5 * c[s.roles.driving_moment]
-    length = c[t.cells + ix.UPPER] - c[ix.TIME]
-    turning = np.abs(c[s.roles.net_record_sine]) + np.abs(c[s.roles.net_record_vers])
-    moments = np.abs(c[s.roles.net_sine]) + np.abs(c[s.roles.net_vers]) + turning * np.abs(c[t.cells + ix.LOWER])
-    path = length * (c[ix.OMEGA] + 32.0 * length * moments)
-    terms = np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope])
-    return inside & drives & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
 
 
 def leave_series(s: Lanes, here: Mask, since: Floats) -> None:
@@ -2183,7 +2183,7 @@ def turn_through(s: Lanes, here: Mask, t: Table) -> None:
         starts = none_of(s)
         if np.any(rests):
             starts = wait_for_start(s, rests, t)
-        goes = (moves | starts) & fits(s, t)
+        goes = starts | moves & fits(s, t)
         leaves = here & np.logical_not(goes)
         if np.any(leaves):
             leave_series(s, leaves, since)

@@ -250,6 +250,26 @@ def test_shaking_lifts_what_moves(name: str) -> None:
     assert motion.duration == pytest.approx(float(stop), rel=1e-12)
 
 
+@pytest.mark.parametrize("effects", [{}, {"rotation": {}}], ids=["frozen", "turning"])
+@pytest.mark.parametrize("name", BACKENDS)
+def test_cohesion_holds_what_shaking_lifts(name: str, effects: dict[str, Any]) -> None:
+    """Beyond k = cot psi there is no normal force. Cohesion then balances the weight up to k = 2 cot psi alone."""
+    arc = replace(ARC, theta_1=math.radians(180.0), theta_2=math.radians(250.0))
+    psi = abs(float(arc.dip))
+    pull = math.sin(psi) + 2.0 / math.tan(psi) * math.cos(psi)
+    alpha, radius = float(arc.half_angle), float(arc.radius)
+    moment_of_weight = arc.unit_weight * 2.0 / 3.0 * (radius * math.sin(alpha)) ** 3  # of a segment about its centre
+    cohesion = pull * moment_of_weight / (2.0 * alpha * radius**2)
+    steep = np.resize([0.0, -1.0, 0.5, 1.0, 0.3], 200) / math.tan(psi)
+    holds = {"cohesion": {"cohesion": cohesion}, **effects}
+    with backend(name):
+        motion = shaken(
+            series(0.02 * np.arange(200.0), steep), mu=3.0, arc=arc, effects=holds, scale=np.array([1.1, 1.9, 2.1])
+        )
+    assert all(motion.lift_off)
+    assert motion.moves.tolist() == [False, False, True]
+
+
 @pytest.mark.parametrize("grows", [0.1, 0.3])
 def test_water_that_lifts_what_cohesion_holds(grows: float) -> None:
     """Contact is lost, in 400 pieces, where the pressure's straight line reaches the mean normal stress."""

@@ -146,7 +146,7 @@ def enter_at(lane: Lane, t: T, piece: int) -> None:
     pass_break(lane, t)
 
 
-def end_slide(s: Lanes, here: M, t: T, piece: V, x: V, omega: V) -> None:
+def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     s.x = x
     s.omega = omega
@@ -158,7 +158,7 @@ def end_slide(s: Lanes, here: M, t: T, piece: V, x: V, omega: V) -> None:
     update_reach(s, here and not moves)
     advance_origin(s, here)
     if here:
-        enter_at(s, t, integer(piece))
+        enter_at(s, t, piece)
     s.pending = Pending.BEGIN_PHASE
 
 
@@ -306,7 +306,7 @@ def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, ome
     inside = passes(s, t, piece, before) and press > 0.0
     leaves = on and not inside
     if any_lane(leaves):
-        end_slide(s, leaves, t, piece + 0.0 * x, x, omega)
+        end_slide(s, leaves, t, piece, x, omega)
     return on and inside
 
 

@@ -142,30 +142,6 @@ def move_within(s: Lanes, here: M, t: T) -> None:
     s.time = then
 
 
-def wait_for_start(s: Lanes, here: M, t: T) -> M:
-    """Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach."""
-    net = s.series.net
-    normal = s.series.normal
-    net[0] = net_at_rest(s, t.inc)
-    net[1] = net_at_rest(s, t.inc + t.rise) - net[0]
-    net[2] = 0.0
-    normal[0] = force_at_rest(s, t.inc)
-    normal[1] = force_at_rest(s, t.inc + t.rise) - normal[0]
-    normal[2] = 0.0
-    s.quiet_from = -INFINITY
-    s.quiet_to = INFINITY
-    look_for_quiet(s, here)
-    if here:
-        enter_pieces(s)
-    now = minimum(net_at_rest(s, t.inc), 0.0)
-    then = net_at_rest(s, t.lower)
-    starts = here and then > SURELY * s.drive_scale
-    share = where(starts, now / (now - then), 0.0)
-    s.time = s.time + share * (t.upper - s.time)
-    t.inc = t.inc + share * (t.lower - t.inc)
-    return starts
-
-
 def fits(s: Lanes, t: T) -> M:
     """Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place.
 
@@ -182,6 +158,33 @@ def fits(s: Lanes, t: T) -> M:
     path = length * (s.omega + 32.0 * length * moments)
     terms = abs(s.normal_load) + abs(s.normal_load_slope)
     return inside and drives and path < SHORT and force_at_rest(s, t.lower) > PRESSED * terms
+
+
+def wait_for_start(s: Lanes, here: M, t: T) -> M:
+    """Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach.
+
+    The net moment is valid in contact. Lanes that may lift within a piece stay at its left end, where they leave.
+    """
+    net = s.series.net
+    normal = s.series.normal
+    net[0] = net_at_rest(s, t.inc)
+    net[1] = net_at_rest(s, t.inc + t.rise) - net[0]
+    net[2] = 0.0
+    normal[0] = force_at_rest(s, t.inc)
+    normal[1] = force_at_rest(s, t.inc + t.rise) - normal[0]
+    normal[2] = 0.0
+    s.quiet_from = -INFINITY
+    s.quiet_to = INFINITY
+    look_for_quiet(s, here)
+    if here:
+        enter_pieces(s)
+    now = minimum(net_at_rest(s, t.inc), 0.0)
+    then = net_at_rest(s, t.lower)
+    starts = here and then > SURELY * s.drive_scale and fits(s, t)
+    share = where(starts, now / (now - then), 0.0)
+    s.time = s.time + share * (t.upper - s.time)
+    t.inc = t.inc + share * (t.lower - t.inc)
+    return starts
 
 
 def leave_series(s: Lanes, here: M, since: V) -> None:
@@ -206,7 +209,7 @@ def turn_through(s: Lanes, here: M, t: T) -> None:
         starts = none_of(s)
         if any_lane(rests):
             starts = wait_for_start(s, rests, t)
-        goes = (moves or starts) and fits(s, t)
+        goes = starts or (moves and fits(s, t))
         leaves = here and not goes
         if any_lane(leaves):
             leave_series(s, leaves, since)
