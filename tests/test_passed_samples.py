@@ -253,7 +253,7 @@ def test_shaking_lifts_what_moves(name: str) -> None:
 @pytest.mark.parametrize("effects", [{}, {"rotation": {}}], ids=["frozen", "turning"])
 @pytest.mark.parametrize("name", BACKENDS)
 def test_cohesion_holds_what_shaking_lifts(name: str, effects: dict[str, Any]) -> None:
-    """Beyond k = cot psi there is no normal force. Cohesion then balances the weight up to k = 2 cot psi alone."""
+    """The normal force is zero beyond k = cot psi, and cohesion alone balances the weight up to k = 2 cot psi."""
     arc = replace(ARC, theta_1=math.radians(180.0), theta_2=math.radians(250.0))
     psi = abs(float(arc.dip))
     pull = math.sin(psi) + 2.0 / math.tan(psi) * math.cos(psi)
