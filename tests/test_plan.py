@@ -62,6 +62,7 @@ WET = {"pore_pressure": {"pressure": Series(np.array([0.0, 1.0]), np.array([0.0,
             "friction depends on slip; friction depends on the speed",
         ),
         (Scene(ARC, 0.2, WET), "Taylor series in time", "pore_pressure depends on time"),
+        (scene(("rotation", "shaking")), "Taylor series in time", "rotation turns the mass; shaking depends on time"),
     ],
 )
 def test_a_plan_says_how_it_is_solved_and_what_its_motion_depends_on(planned: Scene, method: str, why: str) -> None:

@@ -25,15 +25,14 @@ class PlanWords(NamedTuple):
 
 def words_of(plan: Plan) -> PlanWords:
     """Return the description of a plan, with "straight-line" or "interpreted" for its program in the integrator."""
-    words = _words(plan.recipe)
+    law, why = _words(plan.recipe)
     program = plan.program
     variable = "tau" if "cell_pace" in program.roles else "the rotation" if program.by_rotation else "time"
-    of_slip = any(table.kind == "slip" for table in program.tables)
-    closed = "closed form from rest, otherwise " if "cell_net_sine" in program.roles and not of_slip else ""
+    closed = "closed form from rest, otherwise " if "cell_net_sine" in program.roles and not program.tables else ""
     binary = module()
     is_straight = binary is not None and binary.straight_line(encoded(program), widest()) >= 0
     way = "straight-line" if is_straight else "interpreted"
-    return words._replace(method=f"{closed}Taylor series in {variable}, events as their roots; {way}")
+    return PlanWords(law, f"{closed}Taylor series in {variable}, events as their roots; {way}", why)
 
 
 def describe_integrator() -> str:
@@ -48,8 +47,8 @@ def describe_integrator() -> str:
 
 
 @cache
-def _words(recipe: Recipe) -> PlanWords:
-    """Return the description of the plans with a recipe, without their method."""
+def _words(recipe: Recipe) -> tuple[str, str]:
+    """Return the friction law of the plans with a recipe, and the reasons for their method."""
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
     symbols = {*map(without_soil, recipe.moving)}
     of_rotation = []
@@ -73,7 +72,7 @@ def _words(recipe: Recipe) -> PlanWords:
     if of_soils:
         factors.insert(0, f"{', '.join(dict.fromkeys(of_soils))} by soil")
     law = " times ".join(factors)
-    return PlanWords(law, "", "; ".join(reasons))
+    return law, "; ".join(reasons)
 
 
 def _reasons(effect: str, in_time: bool) -> Iterator[str]:
