@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "f9de94eece8fe9248b7a7cad00f1a6db90f76a6f8e69eb78a2a52a844f31a833"
+#define DIGEST "ec55b7ab419f6ee903360a66b46d92fc7848ec41529cc5957764c7857ebd04fe"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1430,7 +1430,6 @@ static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
-#define CORRECTIONS 10
 #define LARGEST 0x1.f400000000000p+49
 #define TIE 0x1.0000000000000p-44
 #define CLOSEST 0x1.56e1fc2f8f359p-997
@@ -2037,33 +2036,44 @@ INLINE V per_time(Batch *b, V rate, V omega)
     return rate;
 }
 
+/* Compute the time since the beginning of a step as a series in tau. */
+INLINE void find_clock(Batch *b, V *t, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    t[0] = broadcast(0.0);
+    for (int k = 0; k <= top - 1; k++) {
+        t[k + 1] = (c[job->role->pace] * (b->r + job->role->omega)[k]) * b->inverse[k + 1];
+    }
+    t[1] = 1.0 + t[1];
+}
+
 /* Return the time since the beginning of a step from its variable. */
 INLINE V elapsed(Batch *b, int top, V at)
 {
     const Job *const job = b->job;
-    V *const c = b->c;
     if (job->role->pace >= 0) {
-        V mean[STRIDE];
-        for (int k = 0; k <= top; k++) {
-            mean[k] = (b->r + job->role->omega)[k] * b->inverse[k + 1];
-        }
-        return at * (1.0 + (c[job->role->pace] * value(mean, top, at)));
+        V t[STRIDE];
+        find_clock(b, t, top);
+        return value(t, top, at);
     }
     return at;
 }
 
-/* Return the variable of a step from the time since its beginning, by Newton's method. */
-INLINE V variable_at(Batch *b, int top, V time)
+/* Return the variable of a step from the time since its beginning, infinite if the step does not last so long. In
+ * tau the time rises up to a standstill, beyond which it falls. */
+static V variable_at(Batch *b, int top, V time)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V at = minimum(time, c[STEP]);
-    for (int _ = 1; _ <= CORRECTIONS; _++) {
-        V omega = value(b->r + job->role->omega, top, at);
-        V left = time - elapsed(b, top, at);
-        at = at + per_time(b, left, omega);
+    if (job->role->pace >= 0) {
+        V left[STRIDE];
+        find_clock(b, left, top);
+        M limited = time < INFINITY;
+        margin_of(left, left, top, broadcast(-1.0), pick(limited, time, broadcast(0.0)), (M){0});
+        return first_root(left, top, c[STEP], limited);
     }
-    return at;
+    return pick(time <= c[STEP], time, broadcast(INFINITY));
 }
 
 /* Compute order 0 of all registers. Rates of states are per time. */
@@ -2221,20 +2231,23 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
     return top;
 }
 
-/* Return the least radius suggested by the last four coefficients, each with the largest of the first five. The
- * radius is |c_k/c_n|^(1/(n - k)) with k < 5 and n one of the last four orders, and 2^1000 if these coefficients
- * are zero. */
-INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
+/* Return the longest step at the end of which the last terms are small beside one of the first five. Term n of the
+ * last four is factor^n of the largest of the first five, so that the step is the factor times the radius of
+ * convergence where the series is geometric. It is 2^1000 if these coefficients are zero. */
+INLINE V longest_step(Batch *b, V *p, int top, V order)
 {
+    V *const c = b->c;
     V first[STRIDE];
     M comparable = p[0] != 0.0;
     for (int k = 0; k <= 4; k++) {
         first[k] = log2_of(p[k]);
         comparable = comparable | (p[k] != 0.0);
     }
+    V one = broadcast(1.0);
+    V share = log2_of(c[FACTOR]) - log2_of(one);
     V lowest = broadcast(LARGEST);
     for (int n = (least(order) - 3) > 5 ? (least(order) - 3) : 5; n <= top; n++) {
-        V last = log2_of(p[n]);
+        V last = log2_of(p[n]) - ((double)n * share);
         V most = broadcast(-LARGEST);
         for (int k = 0; k <= 4; k++) {
             most = maximum((first[k] - last) * b->inverse[n - k], most);
@@ -3101,17 +3114,14 @@ INLINE void consider(Batch *b, M here, V at, int event)
 }
 
 /* Shorten the step to the time left, and return the lanes that reach its end. */
-INLINE M reach_limit(Batch *b, M here, V room, int top)
+static M reach_limit(Batch *b, M here, V room, int top)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
     M reaches = here & (room < INFINITY);
     if (bits(reaches)) {
-        reaches = reaches & (elapsed(b, top, c[STEP]) >= room);
-        if ((job->role->pace >= 0) && bits(reaches)) {
-            V at = variable_at(b, top, room);
-            c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
-        }
+        V at = variable_at(b, top, room);
+        reaches = reaches & (at < INFINITY);
+        c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
     }
     return reaches;
 }
@@ -3211,21 +3221,25 @@ static void find_events(Batch *b, M here, int top, int by_rotation)
     }
 }
 
-/* Shorten the step to a fraction of the least radius of convergence, except where series end early. The radius of
- * the rotation equals the radius of the angular velocity. */
+/* Shorten the step to a fraction of the least radius of convergence, except where series end early. In time, the
+ * radius of the rotation is that of the angular velocity. In tau the rate of the rotation, which has the square of
+ * the angular velocity, has the smallest radius of all series. */
 INLINE void choose_step(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
-        V radius = broadcast(INFINITY);
+        V step = broadcast(INFINITY);
         for (const State *q = job->state; q < job->state + job->states; q++) {
-            if (q->series != job->role->x) {
-                radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+            if ((job->role->pace >= 0) && !(q->series != job->role->x)) {
+                step = longest_step(b, b->r + q->rate, top - 1, c[SERIES_ORDER] - 1.0);
+            }
+            if ((q->series != job->role->x) && !(job->role->pace >= 0)) {
+                step = minimum(longest_step(b, b->r + q->series, top, c[SERIES_ORDER]), step);
             }
         }
-        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, c[STEP]), c[STEP]), c[STEP]);
+        c[STEP] = pick(here, pick(complete, minimum(step, c[STEP]), c[STEP]), c[STEP]);
     }
 }
 
@@ -4854,8 +4868,8 @@ static void look_ahead(Batch *b, M here, V room)
     V reach = room;
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
-        V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
-        reach = pick(complete, minimum(c[FACTOR] * radius, room), room);
+        V step = longest_step(b, net, top - 1, c[SERIES_ORDER] - 1.0);
+        reach = pick(complete, minimum(step, room), room);
     }
     c[STRETCH] = pick(here, minimum(reach, c[STRETCH]), c[STRETCH]);
     V e[STRIDE];

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d46602b09cc35272e4d44ede2291709fe2e21adb9c68c49a1a43ebaf98e9d025
+# sha256 of the text below: b382d316b194fc391fa18d08afbee2b7ad65f09cab217845f2dab1fa87962173
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -381,7 +381,6 @@ NEXT_SHARES = (0.6506981459528086, -1.3904518577536216, 0.739753711800813, 0.739
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
-CORRECTIONS = 10
 LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
@@ -912,26 +911,34 @@ def per_time(s: Lanes, rate: Floats, omega: Floats) -> Floats:
     return rate
 
 
+def find_clock(s: Lanes, t: Floats, top: int) -> None:
+    """Compute the time since the beginning of a step as a series in tau."""
+    c = s.cells
+    t[0] = 0.0
+    for k in range(top - 1 + 1):
+        t[k + 1] = c[s.roles.pace] * s.registers[s.roles.omega][k] * (1.0 / (k + 1))
+    t[1] = 1.0 + t[1]
+
+
 def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
     """Return the time since the beginning of a step from its variable."""
-    c = s.cells
     if s.roles.pace >= 0:
-        mean = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-        for k in range(top + 1):
-            mean[k] = s.registers[s.roles.omega][k] * (1.0 / (k + 1))
-        return at * (1.0 + c[s.roles.pace] * value(mean, top, at))
+        t = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+        find_clock(s, t, top)
+        return value(t, top, at)
     return at
 
 
 def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
-    """Return the variable of a step from the time since its beginning, by Newton's method."""
+    """Return the variable of a step from the time since its beginning, infinite if the step does not last so long."""
     c = s.cells
-    at = np.minimum(time, c[ix.STEP])
-    for _ in range(1, CORRECTIONS + 1):
-        omega = value(s.registers[s.roles.omega], top, at)
-        left = time - elapsed(s, top, at)
-        at = at + per_time(s, left, omega)
-    return at
+    if s.roles.pace >= 0:
+        left = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+        find_clock(s, left, top)
+        limited = time < INFINITY
+        margin_of(left, left, top, -1.0, np.where(limited, time, 0.0), none_of(s))
+        return first_root(left, top, c[ix.STEP], limited)
+    return np.where(time <= c[ix.STEP], time, INFINITY)
 
 
 def evaluate(s: Lanes) -> None:
@@ -1056,16 +1063,19 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     return top
 
 
-def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Floats:
-    """Return the least radius suggested by the last four coefficients, each with the largest of the first five."""
+def longest_step(s: Lanes, p: Floats, top: int, order: Floats) -> Floats:
+    """Return the longest step at the end of which the last terms are small beside one of the first five."""
+    c = s.cells
     first = np.zeros((ix.STRIDE, p.shape[1]))
     comparable = p[0] != 0.0
     for k in range(4 + 1):
         first[k] = log2_of(p[k])
         comparable = comparable | (p[k] != 0.0)
+    one: Floats = 1.0
+    share = log2_of(c[ix.FACTOR]) - log2_of(one)
     lowest: Floats = LARGEST
     for n in range(max(least(order) - 3, 5), top + 1):
-        last = log2_of(p[n])
+        last = log2_of(p[n]) - float(n) * share
         most: Floats = -LARGEST
         for k in range(4 + 1):
             most = np.maximum((first[k] - last) * (1.0 / (n - k)), most)
@@ -1815,10 +1825,9 @@ def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
     c = s.cells
     reaches = here & (room < INFINITY)
     if np.any(reaches):
-        reaches = reaches & (elapsed(s, top, c[ix.STEP]) >= room)
-        if s.roles.pace >= 0 and np.any(reaches):
-            at = variable_at(s, top, room)
-            c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
+        at = variable_at(s, top, room)
+        reaches = reaches & (at < INFINITY)
+        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
     return reaches
 
 
@@ -1902,12 +1911,13 @@ def choose_step(s: Lanes, here: Mask, top: int) -> None:
     c = s.cells
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
-        radius: Floats = INFINITY
+        step: Floats = INFINITY
         for q in s.states:
-            if q.register != s.roles.x:
-                radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
-        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, c[ix.STEP]), c[ix.STEP]),
-            c[ix.STEP])
+            if s.roles.pace >= 0 and (not q.register != s.roles.x):
+                step = longest_step(s, s.registers[q.rate], top - 1, c[ix.SERIES_ORDER] - 1.0)
+            if q.register != s.roles.x and (not s.roles.pace >= 0):
+                step = np.minimum(longest_step(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), step)
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(step, c[ix.STEP]), c[ix.STEP]), c[ix.STEP])
 
 
 def advance_states(s: Lanes, here: Mask, top: int) -> None:
@@ -3270,8 +3280,8 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     reach = room
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
-        radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
-        reach = np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), room)
+        step = longest_step(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
+        reach = np.where(complete, np.minimum(step, room), room)
     c[ix.STRETCH] = np.where(here, np.minimum(reach, c[ix.STRETCH]), c[ix.STRETCH])
     e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     margin_of(e, net, top - 1, -1.0, 0.0, touches)

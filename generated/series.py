@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f54a94b1429c636f36deeff2497c5c6b08454a9b90817508a5e0047a55abd07b
+# sha256 of the text below: 2a708735325808877c0e174ef845e946e5642de336903824c76acecb97e484c6
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "f9de94eece8fe9248b7a7cad00f1a6db90f76a6f8e69eb78a2a52a844f31a833"  # of the compiled integrator's source
+DIGEST = "ec55b7ab419f6ee903360a66b46d92fc7848ec41529cc5957764c7857ebd04fe"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

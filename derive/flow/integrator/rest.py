@@ -25,7 +25,7 @@ from derive.flow.integrator.records import enter_pieces, look_for_quiet, slide_t
 from derive.flow.integrator.recurrence import has_recurrence
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.rotation import turn_on
-from derive.flow.integrator.series import expand, radius_of_convergence
+from derive.flow.integrator.series import expand, longest_step
 from derive.flow.integrator.shaken import turn_through
 from derive.flow.integrator.step import make_step
 from derive.flow.integrator.swing import swing
@@ -62,8 +62,8 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     reach = room
     complete = here and s.series_order == s.order
     if any_lane(complete):
-        radius = radius_of_convergence(s, net, top - 1, s.series_order - 1.0)
-        reach = where(complete, minimum(s.factor * radius, room), room)
+        step = longest_step(s, net, top - 1, s.series_order - 1.0)
+        reach = where(complete, minimum(step, room), room)
     s.stretch = minimum(reach, s.stretch)
     e = new_series()
     margin_of(e, net, top - 1, -1.0, 0.0, touches)

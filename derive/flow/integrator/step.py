@@ -38,7 +38,7 @@ from derive.flow.integrator.roots import (
     value,
     value_and_slope,
 )
-from derive.flow.integrator.series import elapsed, expand, per_time, radius_of_convergence, variable_at
+from derive.flow.integrator.series import elapsed, expand, longest_step, per_time, variable_at
 from derive.flow.integrator.tables import enter_lines, next_break, pass_breaks
 
 FAR = 1e300  # unreachable bound
@@ -162,10 +162,9 @@ def reach_limit(s: Lanes, here: M, room: V, top: N) -> M:
     """Shorten the step to the time left, and return the lanes that reach its end."""
     reaches = here and room < INFINITY
     if any_lane(reaches):
-        reaches = reaches and elapsed(s, top, s.step) >= room
-        if s.has.pace and any_lane(reaches):
-            at = variable_at(s, top, room)
-            s.step = where(reaches, at, s.step)
+        at = variable_at(s, top, room)
+        reaches = reaches and at < INFINITY
+        s.step = where(reaches, at, s.step)
     return reaches
 
 
@@ -249,15 +248,18 @@ def find_events(s: Lanes, here: M, top: N, by_rotation: N) -> None:
 def choose_step(s: Lanes, here: M, top: N) -> None:
     """Shorten the step to a fraction of the least radius of convergence, except where series end early.
 
-    The radius of the rotation equals the radius of the angular velocity.
+    In time, the radius of the rotation is that of the angular velocity. In tau the rate of the rotation, which has the
+    square of the angular velocity, has the smallest radius of all series.
     """
     complete = here and s.series_order == s.order
     if any_lane(complete):
-        radius: V = INFINITY
+        step: V = INFINITY
         for q in s.states:
-            if q.has_own_radius:
-                radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
-        s.step = where(complete, minimum(s.factor * radius, s.step), s.step)
+            if s.has.pace and not q.has_own_radius:
+                step = longest_step(s, q.rate, top - 1, s.series_order - 1.0)
+            if q.has_own_radius and not s.has.pace:
+                step = minimum(longest_step(s, q.series, top, s.series_order), step)
+        s.step = where(complete, minimum(step, s.step), s.step)
 
 
 def advance_states(s: Lanes, here: M, top: N) -> None:

@@ -28,7 +28,7 @@ FINEST = 1e-14  # accuracy of single scenes, since lower orders save little time
 # Step over the radius of convergence: the truncation error of a series of order n is STEP^n. It is smaller for single
 # scenes, because coefficients of high order overflow and extrema within a step are lost in the rounding of its terms.
 STEP = 0.25
-STEP_TO_ROUNDING = math.exp(-2.0)
+STEP_TO_ROUNDING = 0.2
 NEAR = 2e13  # margin of a decision at rest, in units of rounding, from which the rounded limit friction is accurate
 LOWEST = 7  # least order, since the radius of convergence is estimated from several coefficients
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
