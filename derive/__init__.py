@@ -61,10 +61,10 @@ A moment of the sliding mass, with its weight in the double integral over r and 
     Moment("area", symbol="S*", weight=r, help="area of the moving mass"),
 
 It is then a function of `generated` in every tier of accuracy, each with its certificate, and a row of ``slipcircle
-cost`` and of ``python -m derive hard``, and the tests compare it with quadrature. The first run searches for the
-shapes of its approximants (about a minute) and records them. A weight with sin(theta) or cos(theta) needs a name and a
-symbol for its amplitude too; the moment itself is then a function of both ends. Weights other than r**n,
-+-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused.
+cost`` and of ``python -m derive hard``, and the tests compare it with quadrature. The shapes of its approximants are
+stated in ``derive/approximate/shapes.json``. A weight with sin(theta) or cos(theta) needs a name and a symbol for its
+amplitude too; the moment itself is then a function of both ends. Weights other than r**n, +-r**n*sin(theta) and
++-r**n*cos(theta), n = 1 to 5, are refused.
 
 An ``equation`` is a number in the paper; a declaration without it has a ``source`` or none.
 

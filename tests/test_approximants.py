@@ -1,17 +1,17 @@
-"""The fitted programs: which there are, their exact arithmetic, and the search. What they hold is proved and seen."""
+"""The fitted programs: which there are, their exact arithmetic, and their shapes. What they hold is proved and seen."""
 
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 import pytest
 
-from derive.approximate import search
 from derive.approximate.programs import variants
-from derive.approximate.shapes import Kernel, kernels, recorded_shapes
-from derive.check import midpoints
+from derive.approximate.shapes import Kernel, stated_shape
 from derive.check.proof import ProofError
-from derive.check.records import Record
 from derive.code import operations
+from derive.declare.quantities import HIGHEST, TURNS, Moment
+from derive.declare.symbols import r, theta
 
 
 def test_no_logarithm_but_in_numpy_s_forms_and_no_fused_operation_but_in_fused_ones() -> None:
@@ -40,27 +40,16 @@ def test_exponent_and_significand_are_exact() -> None:
     assert operations.significand(x).max() < 1.5
 
 
-@pytest.fixture(scope="module")
-def factor() -> Kernel:
-    """Return the kernel whose search takes least."""
-    return next(kernel for kernel in kernels() if kernel.name == "resistance_factor")
+def test_every_weight_that_may_be_declared_has_a_shape() -> None:
+    """Certificates prove the bounds of declared moments, and `python -m tests.campaigns.all_weights` proves all."""
+    for n, turn in product(range(1, HIGHEST + 1), TURNS):
+        amplitude = ("amplitude", "A") if turn.has(theta) else None
+        moment = Moment("moment", "M", r**n * turn, "a moment", amplitude)
+        shape = stated_shape(Kernel(moment.name, (), moment.definition))
+        assert len(shape.best) == 1
+        assert [tier for tier, *_ in shape.cheap][:2] == ["1e-10", "1e-6"]
 
 
-def test_degrees_that_round_wrongly_are_not_kept(factor: Kernel, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Though their bound is within the goal."""
-    ((_, above, below),) = [row for row in recorded_shapes()[factor.definition].cheap if row[0] == "float32"]
-
-    def rounds_wrongly(record: Record) -> list[str]:
-        raise ProofError("float32: rounding", "one side", "the other")
-
-    for hard, kept in ((lambda record: [], 2), (rounds_wrongly, 0)):
-        monkeypatch.setattr(midpoints, "hard", hard)
-        assert len(search.kept(factor, "float32", (above, below))) == kept
-
-
-def test_the_recorded_shape_is_what_the_search_finds(factor: Kernel, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nothing in the search is random or timed. That its float32 form rounds correctly is a certificate."""
-    rounded = list[Record]()
-    monkeypatch.setattr(midpoints, "hard", rounded.append)
-    assert search.search(factor) == recorded_shapes()[factor.definition]
-    assert [(record["tier"], record["form"]) for record in rounded] == [("float32", "plain"), ("float32", "fused")]
+def test_a_quotient_without_a_shape_is_refused_in_a_line() -> None:
+    with pytest.raises(ProofError, match=r"^new: shape of r\^3 / r\^2: found none, wanted a line in shapes\.json$"):
+        stated_shape(Kernel("new", (), ("r^3", "r^2")))

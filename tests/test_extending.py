@@ -88,10 +88,6 @@ few = *(effect for effect in EFFECTS if not effect.parameters), *EFFECTS[-2:]
 linked.prove = partial(linked.prove, few, (LAWS[0], next(law for law in LAWS if law.kinks), *LAWS[-2:]))
 for part in (dynamics, phase_plane, pieces, closed, recurrences, sliding):
     part.prove = list
-from derive.approximate import search
-search.TRIALS = 4
-kept = search.kept
-search.kept = lambda kernel, tier, shape: [] if tier == "float32" else kept(kernel, tier, shape)
 """
 HARD_CASES = """
 from derive.judge.hard import hard_cases
@@ -100,7 +96,7 @@ print(*(case.why for case in hard_cases() if case.function == "area"), sep="\\n"
 
 
 def extended(root: Path) -> list[str]:
-    """Make the copy; why the area has hard cases. The search judges fewer shapes than it may, as it takes its time."""
+    """Make the copy; why the area has hard cases."""
     all_weights.copy(root)
     assert follow(root) == ["LAWS", "EFFECTS", "MOMENTS", "RESULTS"]
     return run(root, "-c", QUICKLY + all_weights.DERIVE + HARD_CASES).splitlines()

@@ -8,18 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive.approximate import certificates
-from derive.approximate.shapes import recorded_shapes
+from derive.approximate import certificates, shapes
 from derive.check.truth import TOP
 from generated import _compiled, kernels
 from tests.campaigns import float32, seen
 from tests.campaigns.float32 import LAST_SINGLE
-from tests.campaigns.seen import BASES, DEFINITIONS, KERNELS, Inputs, Reference, Run, Seen
+from tests.campaigns.seen import BASES, KERNELS, Inputs, Reference, Run, Seen
 from tests.support import oracle
 
 each_kernel = pytest.mark.parametrize("kernel", KERNELS)
 each_base = pytest.mark.parametrize("kernel", BASES)
-SEAMS = {kernel: recorded_shapes()[DEFINITIONS[kernel]].best[0].seam for kernel in BASES}
+SEAMS = {x.name: shapes.stated_shape(x).best[0].seam for x in shapes.kernels() if x.name in BASES}
 each_level = pytest.mark.parametrize("level", _compiled.LEVELS)
 
 

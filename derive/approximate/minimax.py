@@ -100,8 +100,8 @@ def sample(
 
 def minimax(
     samples: Samples, above: int, below: int = 0, logs: tuple[Sequence[arb], int] | None = None, rounds: int = _ROUNDS
-) -> tuple[Balls, Balls, float]:
-    """Return the numerator of degree `above`, the denominator 1 + ... of degree `below`, and the least maximal error.
+) -> tuple[Balls, Balls]:
+    """Return the numerator of degree `above` and the denominator 1 + ... of degree `below` of the least maximal error.
 
     With ``logs = (l, degree)`` a polynomial of that degree times l, a number for each point, is added, and returned
     in the denominator's place. Exchange of reference points after Remez: at the references the errors of the levelled
@@ -129,7 +129,7 @@ def minimax(
                 break
             references = _exchange(errors, references)
         second = best[above + 1 :]
-        return best[: above + 1], second if logs else [arb(1), *second], least
+        return best[: above + 1], second if logs else [arb(1), *second]
 
 
 def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], int] | None) -> list[Balls]:
@@ -211,16 +211,16 @@ def _exchange(errors: Balls, references: list[int]) -> list[int]:
     return largest if len(largest) == len(references) else references
 
 
-def rounded(samples: Samples, degree: int, careful: int) -> tuple[Coefficients, float]:
-    """Return minimax coefficients of this degree as doubles, lowest first, and the error before rounding.
+def rounded(samples: Samples, degree: int, careful: int) -> Coefficients:
+    """Return minimax coefficients of this degree as doubles, lowest first.
 
     Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.
     """
-    fitted, _, error = minimax(samples, degree)
+    fitted, _ = minimax(samples, degree)
     fixed: list[float] = []
     for k in range(careful):
         fixed.append(nearest(fitted[0]))
         with ctx.workprec(BITS):
             samples = samples.without(as_ball(fixed[-1]))
-        fitted, _, _ = minimax(samples, degree - k - 1)
-    return (*fixed, *map(nearest, fitted)), error
+        fitted, _ = minimax(samples, degree - k - 1)
+    return (*fixed, *map(nearest, fitted))

@@ -185,21 +185,21 @@ def far(code: Code, closed: Expr, shape: Far, seam: float) -> Pair:
     b = HALF_PI - code.x
     b_2 = b * b
     core = code.horner(b_2, fit.r)
-    if fit.q:
+    if shape.shift is not None:
         q = code.horner(b_2, fit.q)
-        for _ in range(fit.shift):
+        for _ in range(shape.shift):
             q = q * b_2
         scaled = b if shape.scale == 1 else shape.scale * b
         core = fma(q, logarithm(code, scaled), core)
-    front = b if fit.power % 2 else b_2
-    if fit.power > 2:
+    front = b if shape.odd else b_2
+    if shape.power > 2:
         front = front * b_2
     ahead = code.value(fit.constant) if fit.constant else None  # constant + tilt b
     if fit.tilt:
         tilt = code.value(fit.tilt)
         ahead = b * tilt if ahead is None else fma(b, tilt, ahead)
     rest = front * core if ahead is None else fma(front, core, ahead)
-    if not shapes.end(closed).odd and (shape.bend or shape.slope):
+    if not shape.odd and (shape.bend or shape.slope):
         rest = fma(b, fma(b, -shape.bend, shape.slope), rest)
     if not shape.slope:
         return Pair(code.value(shape.line), rest)
@@ -257,7 +257,7 @@ def fused_part(code: Code, closed: Expr, part: Pieces, seam: float) -> Pair:
 
 def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
     """Return x u (numerator/denominator): one polynomial or one quotient of two on the whole domain."""
-    over, under, _ = shapes.cheap_fit(closed, above, below)
+    over, under = shapes.cheap_fit(closed, above, below)
     u = code.u
     if not below:
         return code.horner(u, over) * u * code.x
@@ -271,7 +271,7 @@ def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
     Near 0, where u q is lost in W(0) + u q, the value is a little less than the leading term of F. Of some inputs
     that term is a midpoint of two float32 (of 375 it is 18 125**3, which has 25 bits).
     """
-    over, under, _ = shapes.rounding_fit(closed, above, below)
+    over, under = shapes.rounding_fit(closed, above, below)
     u = code.u
     cube = u * code.x
     z = (HALF_PI - code.x) * (code.x + HALF_PI) if below else u  # small errors where z is small
@@ -314,10 +314,10 @@ def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
 
 
 def variants() -> tuple[Variant, ...]:
-    """Return every kernel in every tier and form, from the recorded shapes."""
+    """Return every kernel in every tier and form, from the stated shapes."""
     every: list[Variant] = []
     for kernel in shapes.kernels():
-        every += of(kernel, shapes.recorded_shapes()[kernel.definition])
+        every += of(kernel, shapes.stated_shape(kernel))
     return tuple(every)
 
 

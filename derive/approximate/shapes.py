@@ -5,19 +5,19 @@ b = pi/2 - alpha, where artanh(sin(alpha)) = -ln(tan(b/2)): F is a function of b
 even, plus such a one times ln(b). A straight line that is computed without rounding is subtracted; the remainder is
 b**power (R(b**2) + b**(2 shift) Q(b**2) ln(b)). Of a form that is neither (lambda), one polynomial serves for all.
 
-Seams, baselines and degrees are found by `derive.approximate.search` and recorded in ``generated/shapes.json`` by
-definition.
+Seams, baselines and degrees are stated in ``shapes.json`` by definition, for every weight that a moment may have and
+for the declared quotients. They were chosen among many by the proved bound of the fused program and its number of
+operations; whatever is stated there, the certificates prove what it achieves.
 """
 
 import json
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_series
-from sympy import Dummy, Expr, atanh, cos, diff, expand, expand_trig, pi
+from sympy import Expr, diff
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate.minimax import GUARD, Function, Samples, evaluate, minimax, nearest, rounded, sample, value_at
@@ -29,7 +29,7 @@ from derive.declare.symbols import alpha
 from derive.kinds import Coefficients, Names, Pair
 
 HALF_PI = truth.TOP
-RECORDS = Path(__file__).resolve().parent.parent.parent / "generated" / "shapes.json"
+SHAPES = Path(__file__).with_name("shapes.json")
 
 
 @dataclass(frozen=True)
@@ -92,51 +92,12 @@ def agree(kernel: Kernel) -> int:
 
 
 @dataclass(frozen=True)
-class End:
-    """Closed form in b = pi/2 - alpha: odd (except for its value at 0) or even, and the start of its logarithm.
-
-    ``first`` is the coefficient of b or of b**2 without logarithm, ``log`` the power of b at ln(b), or 0 without one.
-    """
-
-    odd: bool
-    first: float
-    log: int
-    serves: bool = True  # not if the form is neither odd nor even
-
-
-@cache
-def end(closed: Expr) -> End:
-    """Return the expansion about pi/2 with b = pi/2 - alpha and h = artanh(cos(b)), in which the form is linear."""
-    b = Dummy("b", real=True)
-    h = Dummy("h", real=True)
-    in_b = closed.subs(alpha, pi / 2 - b).subs(atanh(cos(b)), h)
-    form = expand(expand_trig(in_b))
-    logs = form.coeff(h, 1)
-    smooth = form.coeff(h, 0)
-    smooth -= smooth.subs(b, 0)
-    for odd in (True, False):
-        sign = 1 if odd else -1
-        if all(expand(part + sign * part.subs(b, -b)) == 0 for part in (smooth, logs)):
-            break
-    else:
-        return End(False, 0.0, 0, serves=False)
-    log = 0
-    with truth.working(GUARD):
-        taylor = fmpq_series([0, 1])
-        first = evaluate(smooth, taylor)[1 if odd else 2]
-        if logs != 0:
-            series = evaluate(logs, taylor)
-            while series[log] == 0:
-                log += 1
-    return End(odd, float(first), log)
-
-
-@dataclass(frozen=True)
 class Far:
-    """Shape of the piece near pi/2: its baseline slope alpha + line, bend, the logarithm's scale, and the degree of R.
+    """Shape of the piece near pi/2: F = (slope alpha + line) + the terms of `FarFit`.
 
-    The line is a multiple of 2**-52, as alpha >= 1 is, so that the sum makes no rounding error. Where F is even in b,
-    b (slope - bend b) is taken off next; the logarithm is that of scale b.
+    The line is a multiple of 2**-52, as alpha >= 1 is, so that the sum makes no rounding error. An odd F has an odd
+    ``power``. Where F is even in b, b (slope - bend b) is taken off next. ``degree`` is the degree of R, and ``shift``
+    half the power of b**2 in front of Q, or None without logarithm, which is a logarithm of scale b.
     """
 
     slope: float
@@ -144,6 +105,13 @@ class Far:
     bend: float
     scale: float
     degree: int
+    power: int
+    shift: int | None
+
+    @property
+    def odd(self) -> bool:
+        """Whether F is odd in b, except for its value at 0; otherwise it is even."""
+        return self.power % 2 == 1
 
 
 @dataclass(frozen=True)
@@ -163,29 +131,17 @@ class Shape:
     cheap: tuple[tuple[str, int, int], ...]
 
 
-@cache
-def recorded_shapes() -> dict[Names, Shape]:
-    """Return the recorded shapes by definition, including shapes that were found in this run."""
-    shapes = {}
-    for definition, record in json.loads(RECORDS.read_text(encoding="utf-8")).items():
-        best = []
-        for piece in record["best"]:
-            far = piece["far"]
-            if far is not None:
-                piece["far"] = Far(**far)
-            best.append(Pieces(**piece))
-        shapes[tuple(definition.split(" / "))] = Shape(tuple(best), tuple(map(tuple, record["cheap"])))
-    return shapes
-
-
-def shapes_text() -> str:
-    """Return the file of records, one declared definition per line."""
-    lines = []
-    for definition in sorted({kernel.definition for kernel in kernels()}):
-        name = json.dumps(" / ".join(definition))
-        shape = json.dumps(asdict(recorded_shapes()[definition]))
-        lines.append(f"{name}: {shape}")
-    return "{\n" + ",\n".join(lines) + "\n}\n"
+def stated_shape(kernel: Kernel) -> Shape:
+    """Return the shape that is stated for the definition of a kernel."""
+    definition = " / ".join(kernel.definition)
+    stated = json.loads(SHAPES.read_text(encoding="utf-8"))
+    if definition not in stated:
+        raise ProofError(f"{kernel.name}: shape of {definition}", "none", f"a line in {SHAPES.name}")
+    best = []
+    for piece in stated[definition]["best"]:
+        far = piece["far"]
+        best.append(Pieces(piece["seam"], piece["count"], far and Far(**far)))
+    return Shape(tuple(best), tuple(map(tuple, stated[definition]["cheap"])))
 
 
 def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
@@ -199,22 +155,17 @@ def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
     return function
 
 
-def near_samples(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> Samples:
-    """Return samples of (W - limit)/u on [0, seam] for the least relative error, enough for ``count`` coefficients."""
-    with ctx.workprec(GUARD):
-        upper = as_ball(seam) ** 2
-        samples = sample(scaled(closed, limit_at_0), lambda u, f: 1 / f, upper, count)
-        return samples.without(as_ball(limit_at_0))
-
-
 @cache
 def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> Coefficients:
     """Return c1, c2, ..., ``count`` numbers, of W = limit + u (c1 + u (c2 + ...)), fitted to F/alpha**3 on [0, seam].
 
-    W is F/alpha**3 times the constant that makes its limit at 0 ``limit_at_0``.
+    W is F/alpha**3 times the constant that makes its limit at 0 ``limit_at_0``. The relative error is least.
     """
-    coefficients, _ = rounded(near_samples(closed, seam, count, limit_at_0), count - 1, careful=min(3, count - 1))
-    return coefficients
+    with ctx.workprec(GUARD):
+        upper = as_ball(seam) ** 2
+        samples = sample(scaled(closed, limit_at_0), lambda u, f: 1 / f, upper, count)
+        rest = samples.without(as_ball(limit_at_0))
+    return rounded(rest, count - 1, careful=min(3, count - 1))
 
 
 @cache
@@ -228,29 +179,29 @@ def logarithm_fit() -> tuple[float, Coefficients]:
     degree = 6
     with ctx.workprec(GUARD):
         largest = as_ball(Fraction(1, 25))
-        coefficients, _ = rounded(sample(rest, lambda z, _: z * z.sqrt(), largest, degree), degree, careful=1)
-        return nearest(arb(2).log()), coefficients
+        samples = sample(rest, lambda z, _: z * z.sqrt(), largest, degree)
+        return nearest(arb(2).log()), rounded(samples, degree, careful=1)
 
 
 @cache
-def cheap_fit(closed: Expr, above: int, below: int) -> tuple[Coefficients, Coefficients, float]:
-    """Return numerator and denominator of F/alpha**3, and their relative error before rounding.
+def cheap_fit(closed: Expr, above: int, below: int) -> tuple[Coefficients, Coefficients]:
+    """Return numerator and denominator of F/alpha**3, of degrees ``above`` and ``below``, for the least relative error.
 
-    Their degrees are ``above`` and ``below``. Without denominator it is a polynomial in alpha**2, otherwise a rational
-    in pi**2/4 - alpha**2. Coefficients are listed lowest first.
+    Without denominator it is a polynomial in alpha**2, otherwise a rational in pi**2/4 - alpha**2. Coefficients are
+    listed lowest first.
     """
     function = scaled(closed, limit(closed))
     with ctx.workprec(GUARD):
         largest = (arb.pi() / 2) ** 2
         reflected = (lambda z: function(largest - z)) if below else function
         samples = sample(reflected, lambda z, f: 1 / f, largest, above + below, 2)
-    over, under, error = minimax(samples, above, below)
-    return tuple(map(nearest, over)), tuple(map(nearest, under)), error
+    over, under = minimax(samples, above, below)
+    return tuple(map(nearest, over)), tuple(map(nearest, under))
 
 
 @cache
-def rounding_fit(closed: Expr, above: int, below: int) -> tuple[Coefficients, Coefficients, float]:
-    """Return numerator and denominator of (W - W(0))/u, and the relative error of F = alpha u W.
+def rounding_fit(closed: Expr, above: int, below: int) -> tuple[Coefficients, Coefficients]:
+    """Return numerator and denominator of (W - W(0))/u, for the least relative error of F = alpha u W.
 
     Their degrees are ``above`` and ``below``. Without denominator it is a polynomial in u = alpha**2, otherwise a
     rational in fl(pi/2)**2 - u, of a multiple of F with W(0) = 1. Coefficients are listed lowest first.
@@ -273,21 +224,8 @@ def rounding_fit(closed: Expr, above: int, below: int) -> tuple[Coefficients, Co
             return u / (first + u * value)
 
         samples = sample(rest, weight, largest, above + below, 2)
-    over, under, error = minimax(samples, above, below, rounds=40)
-    return tuple(map(nearest, over)), tuple(map(nearest, under)), error
-
-
-def powers(closed: Expr, far: Far) -> tuple[int, int]:
-    """Return the power of b in front of the remainder of the baseline, and half the power of b in front of Q.
-
-    The power rises by 2 where the baseline takes the first coefficient off and the logarithm starts no earlier.
-    """
-    about = end(closed)
-    power = 1 if about.odd else 2
-    taken = -(far.slope if about.odd else far.bend)
-    if about.first == taken and (not about.log or about.log >= power + 2):
-        power += 2
-    return power, (about.log - power) // 2 if about.log else 0
+    over, under = minimax(samples, above, below, rounds=40)
+    return tuple(map(nearest, over)), tuple(map(nearest, under))
 
 
 @dataclass(frozen=True)
@@ -295,52 +233,39 @@ class FarFit:
     """F = (slope alpha + line) + (constant + tilt b + b (slope - bend b) + b**power (R + b**(2 shift) Q ln(scale b))).
 
     The product with slope and bend is there where F is even in b. R and Q in b**2, of b = fl(pi/2) - alpha as it is
-    computed: pi/2 - fl(pi/2) is folded in, the tilt among it. ``error`` is relative, before rounding.
+    computed: pi/2 - fl(pi/2) is folded in, the tilt among it.
     """
 
     constant: float
     tilt: float
-    power: int
-    shift: int
     r: Coefficients
     q: Coefficients
-    error: float
 
 
 @cache
 def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
     """Return the piece beyond the seam, with R and Q fitted together, and R again after rounding Q."""
-    about = end(closed)
     degree = far.degree
-    power, shift = powers(closed, far)
     constant, tilt = _constant_and_tilt(closed, far)
     samples = _far_samples(closed, far, constant, tilt, seam)
-    q: Coefficients = ()
-    if about.log:
-        with ctx.workprec(GUARD):
-            scale = as_ball(far.scale)
-            logs = [w**shift * (scale * w.sqrt()).log() for w in samples.points]
-        _, coefficients, error = minimax(samples, degree, logs=(logs, max(degree - shift, 0)))
-        q = tuple(map(nearest, coefficients))
-        r, _ = rounded(_without_logs(samples, q, logs), degree, careful=1)
-    else:
-        r, error = rounded(samples, degree, careful=min(3, degree))
-    return FarFit(constant, tilt, power, shift, r, q, error)
-
-
-def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> Samples:
-    """Return the samples for R alone, after subtraction of Q, with coefficients ``q``, times ``logs`` at each point."""
+    if far.shift is None:
+        return FarFit(constant, tilt, rounded(samples, degree, careful=min(3, degree)), ())
+    with ctx.workprec(GUARD):
+        scale = as_ball(far.scale)
+        logs = [w**far.shift * (scale * w.sqrt()).log() for w in samples.points]
+    _, coefficients = minimax(samples, degree, logs=(logs, max(degree - far.shift, 0)))
+    q = tuple(map(nearest, coefficients))
     values = []
     with ctx.workprec(GUARD):
         subtracted = arb_poly([as_ball(c) for c in q])
         for w, value, log in zip(samples.points, samples.values, logs, strict=True):
             values.append((value - subtracted(w) * log).mid())
-    return Samples(samples.points, values, samples.weights)
+    without_logs = Samples(samples.points, values, samples.weights)
+    return FarFit(constant, tilt, rounded(without_logs, degree, careful=1), q)
 
 
 def _constant_and_tilt(closed: Expr, far: Far) -> Pair:
     """Return the excess of F over the baseline at fl(pi/2), and its slope by b if F is even in b."""
-    about = end(closed)
     with ctx.workprec(GUARD):
         at_end = as_ball(HALF_PI)
         excess = value_at(closed, at_end) - as_ball(far.slope) * at_end - as_ball(far.line)
@@ -348,20 +273,19 @@ def _constant_and_tilt(closed: Expr, far: Far) -> Pair:
         if abs(constant) <= 2.0**-80:
             constant = 0.0
         tilt = 0.0
-        if not about.odd and about.log != 2:  # where ln(b) starts at b**2 there is no second derivative
+        if not far.odd and far.shift != 0:  # where ln(b) starts at b**2 there is no second derivative
             tilt = -nearest(value_at(diff(closed, alpha), at_end))
     return constant, tilt
 
 
 def _far_samples(closed: Expr, far: Far, constant: float, tilt: float, seam: float) -> Samples:
     """Return samples for R and Q, (F - the rest of `FarFit`)/b**power at w = b**2, for the least relative error."""
-    about = end(closed)
-    power, _ = powers(closed, far)
-    unknowns = (2 if about.log else 1) * far.degree + 2
+    power = far.power
+    unknowns = (1 if far.shift is None else 2) * far.degree + 2
     with ctx.workprec(GUARD):
         at_end = as_ball(HALF_PI)
         straight = as_ball(far.slope) * at_end + as_ball(far.line) + as_ball(constant)
-        if about.odd:
+        if far.odd:
             known = arb_poly([straight, as_ball(tilt) - as_ball(far.slope)])
         else:
             known = arb_poly([straight, as_ball(tilt), -as_ball(far.bend)])

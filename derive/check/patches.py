@@ -21,11 +21,11 @@ UNDERFLOW = 2.0**-320  # below, products may underflow, and another bound applie
 QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 
 
-def _pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
-    """Return parts of [lower, upper], both ends included and no double omitted, each with one tape."""
-    inside = sorted(c for c in _cuts(record) if lower < c < upper)
-    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise([lower, *inside, upper])]
-    todo.append((upper, upper))
+def _pieces(record: Record) -> list[tuple[float, float, Tape]]:
+    """Return parts of [SMALL, TOP], both ends included and no double omitted, each with one tape."""
+    inside = sorted(c for c in _cuts(record) if SMALL < c < TOP)
+    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise([SMALL, *inside, TOP])]
+    todo.append((TOP, TOP))
     todo.reverse()
     parts: list[tuple[float, float, Tape]] = []
     while todo:
@@ -171,13 +171,12 @@ def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: fl
             yield from fine_patches(definition, tape, half, start, end)
 
 
-def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[Patch]:
-    """Yield the patches of the domain, or of a part: a window for small alpha, then pieces on segments."""
+def patches(record: Record) -> Iterator[Patch]:
+    """Yield the patches of the domain: a window for small alpha, then pieces on segments."""
     definition = record["definition"]
-    if lower < SMALL:
-        near = near_zero(record)
-        yield near.window(SMALL, UNDERFLOW) if near.order else near
-    for a, b, tape in _pieces(record, max(lower, SMALL), upper):
+    near = near_zero(record)
+    yield near.window(SMALL, UNDERFLOW) if near.order else near
+    for a, b, tape in _pieces(record):
         for segment in SEGMENTS:
             for start, end in ((SMALL, QUARTER), (QUARTER, TOP)):
                 left = max(a, segment.lower, start)

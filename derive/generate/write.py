@@ -12,7 +12,7 @@ from pathlib import Path
 from sympy import Expr, __version__
 
 from derive.algebra import integrate
-from derive.approximate import certificates, search, shapes
+from derive.approximate import certificates, shapes
 from derive.approximate.programs import parts_of_ends, variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
@@ -51,7 +51,6 @@ def kernel_files() -> TextDict:
     """Return all other files by name: the kernels are approximated and certified as far as no certificate serves."""
     kernels = shapes.kernels()
     stage("kernels", "definition", lambda: sum(map(shapes.agree, kernels)), "{} comparisons with the checker's")
-    stage("kernels", "search", search.complete, "new shapes: {}")
     proved = stage("kernels", "certify", lambda: certificates.records(variants(), read_records()), "")
     proved += stage("both ends", "certify", lambda: certificates.of_ends(proved), "")
     return stage("kernels", "emit", lambda: _kernel_texts(proved), "")
@@ -79,7 +78,6 @@ def _kernel_texts(proved: list[Record]) -> TextDict:
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
-        "shapes.json": shapes.shapes_text(),
     }
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
     comparison = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
