@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 70564789efa718d532a71c74b485ea06ac859c0fd35f9aaef6778712c1437d7a
+# sha256 of the text below: 20ef3b6cef1117adf336dc3a7b36f227e132e8ac7976cf05df8d385b9dcf40a6
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -276,16 +276,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     if len(definitions.states) == 2 and len(parts) == len(definitions.tables):
         outputs |= linker.closed_form(registers, outputs, parts)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
-    series = list[OnSeries]()
-    for operation in reversed(linker.series.values()):
-        if not pending.isdisjoint(operation.results):
-            series.insert(0, operation)
-            pending.update(operation.registers, operation.cells)
-    scalar = list[tuple[OnCells, str]]()
-    for on_cells, result in reversed(linker.scalar.items()):
-        if result in pending:
-            scalar.insert(0, (on_cells, result))
-            pending.update(on_cells[1:])
+    scalar, series = linker.needed(pending)
     constants = sorted(name for name in pending if name and name.startswith("="))
     return Linked(scalar, series, registers, outputs, constants)
 
@@ -314,6 +305,20 @@ class Linker:
         # Names under which cells and registers are computed; None for a register that is zero.
         self._cells = {name: name for name in given}
         self._registers: dict[str, str | None] = {name: name for name in definitions.variables}
+
+    def needed(self, pending: set[str | None]) -> tuple[list[tuple[OnCells, str]], list[OnSeries]]:
+        """Return the operations on which pending results depend, in order. Their operands become pending, too."""
+        series = list[OnSeries]()
+        for operation in reversed(self.series.values()):
+            if not pending.isdisjoint(operation.results):
+                series.insert(0, operation)
+                pending.update(operation.registers, operation.cells)
+        scalar = list[tuple[OnCells, str]]()
+        for on_cells, result in reversed(self.scalar.items()):
+            if result in pending:
+                scalar.insert(0, (on_cells, result))
+                pending.update(on_cells[1:])
+        return scalar, series
 
     # --- cells -------------------------------------------------------------------------------------------------------
 
