@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c4308c62881749eb6206fe376084e04206d597dbe923df3e8dca42c71fac9dcb"
+#define DIGEST "f2544d3a9bd3b52e59a759a36bb3813bc78528fea04bd4b3d79e2d3913210a07"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -196,7 +196,7 @@ static int runs(int kind)
 }
 
 /* Registers that an operation on series names, without the terms of a sum, and cells that one on cells reads. */
-static const unsigned char named[] = { 1, 3, 2, 7, 2, 4, 4, 3, 2 };
+static const unsigned char named[] = { 1, 3, 2, 7, 2, 4, 4, 3, 4 };
 static const unsigned char arguments[] = { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3 };
 
 static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
@@ -742,10 +742,8 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}};
             OVER(n, sum0_[j] += a[k] * b[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += a[0] * b[n];
-            sum0 += a[n] * b[0];
-            d[n] = sum0;
+            const V sum0 = sum0_[0] + sum0_[1];
+            d[n] = sum0 + a[0] * b[n] + a[n] * b[0];
         }
         return at + 4;
     }
@@ -759,8 +757,7 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             OVER((n + 1) / 2, sum0_[j] += a[k] * a[n - k]);
             V sum0 = 2.0 * (sum0_[0] + sum0_[1]);
             if (n % 2 == 0) sum0 += a[n / 2] * a[n / 2];
-            sum0 += 2.0 * a[0] * a[n];
-            d[n] = sum0;
+            d[n] = sum0 + 2.0 * a[0] * a[n];
         }
         return at + 3;
     }
@@ -785,24 +782,18 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}}, sum1_[2] = {{0}}, sum2_[2] = {{0}}, sum3_[2] = {{0}}, sum4_[2] = {{0}}, sum5_[2] = {{0}};
             OVER(n, sum0_[j] += x[k] * p2[n - k]; sum1_[j] += x[k] * p3[n - k]; sum2_[j] += x[k] * p4[n - k]; sum3_[j] += x[k] * p5[n - k]; sum4_[j] += x[k] * p6[n - k]; sum5_[j] += x[k] * x[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += x[n] * p2[0];
-            V sum1 = sum1_[0] + sum1_[1];
-            sum1 += x[n] * p3[0];
-            V sum2 = sum2_[0] + sum2_[1];
-            sum2 += x[n] * p4[0];
-            V sum3 = sum3_[0] + sum3_[1];
-            sum3 += x[n] * p5[0];
-            V sum4 = sum4_[0] + sum4_[1];
-            sum4 += x[n] * p6[0];
-            V sum5 = sum5_[0] + sum5_[1];
-            sum5 += x[n] * x[0];
-            p2[n] = sum5 + x[0] * x[n];
-            p3[n] = sum0 + p2[n] * x[0];
-            p4[n] = sum1 + p3[n] * x[0];
-            p5[n] = sum2 + p4[n] * x[0];
-            p6[n] = sum3 + p5[n] * x[0];
-            p7[n] = sum4 + p6[n] * x[0];
+            const V sum0 = sum0_[0] + sum0_[1];
+            const V sum1 = sum1_[0] + sum1_[1];
+            const V sum2 = sum2_[0] + sum2_[1];
+            const V sum3 = sum3_[0] + sum3_[1];
+            const V sum4 = sum4_[0] + sum4_[1];
+            const V sum5 = sum5_[0] + sum5_[1];
+            p2[n] = sum5 + 2.0 * x[0] * x[n];
+            p3[n] = sum0 + p2[0] * x[n] + p2[n] * x[0];
+            p4[n] = sum1 + p3[0] * x[n] + p3[n] * x[0];
+            p5[n] = sum2 + p4[0] * x[n] + p4[n] * x[0];
+            p6[n] = sum3 + p5[0] * x[n] + p5[n] * x[0];
+            p7[n] = sum4 + p6[0] * x[n] + p6[n] * x[0];
         }
         return at + 8;
     }
@@ -828,12 +819,10 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}}, sum1_[2] = {{0}};
             OVER(n, sum0_[j] += q[k] * s[n - k]; sum1_[j] += q[k] * v[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += q[n] * s[0];
-            V sum1 = sum1_[0] + sum1_[1];
-            sum1 += q[n] * v[0];
-            s[n] = (q[n] - sum1) * by_n;
-            v[n] = by_n * sum0;
+            const V sum0 = sum0_[0] + sum0_[1];
+            const V sum1 = sum1_[0] + sum1_[1];
+            s[n] = (q[n] - sum1 - q[n] * v[0]) * by_n;
+            v[n] = (sum0 + q[n] * s[0]) * by_n;
         }
         return at + 5;
     }
@@ -848,9 +837,8 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}};
             OVER(n, sum0_[j] += q[k] * e[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += q[n] * e[0];
-            e[n] = by_n * sum0;
+            const V sum0 = sum0_[0] + sum0_[1];
+            e[n] = (sum0 + e[0] * q[n]) * by_n;
             m[n] = e[n];
         }
         return at + 5;
@@ -866,25 +854,28 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}};
             OVER(n, sum0_[j] += z[k] * h[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += z[n] * h[0];
-            h[n] = -(h[0] * sum0);
+            const V sum0 = sum0_[0] + sum0_[1];
+            h[n] = -((sum0 + h[0] * z[n]) * h[0]);
             m[n] = h[n];
         }
         return at + 4;
     }
-    case LOG: { /* l = log(z + 1) */
-        V *restrict l = r + at[1];
-        const V *z = r + at[2];
+    case LOG: { /* u = t*Derivative(z, t)/(z + 1), l = log(z + 1) */
+        V *restrict u = r + at[1];
+        V *restrict l = r + at[2];
+        const V *q = r + at[3];
+        const V *z = r + at[4];
         if (n == 0) {
+            u[0] = (V){0};
             l[0] = IN(map)(log1p, z[0]);
         } else {
             V sum0_[2] = {{0}};
-            OVER(n, sum0_[j] += k * l[k] * z[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            l[n] = (z[n] - by_n * sum0) / (1.0 + z[0]);
+            OVER(n, sum0_[j] += u[k] * z[n - k]);
+            const V sum0 = sum0_[0] + sum0_[1];
+            u[n] = (q[n] - sum0) / (1.0 + z[0]);
+            l[n] = by_n * u[n];
         }
-        return at + 3;
+        return at + 5;
     }
     default:
         __builtin_unreachable();

@@ -174,8 +174,7 @@ class Lowering:
         """Return a factor times the last result of an operation on an increment, 0 if the increment is 0."""
         z = self.register(increment)
         self.count += 1
-        name = f"{self.name}.{operation}{self.count}"
-        results = [name, f"{name}_less_1"][: len(OPERATIONS[operation].results)]
+        results = [f"{self.name}.{operation}{self.count}.{x}" for x in OPERATIONS[operation].results]
         self.operate(operation, results, z)
         return series(results[-1], factor)
 
