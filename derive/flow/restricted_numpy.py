@@ -135,7 +135,7 @@ class NumPy(Writer):
         yield f"holds_{mark} = {test.text}"
         yield f"{kept} = {known}"
         yield f"{known}, = among(holds_{mark}, {kept})"
-        yield from self.block("if i.size", s.body)
+        yield from self.block("if i.size", self.body(s.body))
         yield f"{known} = {kept}"
 
     def repeat(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
@@ -151,7 +151,7 @@ class NumPy(Writer):
         known = ", ".join([*names, f"place_{mark}"])
         yield f"{', '.join(kept)} = {', '.join(f'{x}.copy()' if x in changed else x for x in names)}"
         yield f"place_{mark} = np.arange(i.size)"
-        body = self.block("while True", s.body)
+        body = self.block("while True", self.body(s.body))
         yield next(body)
         yield f"    {known} = among({test.text}, {known})"
         yield "    if not i.size:"

@@ -188,13 +188,8 @@ class Writer:
             kind = self.all.functions[name].returns
         elif name == "where":
             kind = joined(values[1:], "VMFIBKN")
-            if values[0].kind == "M":
-                return "M" if values[1].kind == "M" else "V"
-            if values[1].kind == "B":
-                return "B"
-            if kind in ("F", "I"):
-                return kind
-            return "F" if kind == "K" else "I"
+            by_lane = {"K": "F", "N": "I"} if values[0].kind == "B" else {"K": "V", "N": "V"}
+            kind = by_lane.get(kind, kind)
         elif name == "number":
             kind = "F" if values[0].kind == "I" else "K"
         else:
@@ -218,11 +213,11 @@ class Writer:
                     yield from self._count(way, self.value(a), self.value(b), s)
                 case ast.For(target=ast.Name(id=name), iter=ast.Attribute(attr="tables" | "states" as what)):
                     self.kinds[name] = "T" if what == "tables" else "Q"
-                    yield from self.block(self.say(what, name), s.body)
+                    yield from self.block(self.say(what, name), self.body(s.body))
                 case ast.While(test=test):
                     yield from self.repeat(self.value(test), s)
-                case ast.If(orelse=[]):
-                    yield from self._if(s)
+                case ast.If(test=test, orelse=[]):
+                    yield from self._if(test, s)
                 case ast.Return(value=None):
                     yield f"return{end}"
                 case ast.Return(value=ast.Tuple(elts=[a, b])):
@@ -232,7 +227,7 @@ class Writer:
                 case _:
                     self.refuse(s, "this statement is not in the grammar of the integrator")
 
-    def block(self, head: str, body: Sequence[ast.stmt]) -> Iterator[str]:
+    def block(self, head: str, body: Iterator[str]) -> Iterator[str]:
         """Yield ``head``, the indented lines of ``body``, and what closes it.
 
         Names assigned in the body are known only there.
@@ -240,7 +235,7 @@ class Writer:
         known = dict(self.kinds)
         opened, closed = self.forms["open"], self.forms["close"]
         yield head + opened
-        for line in self.body(body):
+        for line in body:
             yield f"    {line}"
         yield from closed
         self.kinds = {x: kind for x, kind in self.kinds.items() if x in known}
@@ -286,32 +281,29 @@ class Writer:
             self.refuse(s, "a loop counts between integers that all lanes share")
         name = ast.unparse(s.target)
         self.kinds[name] = "N"
-        yield from self.block(self.say(way, bare(first.text), of=name, to=bare(last.text)), s.body)
+        yield from self.block(self.say(way, bare(first.text), of=name, to=bare(last.text)), self.body(s.body))
 
-    def _if(self, s: ast.If) -> Iterator[str]:
-        """Yield the lines of an ``if`` that is shared by all lanes, or decided by each."""
-        if isinstance(s.test, ast.BoolOp) and isinstance(s.test.op, ast.And):
-            first, *others = s.test.values
-            shared = self.value(first)
-            rest = others[0] if len(others) == 1 else ast.BoolOp(ast.And(), others)
-            if shared.kind == "N" and self.value(rest).kind != "N":  # the first condition is the same for all lanes
-                inner = ast.If(rest, s.body, [])
-                ast.copy_location(inner, s)
-                ast.fix_missing_locations(inner)
-                yield from self.choose(shared, [inner])
-                return
-        test = self.value(s.test)
+    def _if(self, condition: ast.expr, s: ast.If) -> Iterator[str]:
+        """Yield the lines of the ``if`` statement ``s`` on a condition that all lanes share, or that each decides."""
+        match condition:
+            case ast.BoolOp(op=ast.And() as both, values=[first, *others]) if others:
+                shared = self.value(first)
+                rest = ast.BoolOp(both, others)
+                if shared.kind == "N" and self.value(rest).kind != "N":  # the first condition is that of all lanes
+                    yield from self.choose(shared, self._if(rest, s))
+                    return
+        test = self.value(condition)
         if test.kind not in ("N", "M", "B"):
             self.refuse(s, "an `if` is on a truth value")
-        yield from self.choose(test, s.body) if test.kind == "N" else self._by_lane(test, s)
+        yield from self.choose(test, self.body(s.body)) if test.kind == "N" else self._by_lane(test, s)
 
-    def choose(self, test: TypedExpression, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of an ``if`` with these statements on ``test``, a truth value in the target language."""
+    def choose(self, test: TypedExpression, body: Iterator[str]) -> Iterator[str]:
+        """Yield the lines of an ``if`` with this body on ``test``, a truth value in the target language."""
         yield from self.block(self.say("if", bare(test.text)), body)
 
     def repeat(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
         """Yield the lines of the loop ``s``, which continues in the lanes where ``test`` is true."""
-        yield from self.block(self.say("while", bare(test.text)), s.body)
+        yield from self.block(self.say("while", bare(test.text)), self.body(s.body))
 
     def _by_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that lanes decide separately."""
@@ -326,7 +318,7 @@ class Writer:
             *before, head = self.say("of_mask", bare(test.text)).split("\n")
             yield from before
             self.lane = True
-            yield from self.block(head, s.body)
+            yield from self.block(head, self.body(s.body))
             self.lane = False
             return
         yield from self.of_lane(test, s)
@@ -335,7 +327,7 @@ class Writer:
 
     def of_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
         """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane."""
-        yield from self.choose(test, s.body)
+        yield from self.choose(test, self.body(s.body))
 
     def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
@@ -359,4 +351,4 @@ def bare(text: str) -> str:
         depth += (x == "(") - (x == ")")
         if not depth and k < len(text) - 1:
             return text
-    return text[1:-1] if text.startswith("(") else text
+    return bare(text[1:-1]) if text.startswith("(") else text
