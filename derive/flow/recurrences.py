@@ -19,9 +19,9 @@ from sympy import (
     Sum,
     Symbol,
     cos,
-    diff,
     exp,
     expand,
+    factorial,
     log,
     sin,
     symbols,
@@ -132,33 +132,20 @@ def prove(order: int = 6) -> Texts:
 
 
 def _coefficients(o: SeriesOperation, highest: int) -> dict[IndexedBase, tuple[Expr, ...]]:
-    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results, up to order ``highest``.
-
-    The coefficients of a series about a moment t satisfy da_i/dt = (i + 1) a_(i+1). The same is true for a function f
-    of it, whose coefficient i + 1 is therefore df_i/dt/(i + 1).
-    """
+    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results, up to ``highest``."""
     coefficients = {x: symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
-    rates = {_t: 1}
-    for a in coefficients.values():
-        for i in range(highest):
-            rates[a[i]] = (i + 1) * a[i + 1]
     if Z in o.arguments:  # 1 + z begins with a positive number
-        y = Symbol("y", positive=True)
-        z, *others = coefficients[Z]
-        coefficients[Z] = (y - 1, *others)
-        rates[y] = rates[z]
+        coefficients[Z] = (Symbol("y", positive=True) - 1, *coefficients[Z][1:])
     if Q in o.arguments:  # coefficients of the other argument times their order
         coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
-    first_two: dict[Expr, Expr] = {}
-    for x, a in coefficients.items():
-        first_two[x] = a[0]
-        first_two[Derivative(x, _t)] = a[1]
+    series = {}
+    for x, values in coefficients.items():
+        series[x] = Add(*(value * _t**i for i, value in enumerate(values)))
     for result, means in zip(o.results, o.means, strict=True):
-        f = [means.xreplace(first_two)]
-        for i in range(highest):
-            rate = sum(rate * diff(f[i], a) for a, rate in rates.items())
-            f.append(expand(rate / (i + 1)))
-        coefficients[result] = tuple(c.subs(_t, 0) for c in f)
+        derivatives = [means.xreplace(series).doit()]
+        for _ in range(highest):
+            derivatives.append(derivatives[-1].diff(_t))
+        coefficients[result] = tuple(f.subs(_t, 0) / factorial(i) for i, f in enumerate(derivatives))
     return coefficients
 
 
