@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "f9de94eece8fe9248b7a7cad00f1a6db90f76a6f8e69eb78a2a52a844f31a833"
+#define DIGEST "fbdb2580f4f4a39b97d970ce58f873d4197cfc4f1d3078c23a5873d927b6b60d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1936,6 +1936,7 @@ INLINE void enter_line(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V last = broadcast((double)((int)job->data[t].pieces - 1));
     V piece = minimum(c[job->table[t].cell + PIECE] + 1.0, last);
     V edge = breaks_at(b, t, piece);
@@ -2251,6 +2252,7 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
 INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
     if (bits(faster)) {
         M begins = c[PEAK_TIME] == c[TIME];
@@ -2267,6 +2269,7 @@ INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 INLINE void update_reach(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V rotation = c[ROTATION] + (c[DIRECTION] * c[X]);
     here = here & (magnitude(rotation) > magnitude(c[REACH_ROTATION]));
     c[REACH_ROTATION] = pick(here, rotation, c[REACH_ROTATION]);
@@ -2278,6 +2281,7 @@ INLINE void note_lift_off(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     if (job->notes_room > 0) {
         EACH(lane, bits(here)) {
             note(b, lane, NOTE_LIFTS);
@@ -2291,6 +2295,7 @@ INLINE void note_lift_off(Batch *b, M here)
 INLINE void advance_origin(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[ROTATION] = pick(here, c[ROTATION] + (c[DIRECTION] * c[X]), c[ROTATION]);
     c[SLIP] = pick(here, c[SLIP] + c[X], c[SLIP]);
     c[X] = pick(here, broadcast(0.0), c[X]);
@@ -2300,6 +2305,7 @@ INLINE void advance_origin(Batch *b, M here)
 INLINE void face(Batch *b, M here, V side)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[X] = pick(here, broadcast(0.0), c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[DIRECTION] = pick(here, side, c[DIRECTION]);
@@ -2311,6 +2317,7 @@ INLINE void start(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[DIRECTION] = pick(here, pick(c[OMEGA] < 0.0, broadcast(-1.0), broadcast(1.0)), c[DIRECTION]);
     c[OMEGA] = pick(here, magnitude(c[OMEGA]), c[OMEGA]);
     c[X] = pick(here, broadcast(0.0), c[X]);
@@ -2335,6 +2342,7 @@ INLINE void start_moving(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[STATUS] = pick(here, broadcast(MOVING), c[STATUS]);
     c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
@@ -2356,6 +2364,7 @@ INLINE void stay(Batch *b, M here, V status)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[STATUS] = pick(here, status, c[STATUS]);
     c[END_ROTATION] = pick(here, c[ROTATION], c[END_ROTATION]);
     c[END_OMEGA] = pick(here, broadcast(0.0), c[END_OMEGA]);
@@ -2398,6 +2407,7 @@ INLINE M never_rests(Batch *b)
 INLINE void stick(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M changes = still_changes(b);
     stay(b, here & ~changes, broadcast(ARRESTED));
     here = here & changes;
@@ -2415,6 +2425,7 @@ INLINE void stick(Batch *b, M here)
 INLINE void rest_one_way(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M may = may_start(b);
     stick(b, here & may);
     here = here & ~may;
@@ -2427,6 +2438,7 @@ INLINE void resolve_stick_or_slip(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V terms = magnitude(c[job->role->driving]) + c[job->role->resisting];
     V unsure = EPS * (terms + (c[job->role->mu] * magnitude(c[job->role->normal0])));
     M of_weight = (c[job->role->driving] == c[job->role->driving_moment]) & (c[job->role->normal0] == c[job->role->normal_load]);
@@ -2452,6 +2464,7 @@ INLINE void resolve_stick_or_slip(Batch *b, M here)
 INLINE void resolve_standstill(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M stops = here & (c[FIRST_ONLY] > 0.0) & (c[PHASES] > 0.0);
     if (bits(stops)) {
         stops = stops & never_rests(b);
@@ -2471,6 +2484,7 @@ INLINE void carry_net_moment(Batch *b, M here, V net)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
     V change = net - c[job->role->drive];
     V terms = (magnitude(c[RATE_BEFORE]) + magnitude(change)) + magnitude(c[DRIVE_BEFORE]);
@@ -2515,6 +2529,7 @@ INLINE void resolve_pending(Batch *b, M waits, V net, V force)
 INLINE void on_discontinuity(Batch *b, M here, V force)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V lifted = pick(force < 0.0, broadcast(1.0), broadcast(0.0));
     M same = c[LIFTED] == lifted;
     note_lift_off(b, here & (lifted > c[LIFTED]));
@@ -2574,6 +2589,7 @@ INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V now = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
     M level = c[job->table[t].cell + RISE] == 0.0;
     V way = (sign * p[1]) * c[job->table[t].cell + RISE];
@@ -2592,6 +2608,7 @@ INLINE void look_for_quiet(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V terms_of_normal = EPS * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
     for (int t = 0; t < job->tables; t++) {
         if ((job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
@@ -2686,6 +2703,7 @@ static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
 INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[X] = pick(here, x, c[X]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
@@ -2705,6 +2723,7 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 INLINE void count_starts(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M back = c[LAST_WAY] < 0.0;
     c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
     c[TURNS] = pick(here, c[TURNS] + pick(back, broadcast(1.0), broadcast(0.0)), c[TURNS]);
@@ -2881,6 +2900,7 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V per = 1.0 / c[job->table[t].cell + SCALE];
     const Pair low_high = heights_at_rest(b, t);
     V low = low_high.one, high = low_high.other;
@@ -2956,6 +2976,7 @@ INLINE void enter_phase(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[RATE_BEFORE] = pick(here, rate, c[RATE_BEFORE]);
     c[DRIVE_BEFORE] = pick(here, c[job->role->drive], c[DRIVE_BEFORE]);
     c[SCALE_BEFORE] = pick(here, c[job->role->drive_scale], c[SCALE_BEFORE]);
@@ -2968,6 +2989,7 @@ INLINE void on_standstill(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     advance_origin(b, here);
     update_reach(b, here);
     c[REST_SINCE] = pick(here, c[TIME], c[REST_SINCE]);
@@ -2987,6 +3009,7 @@ INLINE void on_contact_change(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
     note_lift_off(b, here & (c[LIFTED] > 0.0));
     M lands = here & (c[LIFTED] == 0.0);
@@ -3030,6 +3053,7 @@ INLINE void on_breakpoints(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     enter_phase(b, here, rate);
     for (int t = 0; t < job->tables; t++) {
         int upper = EVENT_BREAKPOINT + (2 * t);
@@ -3045,6 +3069,7 @@ INLINE void on_breakpoints(Batch *b, M here, V rate)
 INLINE void end_motion(Batch *b, M here, V rate, V status)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[STATUS] = pick(here, status, c[STATUS]);
     c[END_ROTATION] = pick(here, c[ROTATION] + (c[DIRECTION] * c[X]), c[END_ROTATION]);
     c[END_OMEGA] = pick(here, c[DIRECTION] * c[OMEGA], c[END_OMEGA]);
@@ -3056,6 +3081,7 @@ INLINE void end_motion(Batch *b, M here, V rate, V status)
 INLINE void on_limit(Batch *b, M here, V rate)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M ends = here & (c[TIME] >= c[END_TIME]);
     end_motion(b, ends, rate, broadcast(ENDED));
     M passes = here & ~ends;
@@ -3068,6 +3094,7 @@ INLINE void on_limit(Batch *b, M here, V rate)
 INLINE void settle(Batch *b, M here, V rate, M at_limit, M endless)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[STATUS] = pick(here, pick(endless, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
     M limits = here & at_limit;
     if (bits(limits)) {
@@ -3096,6 +3123,7 @@ INLINE void settle(Batch *b, M here, V rate, M at_limit, M endless)
 INLINE void consider(Batch *b, M here, V at, int event)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[EVENT] = pick(here, pick(at <= c[STEP], broadcast((double)event), c[EVENT]), c[EVENT]);
     c[STEP] = pick(here, minimum(at, c[STEP]), c[STEP]);
 }
@@ -3122,6 +3150,7 @@ static void find_standstill(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *omega = b->r + job->role->omega;
     V *net = b->r + job->role->net;
     const Pair last_slope = value_and_slope(omega, top, c[STEP]);
@@ -3147,6 +3176,7 @@ static void find_standstill(Batch *b, M here, int top)
 static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M passed, int event)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M asked = here & may_cross(p, n, c[STEP], sign, constant, passed);
     if (bits(asked)) {
         V e[STRIDE];
@@ -3160,6 +3190,7 @@ static void find_edges(Batch *b, M here, int t, int top, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M ends = here & (c[job->table[t].cell + UPPER] < FAR);
     V upper = minimum(c[job->table[t].cell + UPPER], broadcast(FAR));
     int event = EVENT_BREAKPOINT + (2 * t);
@@ -3187,6 +3218,7 @@ static void find_events(Batch *b, M here, int top, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     find_standstill(b, here, top);
     if (job->role->upright >= 0) {
@@ -3217,6 +3249,7 @@ INLINE void choose_step(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
         V radius = broadcast(INFINITY);
@@ -3234,6 +3267,7 @@ INLINE void advance_states(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     for (const State *q = job->state; q < job->state + job->states; q++) {
         c[q->cell] = pick(here, c[q->cell] + increment(b->r + q->series, top, c[STEP]), c[q->cell]);
     }
@@ -3265,6 +3299,7 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *net = b->r + job->role->net;
     V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
     M peaks = at < INFINITY;
@@ -3282,6 +3317,7 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
 INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M before_end = c[TIME] < c[END_TIME];
     M breaks = at_limit & before_end;
     M others = enter_lines(b, breaks);
@@ -3297,6 +3333,7 @@ INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
 INLINE void arrive(Batch *b, M here, V until, V rate, M steady, M at_limit, M endless)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
     c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast(STIFF_STEP), broadcast(1.0))), c[STEPS]);
@@ -3309,6 +3346,7 @@ static void make_step(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V limit = minimum(next_break(b), c[END_TIME]);
     V room = limit - c[TIME];
     int top = expand(b, room, here, 0);
@@ -3450,6 +3488,7 @@ static void move_within(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V factors[STRIDE];
     V rise[STRIDE];
     V sine[STRIDE];
@@ -3524,6 +3563,7 @@ INLINE M wait_for_start(Batch *b, M here, int t)
 INLINE void leave_series(Batch *b, M here, V since)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M moves = c[OMEGA] > 0.0;
     c[STATUS] = pick(here, pick(moves, broadcast(MOVING), broadcast(RESTING)), c[STATUS]);
     here = here & ~moves & (c[TIME] > since);
@@ -3538,6 +3578,7 @@ static void turn_through(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[SINE_X] = pick(here, broadcast(0.0), c[SINE_X]);
     c[VERSINE_X] = pick(here, broadcast(0.0), c[VERSINE_X]);
     V since = c[TIME];
@@ -3865,6 +3906,7 @@ INLINE void shorten(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *e = b->r + job->role->omega;
     M bends = here & (e[2] > 0.0) & (e[1] >= 0.0);
     V by_slope = e[1] / e[2];
@@ -3890,6 +3932,7 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *net = b->r + job->role->net;
     V *e = b->r + job->role->omega;
     V step = c[STEP];
@@ -3919,6 +3962,7 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
 static void turn_on(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V omega = 1.0 * c[OMEGA];
     c[OMEGA] = pick(here, omega * omega, c[OMEGA]);
     V room = way_ahead(b);
@@ -4403,6 +4447,7 @@ INLINE V mean_of(V *both, int pairs, int by)
  * sums of ``odd``. */
 INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
 {
+    if (!bits(here)) return;
     V scale = broadcast(1.0 / (double)pairs);
     w[0] = pick(here, mean_of(both, pairs, by), w[0]);
     for (int j = 1; j <= pairs; j++) {
@@ -4473,6 +4518,7 @@ INLINE M is_uneven(V *w, int n)
  * search begins at the angle u in ``there``, to which it is added together with the slope of the time. */
 static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
 {
+    if (!bits(here)) return;
     V u = there[ANGLE_THERE];
     V slope = broadcast(1.0);
     const Pair lag_versine = turned(2.0 * u);
@@ -4513,6 +4559,7 @@ static void keep_samples(Batch *b, M here, V *e, V *back, V *w, V end, V until)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V there[STRIDE];
     there[ANGLE_THERE] = broadcast(0.0);
     there[SLOPE_THERE] = 2.0 * w[0];
@@ -4678,6 +4725,7 @@ INLINE void rest(Batch *b, M here, V *back, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V force = force_at(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     V resistance = c[job->role->resisting] + (c[job->role->mu] * force);
     V rate = (-0.5) * back[0];
@@ -4697,6 +4745,7 @@ INLINE void rest(Batch *b, M here, V *back, V *f)
 INLINE void pass_peak(Batch *b, M here, V *f, V peak, V before)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V speed = sqrt_of(f[5]);
     V then = c[TIME] + before;
     keep_faster(b, here, speed, then, peak, 0.5 * f[6]);
@@ -4706,6 +4755,7 @@ INLINE void pass_peak(Batch *b, M here, V *f, V peak, V before)
 INLINE void finish(Batch *b, M here, V end, V duration)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
@@ -4718,6 +4768,7 @@ INLINE void finish(Batch *b, M here, V end, V duration)
 static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V there[STRIDE];
     V time = c[END_TIME] - c[TIME];
     there[ANGLE_THERE] = (0.5 * time) / w[0];
@@ -4827,6 +4878,7 @@ static void look_for_lift_off(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *normal = b->r + job->role->normal;
     V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
     M passed = c[PASSED] == (double)LIFT;
@@ -4847,6 +4899,7 @@ static void look_ahead(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     int top = expand(b, room, here, 1);
     V *net = b->r + job->role->net;
     M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
@@ -4882,6 +4935,7 @@ static void look_ahead(Batch *b, M here, V room)
 INLINE void turn_back(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
@@ -4890,6 +4944,7 @@ INLINE void turn_back(Batch *b, M here)
 INLINE void change_contact(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
     c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
@@ -4900,6 +4955,7 @@ INLINE void change_contact(Batch *b, M here)
 INLINE void start_again(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     face(b, here, c[START_DIRECTION]);
     c[PENDING] = pick(here, broadcast(START_AGAIN), c[PENDING]);
 }
@@ -4909,6 +4965,7 @@ INLINE void leave_rest(Batch *b, M here, V limit, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V stretch = c[STRETCH];
     M lifts = c[LIFT_AHEAD] <= stretch;
     M starts = c[START_AHEAD] <= stretch;
@@ -4941,6 +4998,7 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M both = here & (c[ONE_WAY] == 0.0);
     if (bits(both)) {
         turn_back(b, both);
@@ -4964,6 +5022,7 @@ static void rest_on(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V limit = next_break(b);
     V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
     c[STRETCH] = pick(here, room, c[STRETCH]);
@@ -4997,6 +5056,7 @@ INLINE void stop_endless(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M going = c[STATUS] <= (double)RESTING;
     V most = pick(c[OMEGA] > 0.0, broadcast(MOST_STEPS), broadcast((double)(2 * MOST_STEPS)));
     M too_long = c[STEPS] > most;
@@ -5015,6 +5075,7 @@ static void advance(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
     int complete = HAS_CLOSED_FORM(job->role) && !(job->samples && SOFTENS(job->role));

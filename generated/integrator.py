@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d46602b09cc35272e4d44ede2291709fe2e21adb9c68c49a1a43ebaf98e9d025
+# sha256 of the text below: 7ce9c7580ff8f69345e93df921e63db031f4ae5d5695026aa60f5cf43edac6f4
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -833,6 +833,8 @@ def pass_breaks(lane: Lanes, i: Index) -> None:
 def enter_line(s: Lanes, here: Mask, t: Table) -> None:
     """Enter the next piece of a piecewise linear function of time, side by side, as `pass_break` does."""
     c = s.cells
+    if not np.any(here):
+        return
     last: Floats = float(t.pieces - 1)
     piece = np.minimum(c[t.cells + ix.PIECE] + 1.0, last)
     edge = breaks_at(s, t, piece)
@@ -1078,6 +1080,8 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
     """Record a candidate for the greatest speed in the current step if it exceeds the record."""
     c = s.cells
+    if not np.any(here):
+        return
     faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(faster):
         begins = c[ix.PEAK_TIME] == c[ix.TIME]
@@ -1093,6 +1097,8 @@ def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, ra
 def update_reach(s: Lanes, here: Mask) -> None:
     """Record the current rotation if it is the greatest from the start."""
     c = s.cells
+    if not np.any(here):
+        return
     rotation = c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X]
     here = here & (np.abs(rotation) > np.abs(c[ix.REACH_ROTATION]))
     c[ix.REACH_ROTATION] = np.where(here, rotation, c[ix.REACH_ROTATION])
@@ -1102,6 +1108,8 @@ def update_reach(s: Lanes, here: Mask) -> None:
 def note_lift_off(s: Lanes, here: Mask) -> None:
     """Log the loss of contact with the slip surface."""
     c = s.cells
+    if not np.any(here):
+        return
     if s.logged:
         i = np.flatnonzero(here)
         if i.size:
@@ -1113,6 +1121,8 @@ def note_lift_off(s: Lanes, here: Mask) -> None:
 def advance_origin(s: Lanes, here: Mask) -> None:
     """Reset the origin of rotation and slip to the current position, where another phase begins."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.ROTATION] = np.where(here, c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X], c[ix.ROTATION])
     c[ix.SLIP] = np.where(here, c[ix.SLIP] + c[ix.X], c[ix.SLIP])
     c[ix.X] = np.where(here, 0.0, c[ix.X])
@@ -1121,6 +1131,8 @@ def advance_origin(s: Lanes, here: Mask) -> None:
 def face(s: Lanes, here: Mask, side: Floats) -> None:
     """Set the direction of travel at a standstill."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.X] = np.where(here, 0.0, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.DIRECTION] = np.where(here, side, c[ix.DIRECTION])
@@ -1130,6 +1142,8 @@ def face(s: Lanes, here: Mask, side: Floats) -> None:
 def start(s: Lanes, here: Mask) -> None:
     """Start lanes with a velocity or at rest."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.DIRECTION] = np.where(here, np.where(c[ix.OMEGA] < 0.0, -1.0, 1.0), c[ix.DIRECTION])
     c[ix.OMEGA] = np.where(here, np.abs(c[ix.OMEGA]), c[ix.OMEGA])
     c[ix.X] = np.where(here, 0.0, c[ix.X])
@@ -1151,6 +1165,8 @@ def start(s: Lanes, here: Mask) -> None:
 def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
     """Start slip in the current direction."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.STATUS] = np.where(here, ix.MOVING, c[ix.STATUS])
     c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
@@ -1169,6 +1185,8 @@ def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
 def stay(s: Lanes, here: Mask, status: Floats) -> None:
     """Keep lanes at rest until their end."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.STATUS] = np.where(here, status, c[ix.STATUS])
     c[ix.END_ROTATION] = np.where(here, c[ix.ROTATION], c[ix.END_ROTATION])
     c[ix.END_OMEGA] = np.where(here, 0.0, c[ix.END_OMEGA])
@@ -1206,6 +1224,8 @@ def never_rests(s: Lanes) -> Mask:
 def stick(s: Lanes, here: Mask) -> None:
     """Keep masses at rest, until a force changes or for good."""
     c = s.cells
+    if not np.any(here):
+        return
     changes = still_changes(s)
     stay(s, here & np.logical_not(changes), ix.ARRESTED)
     here = here & changes
@@ -1221,6 +1241,8 @@ def stick(s: Lanes, here: Mask) -> None:
 def rest_one_way(s: Lanes, here: Mask) -> None:
     """Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start."""
     c = s.cells
+    if not np.any(here):
+        return
     may = may_start(s)
     stick(s, here & may)
     here = here & np.logical_not(may)
@@ -1231,6 +1253,8 @@ def rest_one_way(s: Lanes, here: Mask) -> None:
 def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
     """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
     c = s.cells
+    if not np.any(here):
+        return
     terms = np.abs(c[s.roles.driving]) + c[s.roles.resisting]
     unsure = EPS * (terms + c[s.roles.mu] * np.abs(c[s.roles.normal0]))
     of_weight = (c[s.roles.driving] == c[s.roles.driving_moment]) & (c[s.roles.normal0] == c[s.roles.normal_load])
@@ -1254,6 +1278,8 @@ def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
 def resolve_standstill(s: Lanes, here: Mask) -> None:
     """Decide whether masses at a standstill, or at the start, stop, stick or slip."""
     c = s.cells
+    if not np.any(here):
+        return
     stops = here & (c[ix.FIRST_ONLY] > 0.0) & (c[ix.PHASES] > 0.0)
     if np.any(stops):
         stops = stops & never_rests(s)
@@ -1269,6 +1295,8 @@ def resolve_standstill(s: Lanes, here: Mask) -> None:
 def carry_net_moment(s: Lanes, here: Mask, net: Floats) -> None:
     """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
     change = net - c[s.roles.drive]
     terms = np.abs(c[ix.RATE_BEFORE]) + np.abs(change) + np.abs(c[ix.DRIVE_BEFORE])
@@ -1307,6 +1335,8 @@ def resolve_pending(s: Lanes, waits: Mask, net: Floats, force: Floats) -> None:
 def on_discontinuity(s: Lanes, here: Mask, force: Floats) -> None:
     """Decide about contact after a jump of forces. If contact changes, another phase begins."""
     c = s.cells
+    if not np.any(here):
+        return
     lifted = np.where(force < 0.0, 1.0, 0.0)
     same = c[ix.LIFTED] == lifted
     note_lift_off(s, here & (lifted > c[ix.LIFTED]))
@@ -1356,6 +1386,8 @@ def stand_before(lane: Lanes, i: Index, t: Table, piece: Index, now: Floats) -> 
 def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: Floats) -> None:
     """Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign."""
     c = s.cells
+    if not np.any(here):
+        return
     now = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
     level = c[t.cells + ix.RISE] == 0.0
     way = sign * p[1] * c[t.cells + ix.RISE]
@@ -1374,6 +1406,8 @@ def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: F
 def look_for_quiet(s: Lanes, here: Mask) -> None:
     """Find the range of one function of time in which the mass certainly stays at rest in its direction."""
     c = s.cells
+    if not np.any(here):
+        return
     terms_of_normal = EPS * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
     for t in s.tables:
         if t.kind == ix.OF_TIME and t.terms == 2:
@@ -1460,6 +1494,8 @@ def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
 def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.X] = np.where(here, x, c[ix.X])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
     c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
@@ -1478,6 +1514,8 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floa
 def count_starts(s: Lanes, here: Mask) -> None:
     """Count phases that begin down-slope."""
     c = s.cells
+    if not np.any(here):
+        return
     back = c[ix.LAST_WAY] < 0.0
     c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
     c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(back, 1.0, 0.0), c[ix.TURNS])
@@ -1625,6 +1663,8 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
         weight: Floats) -> None:
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
     c = s.cells
+    if not np.any(here):
+        return
     per = 1.0 / c[t.cells + ix.SCALE]
     low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
@@ -1688,6 +1728,8 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
 def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
     """Begin another phase in motion: lanes enter another piece of a table, are lifted or land."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.RATE_BEFORE] = np.where(here, rate, c[ix.RATE_BEFORE])
     c[ix.DRIVE_BEFORE] = np.where(here, c[s.roles.drive], c[ix.DRIVE_BEFORE])
     c[ix.SCALE_BEFORE] = np.where(here, c[s.roles.drive_scale], c[ix.SCALE_BEFORE])
@@ -1698,6 +1740,8 @@ def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
 def on_standstill(s: Lanes, here: Mask) -> None:
     """Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion."""
     c = s.cells
+    if not np.any(here):
+        return
     advance_origin(s, here)
     update_reach(s, here)
     c[ix.REST_SINCE] = np.where(here, c[ix.TIME], c[ix.REST_SINCE])
@@ -1714,6 +1758,8 @@ def on_standstill(s: Lanes, here: Mask) -> None:
 def on_contact_change(s: Lanes, here: Mask, rate: Floats) -> None:
     """Change contact with the slip surface."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
     lands = here & (c[ix.LIFTED] == 0.0)
@@ -1751,6 +1797,8 @@ def on_breakpoint(lane: Lanes, i: Index, t: Table, upwards: Mask) -> None:
 def on_breakpoints(s: Lanes, here: Mask, rate: Floats) -> None:
     """Pass edges of tables of slip, speed or rotation."""
     c = s.cells
+    if not np.any(here):
+        return
     enter_phase(s, here, rate)
     for t in s.tables:
         upper = ix.EVENT_BREAKPOINT + 2 * t.number
@@ -1764,6 +1812,8 @@ def on_breakpoints(s: Lanes, here: Mask, rate: Floats) -> None:
 def end_motion(s: Lanes, here: Mask, rate: Floats, status: Floats) -> None:
     """End moving lanes at their end time or with an upright chord."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.STATUS] = np.where(here, status, c[ix.STATUS])
     c[ix.END_ROTATION] = np.where(here, c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X], c[ix.END_ROTATION])
     c[ix.END_OMEGA] = np.where(here, c[ix.DIRECTION] * c[ix.OMEGA], c[ix.END_OMEGA])
@@ -1774,6 +1824,8 @@ def end_motion(s: Lanes, here: Mask, rate: Floats, status: Floats) -> None:
 def on_limit(s: Lanes, here: Mask, rate: Floats) -> None:
     """End lanes at their end time, or pass breaks of functions of time."""
     c = s.cells
+    if not np.any(here):
+        return
     ends = here & (c[ix.TIME] >= c[ix.END_TIME])
     end_motion(s, ends, rate, ix.ENDED)
     passes = here & np.logical_not(ends)
@@ -1785,6 +1837,8 @@ def on_limit(s: Lanes, here: Mask, rate: Floats) -> None:
 def settle(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
     """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.STATUS] = np.where(here, np.where(endless, ix.TOO_LONG, c[ix.STATUS]), c[ix.STATUS])
     limits = here & at_limit
     if np.any(limits):
@@ -1806,6 +1860,8 @@ def settle(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) ->
 def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
     """Shorten the step to an event at a time, infinite without an event."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.EVENT] = np.where(here, np.where(at <= c[ix.STEP], float(event), c[ix.EVENT]), c[ix.EVENT])
     c[ix.STEP] = np.where(here, np.minimum(at, c[ix.STEP]), c[ix.STEP])
 
@@ -1825,6 +1881,8 @@ def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
 def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which the speed becomes zero."""
     c = s.cells
+    if not np.any(here):
+        return
     omega = s.registers[s.roles.omega]
     net = s.registers[s.roles.net]
     last, slope = value_and_slope(omega, top, c[ix.STEP])
@@ -1848,6 +1906,8 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
         event: int) -> None:
     """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
     c = s.cells
+    if not np.any(here):
+        return
     asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, p.shape[1]))
@@ -1858,6 +1918,8 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
 def find_edges(s: Lanes, here: Mask, t: Table, top: int, by_rotation: int) -> None:
     """Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge."""
     c = s.cells
+    if not np.any(here):
+        return
     ends = here & (c[t.cells + ix.UPPER] < FAR)
     upper = np.minimum(c[t.cells + ix.UPPER], FAR)
     event = ix.EVENT_BREAKPOINT + 2 * t.number
@@ -1879,6 +1941,8 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int, by_rotation: int) -> No
 def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
     """Find the first event of the step. Of simultaneous events the last one in the order of the search is used."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     find_standstill(s, here, top)
     if s.roles.upright >= 0:
@@ -1900,6 +1964,8 @@ def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
     """Shorten the step to a fraction of the least radius of convergence, except where series end early."""
     c = s.cells
+    if not np.any(here):
+        return
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
         radius: Floats = INFINITY
@@ -1913,6 +1979,8 @@ def choose_step(s: Lanes, here: Mask, top: int) -> None:
 def advance_states(s: Lanes, here: Mask, top: int) -> None:
     """Advance the states and the functions of time by the step."""
     c = s.cells
+    if not np.any(here):
+        return
     for q in s.states:
         c[q.cell] = np.where(here, c[q.cell] + increment(s.registers[q.register], top, c[ix.STEP]), c[q.cell])
     for t in s.tables:
@@ -1936,6 +2004,8 @@ def is_endless(s: Lanes, here: Mask, room: Floats) -> Mask:
 def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> None:
     """Record the greatest speed within the step, where the net moment falls through zero."""
     c = s.cells
+    if not np.any(here):
+        return
     net = s.registers[s.roles.net]
     at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
     peaks = at < INFINITY
@@ -1951,6 +2021,8 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
 def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
     """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
     c = s.cells
+    if not np.any(here):
+        return
     before_end = c[ix.TIME] < c[ix.END_TIME]
     breaks = at_limit & before_end
     others = enter_lines(s, breaks)
@@ -1964,6 +2036,8 @@ def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) 
 def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats, steady: Mask, at_limit: Mask, endless: Mask) -> None:
     """Let a step end at the time ``until``, count it, and apply its consequences."""
     c = s.cells
+    if not np.any(here):
+        return
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
     c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, ix.STIFF_STEP, 1.0)),
@@ -1975,6 +2049,8 @@ def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats, steady: Mask, at_l
 def make_step(s: Lanes, here: Mask) -> None:
     """Make one step of moving lanes."""
     c = s.cells
+    if not np.any(here):
+        return
     limit = np.minimum(next_break(s), c[ix.END_TIME])
     room = limit - c[ix.TIME]
     top = expand(s, room, here, 0)
@@ -2094,6 +2170,8 @@ def pass_events(s: Lanes, here: Mask, left: Floats) -> Floats:
 def move_within(s: Lanes, here: Mask, t: Table) -> None:
     """Move lanes to the end of a piece, or to a standstill within it."""
     c = s.cells
+    if not np.any(here):
+        return
     factors = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     rise = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     sine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
@@ -2162,6 +2240,8 @@ def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
 def leave_series(s: Lanes, here: Mask, since: Floats) -> None:
     """Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion."""
     c = s.cells
+    if not np.any(here):
+        return
     moves = c[ix.OMEGA] > 0.0
     c[ix.STATUS] = np.where(here, np.where(moves, ix.MOVING, ix.RESTING), c[ix.STATUS])
     here = here & np.logical_not(moves) & (c[ix.TIME] > since)
@@ -2174,6 +2254,8 @@ def leave_series(s: Lanes, here: Mask, since: Floats) -> None:
 def turn_through(s: Lanes, here: Mask, t: Table) -> None:
     """Move lanes at rest through the pieces of a record, down-slope, as far as the series of a piece fit."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.SINE_X] = np.where(here, 0.0, c[ix.SINE_X])
     c[ix.VERSINE_X] = np.where(here, 0.0, c[ix.VERSINE_X])
     since = c[ix.TIME].copy()
@@ -2432,6 +2514,8 @@ def way_ahead(s: Lanes) -> Floats:
 def shorten(s: Lanes, here: Mask) -> None:
     """Shorten a step where the square of the speed bends upwards, so that a second rest behind is not too near."""
     c = s.cells
+    if not np.any(here):
+        return
     e = s.registers[s.roles.omega]
     bends = here & (e[2] > 0.0) & (e[1] >= 0.0)
     by_slope = e[1] / e[2]
@@ -2452,6 +2536,8 @@ def greatest_speed(s: Lanes, here: Mask, top: int) -> Floats:
 def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until: Floats) -> None:
     """Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``."""
     c = s.cells
+    if not np.any(here):
+        return
     net = s.registers[s.roles.net]
     e = s.registers[s.roles.omega]
     step = c[ix.STEP].copy()
@@ -2477,6 +2563,8 @@ def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until
 def turn_on(s: Lanes, here: Mask) -> None:
     """Make one step of moving lanes in powers of the rotation."""
     c = s.cells
+    if not np.any(here):
+        return
     omega = 1.0 * c[ix.OMEGA]
     c[ix.OMEGA] = np.where(here, omega * omega, c[ix.OMEGA])
     room = way_ahead(s)
@@ -2890,6 +2978,8 @@ def mean_of(both: Floats, pairs: int, by: int) -> Floats:
 
 def find_waves(w: Floats, here: Mask, both: Floats, odd: Floats, pairs: int, by: int) -> None:
     """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule."""
+    if not np.any(here):
+        return
     scale: Floats = 1.0 / float(pairs)
     w[0] = np.where(here, mean_of(both, pairs, by), w[0])
     for j in range(1, pairs + 1):
@@ -2949,6 +3039,8 @@ def is_uneven(w: Floats, n: int) -> Mask:
 
 def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, time: Floats) -> None:
     """Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move."""
+    if not np.any(here):
+        return
     u = there[ANGLE_THERE]
     slope: Floats = 1.0
     lag, versine = turned(2.0 * u)
@@ -2981,6 +3073,8 @@ def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, en
 def keep_samples(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, until: Floats) -> None:
     """Store the states at the output times within a phase, which ends at the time ``until``."""
     c = s.cells
+    if not np.any(here):
+        return
     there = np.zeros((ix.STRIDE, e.shape[1]))
     there[ANGLE_THERE] = 0.0
     there[SLOPE_THERE] = 2.0 * w[0]
@@ -3122,6 +3216,8 @@ def duration_of_swing(e: Floats, back: Floats, end: Floats, w: Floats, which: Ma
 def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back."""
     c = s.cells
+    if not np.any(here):
+        return
     force = force_at(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     resistance = c[s.roles.resisting] + c[s.roles.mu] * force
     rate = -0.5 * back[0]
@@ -3139,6 +3235,8 @@ def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
 def pass_peak(s: Lanes, here: Mask, f: Floats, peak: Floats, before: Floats) -> None:
     """Record the greatest speed, which lanes reach after the time ``before``."""
     c = s.cells
+    if not np.any(here):
+        return
     speed = np.sqrt(f[5])
     then = c[ix.TIME] + before
     keep_faster(s, here, speed, then, peak, 0.5 * f[6])
@@ -3147,6 +3245,8 @@ def pass_peak(s: Lanes, here: Mask, f: Floats, peak: Floats, before: Floats) -> 
 def finish(s: Lanes, here: Mask, end: Floats, duration: Floats) -> None:
     """Bring lanes to rest at the end of their phase."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
@@ -3158,6 +3258,8 @@ def finish(s: Lanes, here: Mask, end: Floats, duration: Floats) -> None:
 def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats) -> None:
     """End lanes at their end time within a phase."""
     c = s.cells
+    if not np.any(here):
+        return
     there = np.zeros((ix.STRIDE, e.shape[1]))
     time = c[ix.END_TIME] - c[ix.TIME]
     there[ANGLE_THERE] = 0.5 * time / w[0]
@@ -3248,6 +3350,8 @@ def swing(s: Lanes, which: Mask) -> Mask:
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead."""
     c = s.cells
+    if not np.any(here):
+        return
     normal = s.registers[s.roles.normal]
     sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
     passed = c[ix.PASSED] == ix.LIFT
@@ -3263,6 +3367,8 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
+    if not np.any(here):
+        return
     top = expand(s, room, here, 1)
     net = s.registers[s.roles.net]
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
@@ -3295,6 +3401,8 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
 def turn_back(s: Lanes, here: Mask) -> None:
     """Reverse the direction at rest."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
@@ -3302,6 +3410,8 @@ def turn_back(s: Lanes, here: Mask) -> None:
 def change_contact(s: Lanes, here: Mask) -> None:
     """Lift masses at rest, or let them land."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
     c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
@@ -3311,6 +3421,8 @@ def change_contact(s: Lanes, here: Mask) -> None:
 def start_again(s: Lanes, here: Mask) -> None:
     """Start slip from rest."""
     c = s.cells
+    if not np.any(here):
+        return
     face(s, here, c[ix.START_DIRECTION])
     c[ix.PENDING] = np.where(here, ix.START_AGAIN, c[ix.PENDING])
 
@@ -3318,6 +3430,8 @@ def start_again(s: Lanes, here: Mask) -> None:
 def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
     c = s.cells
+    if not np.any(here):
+        return
     stretch = c[ix.STRETCH].copy()
     lifts = c[ix.LIFT_AHEAD] <= stretch
     starts = c[ix.START_AHEAD] <= stretch
@@ -3347,6 +3461,8 @@ def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
 def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     """Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too."""
     c = s.cells
+    if not np.any(here):
+        return
     both = here & (c[ix.ONE_WAY] == 0.0)
     if np.any(both):
         turn_back(s, both)
@@ -3366,6 +3482,8 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
 def rest_on(s: Lanes, here: Mask) -> None:
     """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
     c = s.cells
+    if not np.any(here):
+        return
     limit = next_break(s)
     room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
     c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
@@ -3393,6 +3511,8 @@ def rest_on(s: Lanes, here: Mask) -> None:
 def stop_endless(s: Lanes, here: Mask) -> None:
     """Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow."""
     c = s.cells
+    if not np.any(here):
+        return
     going = c[ix.STATUS] <= ix.RESTING
     most = np.where(c[ix.OMEGA] > 0.0, ix.MOST_STEPS, float(2 * ix.MOST_STEPS))
     too_long = c[ix.STEPS] > most
@@ -3407,6 +3527,8 @@ def stop_endless(s: Lanes, here: Mask) -> None:
 def advance(s: Lanes, here: Mask) -> None:
     """Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest."""
     c = s.cells
+    if not np.any(here):
+        return
     moving = here & (c[ix.STATUS] == ix.MOVING)
     resting = here & (c[ix.STATUS] == ix.RESTING)
     complete = s.roles.net_sine >= 0 and (not (s.sample_count and s.roles.loss_rate >= 0))

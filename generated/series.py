@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f54a94b1429c636f36deeff2497c5c6b08454a9b90817508a5e0047a55abd07b
+# sha256 of the text below: 962641de91f2e76917f87859770e029f2b543de53b33b85665d00000d7992bb5
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "f9de94eece8fe9248b7a7cad00f1a6db90f76a6f8e69eb78a2a52a844f31a833"  # of the compiled integrator's source
+DIGEST = "fbdb2580f4f4a39b97d970ce58f873d4197cfc4f1d3078c23a5873d927b6b60d"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

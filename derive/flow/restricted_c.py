@@ -90,6 +90,7 @@ FORMS = {
     "tail": "({0} + 1)",
     "prologue": "IN(prologue)(job->scalar, job->scalar_end, c, {1})",
     # Statements.
+    "skip": "if (!bits(here)) return;",
     "end": ";",
     "open": " {",
     "close": "}",
@@ -122,7 +123,7 @@ class C(Writer):
     def lines(self) -> Iterator[str]:
         """Yield the lines of the function."""
         f = self.function
-        body = list(self.body(f.node.body))
+        body = list(self.statements())
         first = {"LANES": ["Batch *b"], "LANE": ["Batch *b, unsigned lane"], "": []}[f.of]
         others = {x: TYPES[kind] for x, kind in f.parameters.items() if kind in TYPES}
         rest = [f"{kind} {x}".replace("* ", "*") for x, kind in others.items()]

@@ -87,6 +87,7 @@ FORMS = {
     "numbers": "np.zeros(({s}.terms, i.size))",
     "tail": "{0}[1:]",
     # Statements.
+    "skip": "if not np.any(here):\n    return",
     "end": "",
     "open": ":",
     "close": "",
@@ -177,7 +178,7 @@ class NumPy(Writer):
     def _lines(self) -> Iterator[str]:
         """Yield the lines of the function's source, before formatting."""
         f = self.function
-        body = list(self.body(f.node.body))
+        body = list(self.statements())
         parameters = []
         for name, kind in f.parameters.items():
             parameters.append(f"{name}: {TYPES[kind]}")

@@ -203,6 +203,13 @@ class Writer:
 
     # Statements.
 
+    def statements(self) -> Iterator[str]:
+        """Yield the lines of the function's body, which is skipped where its mask ``here`` is true in no lane."""
+        f = self.function
+        if f.returns == "NONE" and f.parameters.get("here") == "M":
+            yield from self.forms["skip"].split("\n")
+        yield from self.body(f.node.body)
+
     def body(self, statements: Sequence[ast.stmt]) -> Iterator[str]:
         """Yield the lines of a block of statements in the target language."""
         end = self.forms["end"]
