@@ -146,13 +146,12 @@ def stick(s: Lanes, here: M) -> None:
     changes = still_changes(s)
     stay(s, here and not changes, Status.ARRESTED)
     here = here and changes
-    if any_lane(here):
-        s.status = Status.RESTING
-        s.pending = Pending.READY
-        note_lift_off(s, here and s.lifted > 0.0)
-        here = here and not may_start(s)
-        s.direction = -s.direction
-        s.pending = Pending.BEGIN_PHASE
+    s.status = Status.RESTING
+    s.pending = Pending.READY
+    note_lift_off(s, here and s.lifted > 0.0)
+    here = here and not may_start(s)
+    s.direction = -s.direction
+    s.pending = Pending.BEGIN_PHASE
 
 
 def rest_one_way(s: Lanes, here: M) -> None:
@@ -178,12 +177,11 @@ def resolve_stick_or_slip(s: Lanes, here: M) -> None:
     starts = may and s.drive > 0.0
     start_moving(s, starts, s.drive)
     here = here and not starts
-    if any_lane(here):
-        s.faced = s.faced + 1.0
-        stays_down = may and s.one_way > 0.0
-        sticks = here and (s.faced > 1.0 or stays_down)
-        stick(s, sticks)
-        face(s, here and not sticks, -s.direction)
+    s.faced = s.faced + 1.0
+    stays_down = may and s.one_way > 0.0
+    sticks = here and (s.faced > 1.0 or stays_down)
+    stick(s, sticks)
+    face(s, here and not sticks, -s.direction)
 
 
 def resolve_standstill(s: Lanes, here: M) -> None:
@@ -194,10 +192,8 @@ def resolve_standstill(s: Lanes, here: M) -> None:
         stay(s, stops, Status.STOPPED)
         here = here and not stops
     one_way = here and s.pending == Pending.REST
-    if any_lane(one_way):
-        rest_one_way(s, one_way)
-        here = here and not one_way
-    resolve_stick_or_slip(s, here)
+    rest_one_way(s, one_way)
+    resolve_stick_or_slip(s, here and not one_way)
 
 
 def carry_net_moment(s: Lanes, here: M, net: V) -> None:
@@ -224,16 +220,13 @@ def resolve_pending(s: Lanes, waits: M, net: V, force: V) -> None:
     lifts = (by_force or by_load) and s.lifted == 0.0
     s.lifted = where(lifts, 1.0, s.lifted)  # the phase begins again as a lifted mass
     s.pending = where(begins, Pending.READY, s.pending)
-    if any_lane(enters):
-        carry_net_moment(s, enters, net)
+    carry_net_moment(s, enters, net)
     starts = (moving or again) and not lifts
     if any_lane(starts):
         level = again and starts and s.sudden <= 0.0
         s.drive = where(level, 0.0, s.drive)
         start_moving(s, starts, where(again, s.drive, net))
-    decides = decides and not lifts
-    if any_lane(decides):
-        resolve_standstill(s, decides)
+    resolve_standstill(s, decides and not lifts)
 
 
 def on_discontinuity(s: Lanes, here: M, force: V) -> None:

@@ -305,8 +305,7 @@ def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, ome
     """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
     inside = passes(s, t, piece, before) and press > 0.0
     leaves = on and not inside
-    if any_lane(leaves):
-        end_slide(s, leaves, t, piece, x, omega)
+    end_slide(s, leaves, t, piece, x, omega)
     return on and inside
 
 

@@ -204,12 +204,11 @@ def advance(s: Lanes, here: M) -> None:
         turning = moving and s.clocked == 0.0
         if has_recurrence(s):
             turning = turning and s.x == 0.0
-        if any_lane(turning):
-            turn_on(s, turning)
+        turn_on(s, turning)
         moving = moving and not (turning and s.clocked == 0.0)
     if lanes_in(moving) > lanes_in(resting):
         make_step(s, moving)
-    if any_lane(resting) and lanes_in(resting) >= lanes_in(moving):
+    if lanes_in(resting) >= lanes_in(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)

@@ -262,5 +262,4 @@ def turn_on(s: Lanes, here: M) -> None:
     fits = here and regular and until < s.end_time
     s.omega = omega
     s.clocked = where(fits, 0.0, 1.0)
-    if any_lane(fits):
-        complete(s, fits, top, peak, before, until)
+    complete(s, fits, top, peak, before, until)

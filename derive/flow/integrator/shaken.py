@@ -107,14 +107,12 @@ def pass_events(s: Lanes, here: M, left: V) -> V:
     loss = left * minimum(net[0], 0.0)
     bend = left * left * abs(omega[2])
     slow = here and omega[0] > 0.0 and omega[0] + loss <= 2.0 * bend
-    if any_lane(slow):
-        find_standstill(s, slow, TOP)
+    find_standstill(s, slow, TOP)
     step = s.step
     rate, slope = value_and_slope(net, TOP - 1, step)
     most = omega[0] + step * net[0]
     peaks = here and rate <= 0.0 and net[0] > 0.0 and most > abs(s.peak_omega)
-    if any_lane(peaks):
-        keep_peak(s, peaks, TOP, rate, slope)
+    keep_peak(s, peaks, TOP, rate, slope)
     return rate
 
 
@@ -210,11 +208,8 @@ def turn_through(s: Lanes, here: M, t: T) -> None:
         if any_lane(rests):
             starts = wait_for_start(s, rests, t)
         goes = starts or (moves and fits(s, t))
-        leaves = here and not goes
-        if any_lane(leaves):
-            leave_series(s, leaves, since)
+        leave_series(s, here and not goes, since)
         count_starts(s, starts and goes)
         here = goes
-        if any_lane(here):
-            move_within(s, here, t)
-            enter_line(s, here and s.time == t.upper, t)
+        move_within(s, here, t)
+        enter_line(s, here and s.time == t.upper, t)
