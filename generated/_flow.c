@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "fbdb2580f4f4a39b97d970ce58f873d4197cfc4f1d3078c23a5873d927b6b60d"
+#define DIGEST "2d5d547797c080e1a76473cbfdbc07b5061985e1a2c2e23f9f2b5a184f2fc603"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -60,27 +60,27 @@ typedef struct {
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
 
-enum { LIN, RAMP, MUL, SQR, POWERS, TIM, TURN, EXP, REC, LOG, POW };
+enum { LIN, MUL, SQR, POWERS, TIM, TURN, EXP, REC, LOG };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
 #if !defined(LEVEL) || defined(__wasm__)
 #ifndef __wasm__
 /* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
  * are operations that rates need. */
 static const struct { int rates, length; const int32_t *operations; } patterns[] = {
-    {43, 75, (const int32_t[]){SQR, 11 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {38, 62, (const int32_t[]){SQR, 8 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {55, 85, (const int32_t[]){SQR, 11 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {59, 73, (const int32_t[]){SQR, 10 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 6 * STRIDE, 5 * STRIDE, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {81, 95, (const int32_t[]){SQR, 16 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 6 * STRIDE, 5 * STRIDE, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {82, 96, (const int32_t[]){SQR, 13 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 9 * STRIDE, 8 * STRIDE, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {105, 119, (const int32_t[]){SQR, 16 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 12 * STRIDE, 11 * STRIDE, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {45, 63, (const int32_t[]){SQR, 2 * STRIDE, 1 * STRIDE, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE, TIM, 4 * STRIDE, 0 * STRIDE, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE}},
-    {77, 91, (const int32_t[]){SQR, 15 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {78, 92, (const int32_t[]){SQR, 12 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {101, 115, (const int32_t[]){SQR, 15 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {67, 81, (const int32_t[]){SQR, 12 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 5 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {68, 82, (const int32_t[]){SQR, 9 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 9 * STRIDE, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE, LIN, 12 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
-    {91, 105, (const int32_t[]){SQR, 12 * STRIDE, 1 * STRIDE, TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {43, 75, (const int32_t[]){2, 462, 42, 4, 84, 0, 5, 126, 168, 84, 0, 3, 210, 252, 294, 336, 378, 420, 0, 0, 10, 504, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 10, 546, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 588, 126, 168, CELL, CELL, CELL}},
+    {35, 59, (const int32_t[]){2, 336, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 6, 378, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 6, 420, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 462, 168, 210, CELL, CELL, CELL}},
+    {49, 79, (const int32_t[]){2, 462, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 9, 504, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 588, 210, 252, CELL, CELL, CELL}},
+    {59, 73, (const int32_t[]){2, 420, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 4, 252, 210, 6, 294, 336, 252, 210, 0, 1, 378, 336, CELL, CELL, 0, 3, 462, 126, 168, 420, CELL, CELL, CELL, CELL, 1, 504, 378, 462, 0, 5, 546, 126, 168, 378, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 588, 462, CELL, CELL, 0, 2, 630, 126, 168, CELL, CELL, CELL}},
+    {81, 95, (const int32_t[]){2, 672, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 4, 252, 210, 6, 294, 336, 252, 210, 0, 1, 378, 336, CELL, CELL, 3, 420, 462, 504, 546, 588, 630, 0, 0, 10, 714, 0, 126, 168, 420, 462, 504, 546, 588, 630, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 756, 378, 714, 0, 5, 798, 126, 168, 378, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 840, 714, CELL, CELL, 0, 2, 882, 126, 168, CELL, CELL, CELL}},
+    {79, 93, (const int32_t[]){2, 546, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 0, CELL, CELL, 4, 378, 336, 6, 420, 462, 378, 336, 0, 1, 504, 462, CELL, CELL, 0, 6, 588, 84, 168, 210, 252, 294, 546, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 630, 504, 588, 0, 8, 672, 84, 168, 210, 252, 294, 504, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 714, 588, CELL, CELL, 0, 2, 756, 168, 210, CELL, CELL, CELL}},
+    {99, 113, (const int32_t[]){2, 672, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 0, CELL, CELL, 4, 504, 462, 6, 546, 588, 504, 462, 0, 1, 630, 588, CELL, CELL, 0, 9, 714, 84, 126, 210, 252, 294, 336, 378, 420, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 756, 630, 714, 0, 11, 798, 84, 126, 210, 252, 294, 336, 378, 420, 630, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 840, 714, CELL, CELL, 0, 2, 882, 210, 252, CELL, CELL, CELL}},
+    {45, 63, (const int32_t[]){2, 84, 42, 0, 2, 126, 42, 84, CELL, CELL, CELL, 4, 168, 0, 5, 210, 252, 168, 0, 0, 3, 294, 84, 210, 252, CELL, CELL, CELL, CELL, 1, 336, 294, 42, 0, 4, 378, 84, 210, 252, 336, CELL, CELL, CELL, CELL, CELL, 0, 3, 420, 84, 210, 252, CELL, CELL, CELL, CELL, 0, 2, 462, 210, 252, CELL, CELL, CELL}},
+    {77, 91, (const int32_t[]){2, 630, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 42, CELL, CELL, 7, 252, 294, 210, 0, 1, 336, 294, CELL, CELL, 3, 378, 420, 462, 504, 546, 588, 0, 0, 10, 672, 0, 126, 168, 378, 420, 462, 504, 546, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 714, 336, 672, 0, 5, 756, 126, 168, 336, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 798, 672, CELL, CELL, 0, 2, 840, 126, 168, CELL, CELL, CELL}},
+    {75, 89, (const int32_t[]){2, 504, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 42, CELL, CELL, 7, 378, 420, 336, 0, 1, 462, 420, CELL, CELL, 0, 6, 546, 84, 168, 210, 252, 294, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 462, 546, 0, 8, 630, 84, 168, 210, 252, 294, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 168, 210, CELL, CELL, CELL}},
+    {95, 109, (const int32_t[]){2, 630, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 42, CELL, CELL, 7, 504, 546, 462, 0, 1, 588, 546, CELL, CELL, 0, 9, 672, 84, 126, 210, 252, 294, 336, 378, 420, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 714, 588, 672, 0, 11, 756, 84, 126, 210, 252, 294, 336, 378, 420, 588, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 798, 672, CELL, CELL, 0, 2, 840, 210, 252, CELL, CELL, CELL}},
+    {67, 81, (const int32_t[]){2, 504, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 3, 252, 294, 336, 378, 420, 462, 0, 0, 10, 546, 0, 126, 168, 252, 294, 336, 378, 420, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 210, 546, 0, 5, 630, 126, 168, 210, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 126, 168, CELL, CELL, CELL}},
+    {65, 79, (const int32_t[]){2, 378, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 0, CELL, CELL, 0, 6, 420, 84, 168, 210, 252, 294, 378, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 462, 336, 420, 0, 8, 504, 84, 168, 210, 252, 294, 336, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 546, 420, CELL, CELL, 0, 2, 588, 168, 210, CELL, CELL, CELL}},
+    {85, 99, (const int32_t[]){2, 504, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 0, CELL, CELL, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 462, 546, 0, 11, 630, 84, 126, 210, 252, 294, 336, 378, 420, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 210, 252, CELL, CELL, CELL}},
 };
 
 static int straight_of(const Job *job)
@@ -195,8 +195,8 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* Registers, and after them cells, that an operation on series names, and cells that one on cells reads. */
-static const struct { unsigned char registers, cells; } named[] = { {1, 0}, {1, 1}, {3, 0}, {2, 0}, {7, 0}, {2, 0}, {4, 0}, {4, 0}, {3, 0}, {2, 0}, {3, 1} };
+/* Registers that an operation on series names, without the terms of a sum, and cells that one on cells reads. */
+static const unsigned char named[] = { 1, 3, 2, 7, 2, 4, 4, 3, 2 };
 static const unsigned char arguments[] = { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3 };
 
 static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
@@ -207,13 +207,11 @@ static int series_fit(const Job *job, const int32_t *at, const int32_t *end)
 {
     while (at < end) {
         const int code = *at++;
-        if (code < 0 || code >= (int)sizeof named / 2 || end - at < named[code].registers + named[code].cells) return 0;
-        for (int i = 0; i < named[code].registers; i++) if (!is_register(job, *at++)) return 0;
-        for (int i = 0; i < named[code].cells; i++) if (!is_cell(job, *at++)) return 0;
-        if (code != LIN) continue;
-        if (end - at < 2 || (at[0] != -1 && !is_cell(job, at[0])) || at[1] < 0 || at[1] > (end - at - 2) / 2) return 0;
-        const int32_t *const stop = at + 2 + 2 * at[1];
-        for (at += 2; at < stop; at += 2) if (!is_cell(job, at[0]) || !is_register(job, at[1])) return 0;
+        if (code < 0 || code >= (int)sizeof named || at == end) return 0;
+        const int terms = code == LIN ? *at++ : 0, cells = code == LIN ? terms + 1 : 0;
+        if (terms < 0 || terms > end - at || end - at < named[code] + terms + cells) return 0;
+        for (int i = 0; i < named[code] + terms; i++) if (!is_register(job, *at++)) return 0;
+        for (int i = 0; i < cells; i++) if (!is_cell(job, *at++)) return 0;
     }
     return 1;
 }
@@ -722,21 +720,19 @@ INLINE V sqrt_of(V x)
     if (k < (below)) { const int j = 0; add; } } while (0)
 
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
- * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
- * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
+ * code, its results and its arguments; a sum is its code, how many terms, its result, their registers, the cell of its
+ * constant and those of the factors. What is read off a table is there already.
  * Cells are read from `own`, all else from `at`, so that this may be constant. Register i begins at r + i; by_n is 1 / n. */
 INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     switch (at[0]) {
     case LIN: {
-        V sum = n == 0 && own[2] >= 0 ? c[own[2]] : (V){0};
-        const int terms = at[3];
-        for (int k = 0; k < terms; k++) sum += c[own[4 + 2 * k]] * r[at[5 + 2 * k] + n];
-        r[at[1] + n] = sum;
+        const int terms = at[1];
+        V sum = n == 0 ? c[own[3 + terms]] : (V){0};
+        for (int k = 0; k < terms; k++) sum += c[own[4 + terms + k]] * r[at[3 + k] + n];
+        r[at[2] + n] = sum;
         return at + 4 + 2 * terms;
     }
-    case RAMP:
-        return at + 3;
     case MUL: { /* d = a*b */
         V *restrict d = r + at[1];
         const V *a = r + at[2];
@@ -890,25 +886,6 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         }
         return at + 3;
     }
-    case POW: { /* p = (z + 1)**power, m = (z + 1)**power - 1 */
-        V *restrict p = r + at[1];
-        V *restrict m = r + at[2];
-        const V *z = r + at[3];
-        const V power = c[own[4]];
-        if (n == 0) {
-            const V t1 = IN(map)(expm1, IN(map)(log1p, z[0]) * power);
-            p[0] = 1.0 + t1;
-            m[0] = t1;
-        } else {
-            V sum0_[2] = {{0}};
-            OVER(n, sum0_[j] += (k + k * power - n) * z[k] * p[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += (n + n * power - n) * z[n] * p[0];
-            p[n] = by_n / (1.0 + z[0]) * sum0;
-            m[n] = p[n];
-        }
-        return at + 5;
-    }
     default:
         __builtin_unreachable();
     }
@@ -955,275 +932,263 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
 INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 11 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE);
-    OPERATION(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, 2, 462, 42);
+    OPERATION(3, 4, 84, 0);
+    OPERATION(6, 5, 126, 168, 84, 0);
+    OPERATION(11, 3, 210, 252, 294, 336, 378, 420, 0);
+    OPERATION(19, 0, 10, 504, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
-    OPERATION(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(43, 0, 10, 546, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(67, 0, 2, 588, 126, 168, CELL, CELL, CELL);
 }
 EACH_ORDER(0)
 INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 8 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, RAMP, 5 * STRIDE, CELL);
-    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    OPERATION(22, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) OPERATION(0, 2, 336, 42);
+    OPERATION(3, 4, 126, 0);
+    OPERATION(6, 5, 168, 210, 126, 0);
+    OPERATION(11, 1, 252, 84, 168);
+    OPERATION(15, 1, 294, 84, 210);
+    OPERATION(19, 0, 6, 378, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(38, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
-    OPERATION(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(35, 0, 6, 420, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(51, 0, 2, 462, 168, 210, CELL, CELL, CELL);
 }
 EACH_ORDER(1)
 INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 11 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, RAMP, 5 * STRIDE, CELL);
-    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    OPERATION(22, RAMP, 8 * STRIDE, CELL);
-    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    OPERATION(33, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, 2, 462, 42);
+    OPERATION(3, 4, 168, 0);
+    OPERATION(6, 5, 210, 252, 168, 0);
+    OPERATION(11, 1, 294, 84, 210);
+    OPERATION(15, 1, 336, 84, 252);
+    OPERATION(19, 1, 378, 126, 210);
+    OPERATION(23, 1, 420, 126, 252);
+    OPERATION(27, 0, 9, 504, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(55, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
-    OPERATION(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(49, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(71, 0, 2, 588, 210, 252, CELL, CELL, CELL);
 }
 EACH_ORDER(2)
 INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 10 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    OPERATION(17, TIM, 6 * STRIDE, 5 * STRIDE);
-    OPERATION(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
-    OPERATION(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
-    OPERATION(31, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE);
-    OPERATION(41, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE);
-    OPERATION(45, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
+    if (squares) OPERATION(0, 2, 420, 42);
+    OPERATION(3, 4, 84, 0);
+    OPERATION(6, 5, 126, 168, 84, 0);
+    OPERATION(11, 0, 1, 210, 0, CELL, CELL);
+    OPERATION(17, 4, 252, 210);
+    OPERATION(20, 6, 294, 336, 252, 210);
+    OPERATION(25, 0, 1, 378, 336, CELL, CELL);
+    OPERATION(31, 0, 3, 462, 126, 168, 420, CELL, CELL, CELL, CELL);
+    OPERATION(41, 1, 504, 378, 462);
+    OPERATION(45, 0, 5, 546, 126, 168, 378, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(59, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
-    OPERATION(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(59, 0, 1, 588, 462, CELL, CELL);
+    OPERATION(65, 0, 2, 630, 126, 168, CELL, CELL, CELL);
 }
 EACH_ORDER(3)
 INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 16 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    OPERATION(17, TIM, 6 * STRIDE, 5 * STRIDE);
-    OPERATION(20, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
-    OPERATION(25, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
-    OPERATION(31, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE);
-    OPERATION(39, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE);
-    OPERATION(63, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE);
-    OPERATION(67, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
+    if (squares) OPERATION(0, 2, 672, 42);
+    OPERATION(3, 4, 84, 0);
+    OPERATION(6, 5, 126, 168, 84, 0);
+    OPERATION(11, 0, 1, 210, 0, CELL, CELL);
+    OPERATION(17, 4, 252, 210);
+    OPERATION(20, 6, 294, 336, 252, 210);
+    OPERATION(25, 0, 1, 378, 336, CELL, CELL);
+    OPERATION(31, 3, 420, 462, 504, 546, 588, 630, 0);
+    OPERATION(39, 0, 10, 714, 0, 126, 168, 420, 462, 504, 546, 588, 630, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(63, 1, 756, 378, 714);
+    OPERATION(67, 0, 5, 798, 126, 168, 378, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(81, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
-    OPERATION(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(81, 0, 1, 840, 714, CELL, CELL);
+    OPERATION(87, 0, 2, 882, 126, 168, CELL, CELL, CELL);
 }
 EACH_ORDER(4)
 INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 13 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, RAMP, 5 * STRIDE, CELL);
-    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    OPERATION(28, TIM, 9 * STRIDE, 8 * STRIDE);
-    OPERATION(31, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE);
-    OPERATION(36, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
-    OPERATION(42, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE);
-    OPERATION(58, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE);
-    OPERATION(62, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
+    if (squares) OPERATION(0, 2, 546, 42);
+    OPERATION(3, 4, 126, 0);
+    OPERATION(6, 5, 168, 210, 126, 0);
+    OPERATION(11, 1, 252, 84, 168);
+    OPERATION(15, 1, 294, 84, 210);
+    OPERATION(19, 0, 1, 336, 0, CELL, CELL);
+    OPERATION(25, 4, 378, 336);
+    OPERATION(28, 6, 420, 462, 378, 336);
+    OPERATION(33, 0, 1, 504, 462, CELL, CELL);
+    OPERATION(39, 0, 6, 588, 84, 168, 210, 252, 294, 546, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(55, 1, 630, 504, 588);
+    OPERATION(59, 0, 8, 672, 84, 168, 210, 252, 294, 504, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(82, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
-    OPERATION(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(79, 0, 1, 714, 588, CELL, CELL);
+    OPERATION(85, 0, 2, 756, 168, 210, CELL, CELL, CELL);
 }
 EACH_ORDER(5)
 INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 16 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, RAMP, 5 * STRIDE, CELL);
-    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    OPERATION(22, RAMP, 8 * STRIDE, CELL);
-    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    OPERATION(39, TIM, 12 * STRIDE, 11 * STRIDE);
-    OPERATION(42, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE);
-    OPERATION(47, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
-    OPERATION(53, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE);
-    OPERATION(75, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE);
-    OPERATION(79, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
+    if (squares) OPERATION(0, 2, 672, 42);
+    OPERATION(3, 4, 168, 0);
+    OPERATION(6, 5, 210, 252, 168, 0);
+    OPERATION(11, 1, 294, 84, 210);
+    OPERATION(15, 1, 336, 84, 252);
+    OPERATION(19, 1, 378, 126, 210);
+    OPERATION(23, 1, 420, 126, 252);
+    OPERATION(27, 0, 1, 462, 0, CELL, CELL);
+    OPERATION(33, 4, 504, 462);
+    OPERATION(36, 6, 546, 588, 504, 462);
+    OPERATION(41, 0, 1, 630, 588, CELL, CELL);
+    OPERATION(47, 0, 9, 714, 84, 126, 210, 252, 294, 336, 378, 420, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(69, 1, 756, 630, 714);
+    OPERATION(73, 0, 11, 798, 84, 126, 210, 252, 294, 336, 378, 420, 630, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(105, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
-    OPERATION(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(99, 0, 1, 840, 714, CELL, CELL);
+    OPERATION(105, 0, 2, 882, 210, 252, CELL, CELL, CELL);
 }
 EACH_ORDER(6)
 INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 2 * STRIDE, 1 * STRIDE);
-    OPERATION(3, LIN, 3 * STRIDE, CELL, 2, CELL, 1 * STRIDE, CELL, 2 * STRIDE);
-    OPERATION(11, TIM, 4 * STRIDE, 0 * STRIDE);
-    OPERATION(14, TURN, 5 * STRIDE, 6 * STRIDE, 4 * STRIDE, 0 * STRIDE);
-    OPERATION(19, LIN, 7 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
-    OPERATION(29, MUL, 8 * STRIDE, 7 * STRIDE, 1 * STRIDE);
-    OPERATION(33, LIN, 9 * STRIDE, CELL, 4, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 8 * STRIDE);
+    if (squares) OPERATION(0, 2, 84, 42);
+    OPERATION(3, 0, 2, 126, 42, 84, CELL, CELL, CELL);
+    OPERATION(11, 4, 168, 0);
+    OPERATION(14, 5, 210, 252, 168, 0);
+    OPERATION(19, 0, 3, 294, 84, 210, 252, CELL, CELL, CELL, CELL);
+    OPERATION(29, 1, 336, 294, 42);
+    OPERATION(33, 0, 4, 378, 84, 210, 252, 336, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(45, LIN, 10 * STRIDE, CELL, 3, CELL, 2 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
-    OPERATION(55, LIN, 11 * STRIDE, CELL, 2, CELL, 5 * STRIDE, CELL, 6 * STRIDE);
+    OPERATION(45, 0, 3, 420, 84, 210, 252, CELL, CELL, CELL, CELL);
+    OPERATION(55, 0, 2, 462, 210, 252, CELL, CELL, CELL);
 }
 EACH_ORDER(7)
 INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 15 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    OPERATION(17, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
-    OPERATION(21, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
-    OPERATION(27, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE);
-    OPERATION(35, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
-    OPERATION(59, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE);
-    OPERATION(63, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
+    if (squares) OPERATION(0, 2, 630, 42);
+    OPERATION(3, 4, 84, 0);
+    OPERATION(6, 5, 126, 168, 84, 0);
+    OPERATION(11, 0, 1, 210, 42, CELL, CELL);
+    OPERATION(17, 7, 252, 294, 210);
+    OPERATION(21, 0, 1, 336, 294, CELL, CELL);
+    OPERATION(27, 3, 378, 420, 462, 504, 546, 588, 0);
+    OPERATION(35, 0, 10, 672, 0, 126, 168, 378, 420, 462, 504, 546, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(59, 1, 714, 336, 672);
+    OPERATION(63, 0, 5, 756, 126, 168, 336, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(77, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
-    OPERATION(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(77, 0, 1, 798, 672, CELL, CELL);
+    OPERATION(83, 0, 2, 840, 126, 168, CELL, CELL, CELL);
 }
 EACH_ORDER(8)
 INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, RAMP, 5 * STRIDE, CELL);
-    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    OPERATION(28, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE);
-    OPERATION(32, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    OPERATION(38, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE);
-    OPERATION(54, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
-    OPERATION(58, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, 2, 504, 42);
+    OPERATION(3, 4, 126, 0);
+    OPERATION(6, 5, 168, 210, 126, 0);
+    OPERATION(11, 1, 252, 84, 168);
+    OPERATION(15, 1, 294, 84, 210);
+    OPERATION(19, 0, 1, 336, 42, CELL, CELL);
+    OPERATION(25, 7, 378, 420, 336);
+    OPERATION(29, 0, 1, 462, 420, CELL, CELL);
+    OPERATION(35, 0, 6, 546, 84, 168, 210, 252, 294, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(51, 1, 588, 462, 546);
+    OPERATION(55, 0, 8, 630, 84, 168, 210, 252, 294, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(78, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    OPERATION(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(75, 0, 1, 672, 546, CELL, CELL);
+    OPERATION(81, 0, 2, 714, 168, 210, CELL, CELL, CELL);
 }
 EACH_ORDER(9)
 INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 15 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, RAMP, 5 * STRIDE, CELL);
-    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    OPERATION(22, RAMP, 8 * STRIDE, CELL);
-    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
-    OPERATION(39, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE);
-    OPERATION(43, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    OPERATION(49, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE);
-    OPERATION(71, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE);
-    OPERATION(75, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
+    if (squares) OPERATION(0, 2, 630, 42);
+    OPERATION(3, 4, 168, 0);
+    OPERATION(6, 5, 210, 252, 168, 0);
+    OPERATION(11, 1, 294, 84, 210);
+    OPERATION(15, 1, 336, 84, 252);
+    OPERATION(19, 1, 378, 126, 210);
+    OPERATION(23, 1, 420, 126, 252);
+    OPERATION(27, 0, 1, 462, 42, CELL, CELL);
+    OPERATION(33, 7, 504, 546, 462);
+    OPERATION(37, 0, 1, 588, 546, CELL, CELL);
+    OPERATION(43, 0, 9, 672, 84, 126, 210, 252, 294, 336, 378, 420, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(65, 1, 714, 588, 672);
+    OPERATION(69, 0, 11, 756, 84, 126, 210, 252, 294, 336, 378, 420, 588, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(101, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
-    OPERATION(107, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(95, 0, 1, 798, 672, CELL, CELL);
+    OPERATION(101, 0, 2, 840, 210, 252, CELL, CELL, CELL);
 }
 EACH_ORDER(10)
 INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    OPERATION(17, POWERS, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 0 * STRIDE);
-    OPERATION(25, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
-    OPERATION(49, MUL, 14 * STRIDE, 5 * STRIDE, 13 * STRIDE);
-    OPERATION(53, LIN, 15 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, 2, 504, 42);
+    OPERATION(3, 4, 84, 0);
+    OPERATION(6, 5, 126, 168, 84, 0);
+    OPERATION(11, 0, 1, 210, 0, CELL, CELL);
+    OPERATION(17, 3, 252, 294, 336, 378, 420, 462, 0);
+    OPERATION(25, 0, 10, 546, 0, 126, 168, 252, 294, 336, 378, 420, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(49, 1, 588, 210, 546);
+    OPERATION(53, 0, 5, 630, 126, 168, 210, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(67, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    OPERATION(73, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(67, 0, 1, 672, 546, CELL, CELL);
+    OPERATION(73, 0, 2, 714, 126, 168, CELL, CELL, CELL);
 }
 EACH_ORDER(11)
 INLINE void rates_12(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 9 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, RAMP, 5 * STRIDE, CELL);
-    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    OPERATION(22, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    OPERATION(28, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 9 * STRIDE);
-    OPERATION(44, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
-    OPERATION(48, LIN, 12 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    if (squares) OPERATION(0, 2, 378, 42);
+    OPERATION(3, 4, 126, 0);
+    OPERATION(6, 5, 168, 210, 126, 0);
+    OPERATION(11, 1, 252, 84, 168);
+    OPERATION(15, 1, 294, 84, 210);
+    OPERATION(19, 0, 1, 336, 0, CELL, CELL);
+    OPERATION(25, 0, 6, 420, 84, 168, 210, 252, 294, 378, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(41, 1, 462, 336, 420);
+    OPERATION(45, 0, 8, 504, 84, 168, 210, 252, 294, 336, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_12(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(68, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
-    OPERATION(74, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(65, 0, 1, 546, 420, CELL, CELL);
+    OPERATION(71, 0, 2, 588, 168, 210, CELL, CELL, CELL);
 }
 EACH_ORDER(12)
 INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {
-    if (squares) OPERATION(0, SQR, 12 * STRIDE, 1 * STRIDE);
-    OPERATION(3, TIM, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(6, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
-    OPERATION(11, RAMP, 5 * STRIDE, CELL);
-    OPERATION(14, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
-    OPERATION(18, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
-    OPERATION(22, RAMP, 8 * STRIDE, CELL);
-    OPERATION(25, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
-    OPERATION(29, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
-    OPERATION(33, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
-    OPERATION(39, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 12 * STRIDE);
-    OPERATION(61, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
-    OPERATION(65, LIN, 15 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
+    if (squares) OPERATION(0, 2, 504, 42);
+    OPERATION(3, 4, 168, 0);
+    OPERATION(6, 5, 210, 252, 168, 0);
+    OPERATION(11, 1, 294, 84, 210);
+    OPERATION(15, 1, 336, 84, 252);
+    OPERATION(19, 1, 378, 126, 210);
+    OPERATION(23, 1, 420, 126, 252);
+    OPERATION(27, 0, 1, 462, 0, CELL, CELL);
+    OPERATION(33, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    OPERATION(55, 1, 588, 462, 546);
+    OPERATION(59, 0, 11, 630, 84, 126, 210, 252, 294, 336, 378, 420, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
 }
 INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    OPERATION(91, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
-    OPERATION(97, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
+    OPERATION(85, 0, 1, 672, 546, CELL, CELL);
+    OPERATION(91, 0, 2, 714, 210, 252, CELL, CELL, CELL);
 }
 EACH_ORDER(13)
 static const struct {
@@ -2411,14 +2376,12 @@ INLINE void stick(Batch *b, M here)
     M changes = still_changes(b);
     stay(b, here & ~changes, broadcast(ARRESTED));
     here = here & changes;
-    if (bits(here)) {
-        c[STATUS] = pick(here, broadcast(RESTING), c[STATUS]);
-        c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
-        note_lift_off(b, here & (c[LIFTED] > 0.0));
-        here = here & ~may_start(b);
-        c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
-        c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
-    }
+    c[STATUS] = pick(here, broadcast(RESTING), c[STATUS]);
+    c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
+    here = here & ~may_start(b);
+    c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
 /* Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start. */
@@ -2451,13 +2414,11 @@ INLINE void resolve_stick_or_slip(Batch *b, M here)
     M starts = may & (c[job->role->drive] > 0.0);
     start_moving(b, starts, c[job->role->drive]);
     here = here & ~starts;
-    if (bits(here)) {
-        c[FACED] = pick(here, c[FACED] + 1.0, c[FACED]);
-        M stays_down = may & (c[ONE_WAY] > 0.0);
-        M sticks = here & ((c[FACED] > 1.0) | stays_down);
-        stick(b, sticks);
-        face(b, here & ~sticks, -c[DIRECTION]);
-    }
+    c[FACED] = pick(here, c[FACED] + 1.0, c[FACED]);
+    M stays_down = may & (c[ONE_WAY] > 0.0);
+    M sticks = here & ((c[FACED] > 1.0) | stays_down);
+    stick(b, sticks);
+    face(b, here & ~sticks, -c[DIRECTION]);
 }
 
 /* Decide whether masses at a standstill, or at the start, stop, stick or slip. */
@@ -2472,11 +2433,8 @@ INLINE void resolve_standstill(Batch *b, M here)
         here = here & ~stops;
     }
     M one_way = here & (c[PENDING] == (double)REST);
-    if (bits(one_way)) {
-        rest_one_way(b, one_way);
-        here = here & ~one_way;
-    }
-    resolve_stick_or_slip(b, here);
+    rest_one_way(b, one_way);
+    resolve_stick_or_slip(b, here & ~one_way);
 }
 
 /* Begin a phase in motion with the drive computed anew or continued, whichever is more accurate. */
@@ -2510,19 +2468,14 @@ INLINE void resolve_pending(Batch *b, M waits, V net, V force)
     M lifts = (by_force | by_load) & (c[LIFTED] == 0.0);
     c[LIFTED] = pick(lifts, broadcast(1.0), c[LIFTED]);
     c[PENDING] = pick(begins, broadcast(READY), c[PENDING]);
-    if (bits(enters)) {
-        carry_net_moment(b, enters, net);
-    }
+    carry_net_moment(b, enters, net);
     M starts = (moving | again) & ~lifts;
     if (bits(starts)) {
         M level = again & starts & (c[SUDDEN] <= 0.0);
         c[job->role->drive] = pick(level, broadcast(0.0), c[job->role->drive]);
         start_moving(b, starts, pick(again, c[job->role->drive], net));
     }
-    decides = decides & ~lifts;
-    if (bits(decides)) {
-        resolve_standstill(b, decides);
-    }
+    resolve_standstill(b, decides & ~lifts);
 }
 
 /* Decide about contact after a jump of forces. If contact changes, another phase begins. */
@@ -2887,9 +2840,7 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
 {
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
-    if (bits(leaves)) {
-        end_slide(b, leaves, t, piece, x, omega);
-    }
+    end_slide(b, leaves, t, piece, x, omega);
     return on & inside;
 }
 
@@ -3469,17 +3420,13 @@ static V pass_events(Batch *b, M here, V left)
     V loss = left * minimum(net[0], broadcast(0.0));
     V bend = (left * left) * magnitude(omega[2]);
     M slow = here & (omega[0] > 0.0) & ((omega[0] + loss) <= (2.0 * bend));
-    if (bits(slow)) {
-        find_standstill(b, slow, TOP);
-    }
+    find_standstill(b, slow, TOP);
     V step = c[STEP];
     const Pair rate_slope = value_and_slope(net, TOP - 1, step);
     V rate = rate_slope.one, slope = rate_slope.other;
     V most = omega[0] + (step * net[0]);
     M peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > magnitude(c[PEAK_OMEGA]));
-    if (bits(peaks)) {
-        keep_peak(b, peaks, TOP, rate, slope);
-    }
+    keep_peak(b, peaks, TOP, rate, slope);
     return rate;
 }
 
@@ -3590,16 +3537,11 @@ static void turn_through(Batch *b, M here, int t)
             starts = wait_for_start(b, rests, t);
         }
         M goes = starts | (moves & fits(b, t));
-        M leaves = here & ~goes;
-        if (bits(leaves)) {
-            leave_series(b, leaves, since);
-        }
+        leave_series(b, here & ~goes, since);
         count_starts(b, starts & goes);
         here = goes;
-        if (bits(here)) {
-            move_within(b, here, t);
-            enter_line(b, here & (c[TIME] == c[job->table[t].cell + UPPER]), t);
-        }
+        move_within(b, here, t);
+        enter_line(b, here & (c[TIME] == c[job->table[t].cell + UPPER]), t);
     }
 }
 
@@ -3991,9 +3933,7 @@ static void turn_on(Batch *b, M here)
     M fits = here & regular & (until < c[END_TIME]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[CLOCKED] = pick(here, pick(fits, broadcast(0.0), broadcast(1.0)), c[CLOCKED]);
-    if (bits(fits)) {
-        complete(b, fits, top, peak, before, until);
-    }
+    complete(b, fits, top, peak, before, until);
 }
 
 /* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
@@ -4804,9 +4744,7 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), at_peak, peak, before);
     finish(b, rests, end, duration);
     rest(b, rests, back, f);
-    if (bits(ends)) {
-        end_within(b, ends, e, back, w, end);
-    }
+    end_within(b, ends, e, back, w, end);
     return rests | ends;
 }
 
@@ -5090,15 +5028,13 @@ static void advance(Batch *b, M here)
         if (has_recurrence(b)) {
             turning = turning & (c[X] == 0.0);
         }
-        if (bits(turning)) {
-            turn_on(b, turning);
-        }
+        turn_on(b, turning);
         moving = moving & ~(turning & (c[CLOCKED] == 0.0));
     }
     if (__builtin_popcount(bits(moving)) > __builtin_popcount(bits(resting))) {
         make_step(b, moving);
     }
-    if (bits(resting) && (__builtin_popcount(bits(resting)) >= __builtin_popcount(bits(moving)))) {
+    if (__builtin_popcount(bits(resting)) >= __builtin_popcount(bits(moving))) {
         rest_on(b, resting);
     }
     begin_phases(b);

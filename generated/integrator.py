@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7ce9c7580ff8f69345e93df921e63db031f4ae5d5695026aa60f5cf43edac6f4
+# sha256 of the text below: 0f9c3f0df6200e766478f293e58f993beeacf935e246fc00846c93be48bb7ae3
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1229,13 +1229,12 @@ def stick(s: Lanes, here: Mask) -> None:
     changes = still_changes(s)
     stay(s, here & np.logical_not(changes), ix.ARRESTED)
     here = here & changes
-    if np.any(here):
-        c[ix.STATUS] = np.where(here, ix.RESTING, c[ix.STATUS])
-        c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
-        note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
-        here = here & np.logical_not(may_start(s))
-        c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
-        c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
+    c[ix.STATUS] = np.where(here, ix.RESTING, c[ix.STATUS])
+    c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+    here = here & np.logical_not(may_start(s))
+    c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
 def rest_one_way(s: Lanes, here: Mask) -> None:
@@ -1267,12 +1266,11 @@ def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
     starts = may & (c[s.roles.drive] > 0.0)
     start_moving(s, starts, c[s.roles.drive])
     here = here & np.logical_not(starts)
-    if np.any(here):
-        c[ix.FACED] = np.where(here, c[ix.FACED] + 1.0, c[ix.FACED])
-        stays_down = may & (c[ix.ONE_WAY] > 0.0)
-        sticks = here & ((c[ix.FACED] > 1.0) | stays_down)
-        stick(s, sticks)
-        face(s, here & np.logical_not(sticks), -c[ix.DIRECTION])
+    c[ix.FACED] = np.where(here, c[ix.FACED] + 1.0, c[ix.FACED])
+    stays_down = may & (c[ix.ONE_WAY] > 0.0)
+    sticks = here & ((c[ix.FACED] > 1.0) | stays_down)
+    stick(s, sticks)
+    face(s, here & np.logical_not(sticks), -c[ix.DIRECTION])
 
 
 def resolve_standstill(s: Lanes, here: Mask) -> None:
@@ -1286,10 +1284,8 @@ def resolve_standstill(s: Lanes, here: Mask) -> None:
         stay(s, stops, ix.STOPPED)
         here = here & np.logical_not(stops)
     one_way = here & (c[ix.PENDING] == ix.REST)
-    if np.any(one_way):
-        rest_one_way(s, one_way)
-        here = here & np.logical_not(one_way)
-    resolve_stick_or_slip(s, here)
+    rest_one_way(s, one_way)
+    resolve_stick_or_slip(s, here & np.logical_not(one_way))
 
 
 def carry_net_moment(s: Lanes, here: Mask, net: Floats) -> None:
@@ -1320,16 +1316,13 @@ def resolve_pending(s: Lanes, waits: Mask, net: Floats, force: Floats) -> None:
     lifts = (by_force | by_load) & (c[ix.LIFTED] == 0.0)
     c[ix.LIFTED] = np.where(lifts, 1.0, c[ix.LIFTED])
     c[ix.PENDING] = np.where(begins, ix.READY, c[ix.PENDING])
-    if np.any(enters):
-        carry_net_moment(s, enters, net)
+    carry_net_moment(s, enters, net)
     starts = (moving | again) & np.logical_not(lifts)
     if np.any(starts):
         level = again & starts & (c[ix.SUDDEN] <= 0.0)
         c[s.roles.drive] = np.where(level, 0.0, c[s.roles.drive])
         start_moving(s, starts, np.where(again, c[s.roles.drive], net))
-    decides = decides & np.logical_not(lifts)
-    if np.any(decides):
-        resolve_standstill(s, decides)
+    resolve_standstill(s, decides & np.logical_not(lifts))
 
 
 def on_discontinuity(s: Lanes, here: Mask, force: Floats) -> None:
@@ -1654,8 +1647,7 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
-    if np.any(leaves):
-        end_slide(s, leaves, t, piece, x, omega)
+    end_slide(s, leaves, t, piece, x, omega)
     return on & inside
 
 
@@ -2156,14 +2148,12 @@ def pass_events(s: Lanes, here: Mask, left: Floats) -> Floats:
     loss = left * np.minimum(net[0], 0.0)
     bend = left * left * np.abs(omega[2])
     slow = here & (omega[0] > 0.0) & (omega[0] + loss <= 2.0 * bend)
-    if np.any(slow):
-        find_standstill(s, slow, TOP)
+    find_standstill(s, slow, TOP)
     step = c[ix.STEP].copy()
     rate, slope = value_and_slope(net, TOP - 1, step)
     most = omega[0] + step * net[0]
     peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > np.abs(c[ix.PEAK_OMEGA]))
-    if np.any(peaks):
-        keep_peak(s, peaks, TOP, rate, slope)
+    keep_peak(s, peaks, TOP, rate, slope)
     return rate
 
 
@@ -2266,14 +2256,11 @@ def turn_through(s: Lanes, here: Mask, t: Table) -> None:
         if np.any(rests):
             starts = wait_for_start(s, rests, t)
         goes = starts | moves & fits(s, t)
-        leaves = here & np.logical_not(goes)
-        if np.any(leaves):
-            leave_series(s, leaves, since)
+        leave_series(s, here & np.logical_not(goes), since)
         count_starts(s, starts & goes)
         here = goes
-        if np.any(here):
-            move_within(s, here, t)
-            enter_line(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
+        move_within(s, here, t)
+        enter_line(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
 
 
 def has_recurrence(s: Lanes) -> int:
@@ -2591,8 +2578,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
     fits = here & regular & (until < c[ix.END_TIME])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
     c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
-    if np.any(fits):
-        complete(s, fits, top, peak, before, until)
+    complete(s, fits, top, peak, before, until)
 
 
 def turned(x: Floats) -> tuple[Floats, Floats]:
@@ -3291,8 +3277,7 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), at_peak, peak, before)
     finish(s, rests, end, duration)
     rest(s, rests, back, f)
-    if np.any(ends):
-        end_within(s, ends, e, back, w, end)
+    end_within(s, ends, e, back, w, end)
     return rests | ends
 
 
@@ -3540,12 +3525,11 @@ def advance(s: Lanes, here: Mask) -> None:
         turning = moving & (c[ix.CLOCKED] == 0.0)
         if has_recurrence(s):
             turning = turning & (c[ix.X] == 0.0)
-        if np.any(turning):
-            turn_on(s, turning)
+        turn_on(s, turning)
         moving = moving & np.logical_not(turning & (c[ix.CLOCKED] == 0.0))
     if np.count_nonzero(moving) > np.count_nonzero(resting):
         make_step(s, moving)
-    if np.any(resting) and np.count_nonzero(resting) >= np.count_nonzero(moving):
+    if np.count_nonzero(resting) >= np.count_nonzero(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)

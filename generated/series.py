@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 962641de91f2e76917f87859770e029f2b543de53b33b85665d00000d7992bb5
+# sha256 of the text below: 794133044d10510e61d15d9114b69a2c487c317fa698b0c7f6d8d832ab60b2d4
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -11,11 +11,10 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 # Codes of the operations on series and on cells, as the compiled integrator numbers them.
-SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn': 6, 'exp': 7, 'rec': 8, 'log': 9,
-    'pow': 10}
+SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "fbdb2580f4f4a39b97d970ce58f873d4197cfc4f1d3078c23a5873d927b6b60d"  # of the compiled integrator's source
+DIGEST = "2d5d547797c080e1a76473cbfdbc07b5061985e1a2c2e23f9f2b5a184f2fc603"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -26,21 +25,14 @@ def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
 
 def series_ops(operations: Sequence[tuple[Any, ...]], r: Floats, c: Floats, n: int) -> None:
     """Compute coefficient n of all registers, (registers, orders, lanes), from the registers of states and tables."""
-    for name, *names in operations:
+    for name, results, registers, cells in operations:
         if name == "lin":
-            d, constant, terms = names
-            total = r[d, n]
-            if terms:
-                (cell, register), *rest = terms
-                np.multiply(c[cell], r[register, n], out=total)
-                for cell, register in rest:
-                    total += c[cell] * r[register, n]
-            else:
-                total[...] = 0.0
-            if n == 0 and constant >= 0:
-                total += c[constant]
-        elif name != "ramp":
-            _SERIES[name](r, c, n, *names)
+            total = r[results[0], n]
+            total[...] = 0.0 if n else c[cells[0]]
+            for cell, register in zip(cells[1:], registers, strict=True):
+                total += c[cell] * r[register, n]
+        else:
+            _SERIES[name](r, n, *results, *registers)
 
 
 def _less(a: Floats, b: Floats, out: Floats) -> None:
@@ -56,7 +48,7 @@ def _over(a: Floats, b: Floats, n: int, first: int, last: int) -> Any:
     return np.einsum("kl,kl->l", a[first : last + 1], b[n - last : n - first + 1][::-1])
 
 
-def _mul(r: Floats, c: Floats, n: int, d_: int, a_: int, b_: int) -> None:
+def _mul(r: Floats, n: int, d_: int, a_: int, b_: int) -> None:
     """Compute d = a*b."""
     d, a, b = r[d_], r[a_], r[b_]
     if n == 0:
@@ -66,7 +58,7 @@ def _mul(r: Floats, c: Floats, n: int, d_: int, a_: int, b_: int) -> None:
         d[n] = sum0
 
 
-def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
+def _sqr(r: Floats, n: int, d_: int, a_: int) -> None:
     """Compute d = a**2."""
     d, a = r[d_], r[a_]
     if n == 0:
@@ -77,7 +69,7 @@ def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
         d[n] = sum0
 
 
-def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int, p6_: int, p7_: int, x_: int) -> None:
+def _powers(r: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int, p6_: int, p7_: int, x_: int) -> None:
     """Compute p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7."""
     p2, p3, p4, p5, p6, p7, x = r[p2_], r[p3_], r[p4_], r[p5_], r[p6_], r[p7_], r[x_]
     if n == 0:
@@ -105,7 +97,7 @@ def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int
         p7[n] = sum4 + p6[n] * x[0]
 
 
-def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
+def _tim(r: Floats, n: int, q_: int, a_: int) -> None:
     """Compute q = t*Derivative(a, t)."""
     q, a = r[q_], r[a_]
     if n == 0:
@@ -114,7 +106,7 @@ def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
         q[n] = a[n] * n
 
 
-def _turn(r: Floats, c: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> None:
+def _turn(r: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> None:
     """Compute s = sin(x), v = 1 - cos(x)."""
     s, v, q, x = r[s_], r[v_], r[q_], r[x_]
     if n == 0:
@@ -128,7 +120,7 @@ def _turn(r: Floats, c: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> N
         v[n] = (1.0 / n) * sum0
 
 
-def _exp(r: Floats, c: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
+def _exp(r: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
     """Compute e = exp(z), m = exp(z) - 1."""
     e, m, q, z = r[e_], r[m_], r[q_], r[z_]
     if n == 0:
@@ -140,7 +132,7 @@ def _exp(r: Floats, c: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> No
         m[n] = e[n]
 
 
-def _rec(r: Floats, c: Floats, n: int, h_: int, m_: int, z_: int) -> None:
+def _rec(r: Floats, n: int, h_: int, m_: int, z_: int) -> None:
     """Compute h = 1/(z + 1), m = -1 + 1/(z + 1)."""
     h, m, z = r[h_], r[m_], r[z_]
     if n == 0:
@@ -153,7 +145,7 @@ def _rec(r: Floats, c: Floats, n: int, h_: int, m_: int, z_: int) -> None:
         m[n] = h[n]
 
 
-def _log(r: Floats, c: Floats, n: int, l_: int, z_: int) -> None:
+def _log(r: Floats, n: int, l_: int, z_: int) -> None:
     """Compute l = log(z + 1)."""
     l, z = r[l_], r[z_]
     if n == 0:
@@ -164,23 +156,8 @@ def _log(r: Floats, c: Floats, n: int, l_: int, z_: int) -> None:
         l[n] = (z[n] - (1.0 / n) * sum0) / (1.0 + z[0])
 
 
-def _pow(r: Floats, c: Floats, n: int, p_: int, m_: int, z_: int, power_: int) -> None:
-    """Compute p = (z + 1)**power, m = (z + 1)**power - 1."""
-    p, m, z = r[p_], r[m_], r[z_]
-    power = c[power_]
-    if n == 0:
-        t1 = np.expm1(np.log1p(z[0]) * power)
-        p[0] = 1.0 + t1
-        m[0] = t1
-    else:
-        k = np.arange(n + 1.0)[:, None]
-        sum0 = _over((k + k * power - n) * z[: n + 1], p, n, 1, n)
-        p[n] = (1.0 / n) / (1.0 + z[0]) * sum0
-        m[n] = p[n]
-
-
 _SERIES: dict[str, Any] = {"mul": _mul, "sqr": _sqr, "powers": _powers, "tim": _tim, "turn": _turn, "exp": _exp,
-    "rec": _rec, "log": _log, "pow": _pow}
+    "rec": _rec, "log": _log}
 _SCALARS: dict[str, Any] = {
     "add": np.add,
     "sub": np.subtract,

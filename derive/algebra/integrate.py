@@ -1,4 +1,4 @@
-"""Integration of a definition to its closed form: inner integral, centred angle, odd part dropped, outer integral.
+"""Integration of a definition to its closed form: inner integral, centred angle, outer integral.
 
 No closed form is typed in. Each antiderivative is differentiated symbolically before it is used, and the result is
 compared with quadrature of the original double integrand in r and theta over the uncentred chord (2.6).
@@ -17,7 +17,6 @@ from sympy import (
     PolynomialError,
     Symbol,
     atanh,
-    cos,
     count_ops,
     default_sort_key,
     diff,
@@ -28,7 +27,6 @@ from sympy import (
     lambdify,
     pi,
     simplify,
-    sin,
 )
 
 from derive.algebra.prove import prove_zero, trig_normal
@@ -110,20 +108,13 @@ def derive(moment: Moment) -> Derivation:
     inner = inner.subs(r, 1) - inner.subs(r, CHORD)
     # Centre the angle: theta = theta_1 + alpha + u, theta_1 + alpha = theta_m, so the limits become -alpha and alpha.
     in_u = inner.subs(theta, theta_1 + alpha + u).subs(theta_1, theta_m - alpha)
-    centred = expand(expand_trig(in_u))
-    even = expand((centred + centred.subs(u, -u)) / 2)
-    odd = expand(centred - even)
-    prove_zero(odd + odd.subs(u, -u), f"{name}: the dropped part is odd in u")
-    outer = 2 * antiderivative(even, u, "1.55").subs(u, alpha)
-    closed = expand(expand_trig(outer.subs(theta_m, 3 * pi / 2 - PSI)))
-    directions = [f for f in (cos(PSI), sin(PSI)) if closed.has(f)]
-    direction = directions[0] if directions else Integer(1)
+    outer = antiderivative(expand_trig(in_u), u, "1.55")
+    total = outer.subs(u, alpha) - outer.subs(u, -alpha)
+    closed = expand(expand_trig(total.subs(theta_m, 3 * pi / 2 - PSI)))
+    direction = moment.weight.subs({r: 1, theta: 3 * pi / 2 - PSI})  # of the weight at the bisector
     amplitude = shortest(expand(closed / direction))
     if amplitude.has(PSI):
         raise ProofError(f"{name}: amplitude", amplitude, "a function of alpha alone")
-    if moment.amplitude and amplitude.subs(alpha, 1).evalf() < 0:  # as in the integral of +r**n cos(u)
-        amplitude = -amplitude
-        direction = -direction
     prove_zero(amplitude * direction - closed, f"{name}: simplification")
     return Derivation(moment, amplitude, direction)
 

@@ -4,7 +4,7 @@ Each operation is stated once. `prove` compares it with SymPy's series. The same
 compiled interpreter and of the NumPy interpreter, and programs in any other arithmetic.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,10 +12,10 @@ from sympy import (
     Add,
     Derivative,
     Expr,
-    Float,
     Indexed,
     IndexedBase,
     Integer,
+    Mul,
     Sum,
     Symbol,
     cos,
@@ -31,13 +31,11 @@ from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import expm1, log1p, unfold
 from derive.code import operations
 from derive.declare.effects import DEGREE
-from derive.declare.symbols import Forms
-from derive.kinds import Texts, Values
+from derive.kinds import Texts
 
 CELLS = {name: o for name, o in operations.OPERATIONS.items() if o.vector}  # operations on numbers of lanes
 n, k = symbols("n k", integer=True)
-A, B, Q, X, Z, E, H, P, S, V, L = (IndexedBase(x) for x in "abqxzehpsvl")
-POWER = Symbol("power", real=True)
+A, B, Q, X, Z, E, H, S, V, L = (IndexedBase(x) for x in "abqxzehsvl")
 
 
 def _sum(term: Expr, first: int = 1, last: Expr = n) -> Expr:
@@ -50,7 +48,7 @@ class SeriesOperation:
     """Operation on series: results and arguments, order 0 from order 0, and order n from the lower orders.
 
     ``means`` expresses each result as a function of the arguments, ``start`` is the same without cancellation at 0, and
-    ``step`` is coefficient n >= 1. ``numbers`` are arguments that are cells and not series.
+    ``step`` is coefficient n >= 1.
     """
 
     name: str
@@ -59,7 +57,6 @@ class SeriesOperation:
     means: tuple[Expr, ...]
     start: tuple[Expr, ...]
     step: tuple[Expr, ...]
-    numbers: tuple[Symbol, ...] = ()
 
 
 D = IndexedBase("d")
@@ -108,33 +105,22 @@ OPERATIONS = {
             (log1p(Z[0]),),
             ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),),
         ),
-        SeriesOperation(
-            "pow",
-            (P, M),
-            (Z,),
-            ((1 + Z) ** POWER, (1 + Z) ** POWER - 1),
-            (expm1(POWER * log1p(Z[0])) + 1, expm1(POWER * log1p(Z[0]))),
-            (_sum((POWER * k - (n - k)) * Z[k] * P[n - k]) / n / (1 + Z[0]), P[n]),
-            (POWER,),
-        ),
     )
 }
-SERIES = {name: code for code, name in enumerate(("lin", "ramp", *OPERATIONS))}  # codes in the compiled integrator
+SERIES = {name: code for code, name in enumerate(("lin", *OPERATIONS))}  # codes in the compiled integrator
 SCALAR = {name: code for code, name in enumerate(CELLS)}
-RESULTS = {o.name: len(o.results) for o in OPERATIONS.values() if len(o.results) > 1}  # other operations have one
 
 
 def prove(order: int = 6) -> Texts:
     """Prove each operation's coefficients equal to SymPy's series of its definition, and return the claims."""
     claims = []
     for o in OPERATIONS.values():
-        highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
-        coefficients = _coefficients(o, highest)
-        for i in range(highest + 1):
+        coefficients = _coefficients(o, order)
+        for i in range(order + 1):
             for result, start, step in zip(o.results, o.start, o.step, strict=True):
                 stated = unfold(at(step.subs(n, i).doit() if i else start, coefficients))
                 prove_zero(expand(stated - coefficients[result][i]), f"{o.name}: coefficient {i}")
-        claims.append(f"{o.name}: {highest + 1} coefficients")
+        claims.append(f"{o.name}: {order + 1} coefficients")
     return claims
 
 
@@ -177,33 +163,26 @@ def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
     return e.xreplace(named)
 
 
-def _cell(name: str, cells: Values) -> Any:
-    """Return a cell by its name. ``=1.0`` is a constant, and an unknown cell a symbol."""
-    if name in cells:
-        return cells[name]
-    return Float(name[1:]) if name.startswith("=") else Symbol(name, real=True)
+def evaluate(
+    operations: Iterable[Sequence[Any]],
+    registers: Any,
+    cell: Callable[[Any], Any],
+    forms: Callable[[SeriesOperation], Sequence[Expr]],
+) -> None:
+    """Compute the results of operations on series, in order, in ``registers``, which contains values of the others.
 
-
-def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> Forms:
-    """Return order 0 of every register that operations on series compute, from order 0 of the given registers.
-
-    ``series`` are rows of the operation, its results and its operands, and ``cells`` are known numbers by name.
+    An operation consists of its kind, results, registers and cells. ``cell`` returns the number in a cell, and
+    ``forms`` the results of a kind of operation as functions of its arguments.
     """
-    registers = dict(values)
-    for name, *names in series:
-        if name == "lin":
-            result, constant, terms = names
-            base = _cell(constant, cells) if constant else 0
-            registers[result] = Add(base, *(_cell(c, cells) * registers[r] for c, r in terms))
+    for kind, results, arguments, cells in operations:
+        values = [registers[x] for x in arguments]
+        if kind == "lin":
+            constant, *factors = map(cell, cells)
+            registers[results[0]] = Add(constant, *map(Mul, factors, values))
             continue
-        o = OPERATIONS[name]
-        places = (*o.results, *o.arguments, *o.numbers)
-        known = {}
-        for place, operand in zip(places, names, strict=True):
-            if place in o.arguments:
-                known[place[0]] = registers[operand]
-            elif place in o.numbers:
-                known[place] = _cell(operand, cells)
-        for result, start in zip(names, o.start, strict=False):
-            registers[result] = start.subs(known)
-    return registers
+        operation = OPERATIONS[kind]
+        known: dict[Any, Any] = {}
+        for x, value in zip(operation.arguments, values, strict=True):
+            known |= {x: value, x[0]: value}
+        for result, form in zip(results, forms(operation), strict=True):
+            registers[result] = form.xreplace(known)

@@ -78,7 +78,7 @@ CASE = """\
     }}
 """
 FUNCTION = """\
-def _{code}(r: Floats, c: Floats, n: int, {parameters}) -> None:
+def _{code}(r: Floats, n: int, {parameters}) -> None:
     \"""Compute {means}.\"""
 {names}
     if n == 0:
@@ -179,11 +179,10 @@ def _loop(sums: Sequence[_Sum]) -> Texts:
 
 def _c_case(o: SeriesOperation) -> str:
     """Return the case of an operation in the C function that interprets operations on series."""
-    operands = (*o.results, *o.arguments, *o.numbers)
+    operands = (*o.results, *o.arguments)
     places = {x: i for i, x in enumerate(operands, 1)}
     names = [f"V *restrict {x} = r + at[{places[x]}];" for x in o.results]
     names += [f"const V *{x} = r + at[{places[x]}];" for x in _read(o)]
-    names += [f"const V {x} = c[own[{places[x]}]];" for x in o.numbers]
     start, step = _body(o, C)
     return CASE.format(
         code=o.name.upper(),
@@ -197,11 +196,9 @@ def _c_case(o: SeriesOperation) -> str:
 
 def c_operations() -> TextDict:
     """Return codes, operands and cases of the operations on series and cells as C text, by marks of the template."""
-    codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in CELLS])
+    codes = (SERIES, [f"S_{x}" for x in CELLS])
     enums = (f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
-    named = [(1, 0), (1, 1)]
-    for o in OPERATIONS.values():
-        named.append((len(o.results) + len(o.arguments), len(o.numbers)))
+    registers = [1, *(len(o.results) + len(o.arguments) for o in OPERATIONS.values())]
     arguments = []
     cases = ""
     for name, operation in CELLS.items():
@@ -213,7 +210,7 @@ def c_operations() -> TextDict:
         cases += f"        case S_{name.upper()}: {case}\n"
     return {
         "CODES": "".join(enums),
-        "NAMED": ", ".join(f"{{{x}, {y}}}" for x, y in named),
+        "REGISTERS": ", ".join(map(str, registers)),
         "ARGUMENTS": ", ".join(map(str, arguments)),
         "SERIES": "".join(map(_c_case, OPERATIONS.values())),
         "CELL_OPERATIONS": cases,
@@ -223,10 +220,9 @@ def c_operations() -> TextDict:
 def _numpy_function(o: SeriesOperation) -> str:
     """Return the source of the NumPy function that performs an operation on series."""
     series = [*o.results, *_read(o)]
-    parameters = (*o.results, *o.arguments, *o.numbers)
+    parameters = (*o.results, *o.arguments)
     start, step = _body(o, NUMPY)
     names = [f"{', '.join(map(str, series))} = {', '.join(f'r[{x}_]' for x in series)}"]
-    names += [f"{x} = c[{x}_]" for x in o.numbers]
     return FUNCTION.format(
         code=o.name,
         parameters=", ".join(f"{x}_: int" for x in parameters),

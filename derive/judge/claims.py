@@ -21,9 +21,10 @@ VERDICTS = {
     "not machine-checkable": "depends on information that the text does not contain",
 }
 
-DIMENSIONS = {
-    "R": "L", "r": "L", "ell": "L", "g": "L/T**2", "rho": "M/L**3", "dV": "L**3", "t": "T", "c0": "1/T", "c2": "1/T",
-    **dict.fromkeys(("sigma_mean", "sigma_n", "tau_n"), "M/(L*T**2)"),
+# Units of symbols in definitions; the others are numbers.
+UNITS = {
+    "R": "m", "r": "m", "ell": "m", "g": "m/s^2", "rho": "kg/m^3", "dV": "m^3", "t": "s", "c0": "1/s", "c2": "1/s",
+    "omega": "1/s", "sigma_mean": "Pa", "sigma_n": "Pa", "tau_n": "Pa",
 }  # fmt: skip
 
 # Domains of the claimed forms: open intervals, or one value. Other symbols are real and positive.
@@ -48,9 +49,10 @@ class Cause:
 class Claim:
     """Claim of the paper.
 
-    ``expression`` transcribes ``printed``, and ``definition`` derives the form that it must equal. ``dimension`` (of
-    definitions) and ``law`` are further requirements, and ``weight`` is the integrand whose quadrature it must equal on
-    its whole domain. Assumptions are data: ``domain`` if it differs from `DOMAINS`, and ``given``.
+    ``expression`` transcribes ``printed``, and ``definition`` derives the form that it must equal. ``law`` is a further
+    requirement, as are the ``unit`` of a quantity that the claim defines and the ``weight``, the integrand whose
+    quadrature the form must equal on its whole domain. Assumptions are data: ``domain`` if it differs from `DOMAINS`,
+    and ``given``.
     """
 
     id: str
@@ -58,11 +60,11 @@ class Claim:
     printed: str
     expression: str = ""
     definition: Callable[[], Any] = lambda: ()
-    kind: Literal["form", "definition", "number", "range", "small", "appendix"] = "form"
+    kind: Literal["form", "number", "range", "small", "appendix"] = "form"
     causes: tuple[Cause, ...] = ()
     shows: str = "{}"  # format of the derived value
     note: str | Callable[[], str] = ""  # remark if the claim is correct, or a function that computes it
-    dimension: str = ""
+    unit: str = ""
     law: Callable[[Expr], Iterable[Expr]] | None = None
     weight: Expr | None = None
     given: Names = ()

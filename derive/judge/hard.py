@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import sys
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
@@ -23,8 +23,9 @@ from derive.algebra.prove import trig_normal
 from derive.approximate.programs import variants, variants_of_ends
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
-from derive.declare.symbols import alpha, theta_1, theta_2, theta_m
+from derive.declare.symbols import Forms, alpha, theta_1, theta_2, theta_m
 from derive.generate import functions
+from derive.kinds import TextMap
 from derive.progress import track
 
 
@@ -62,50 +63,38 @@ def forms() -> dict[str, Form]:
     """Return the naive form of every function by name, as printed in the paper or integrated term by term."""
     c = cos(alpha)  # with which squares of the sine are written
     terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
-    of_alpha = _of_alpha(terms)
-    return of_alpha | _of_ends(terms, of_alpha)
-
-
-def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
-    """Return forms of base quantities and quotients by name, the printed program or the terms of the integral.
-
-    ``terms`` are the closed forms by name, written term by term.
-    """
-    printed = {p.name: (words, p) for p, words in functions.printed()}
-    naive: dict[str, Form] = {}
-
-    def add(name: str, words: str, form: Expr) -> None:
-        words, naive_program = printed.get(name) or (words, program(name, ("alpha",), form))
-        naive[name] = Form(words, naive_program, form)
-
-    for name, form in terms.items():
-        add(name, "its integral, term by term", form)
+    printed = functions.printed()
+    words = dict.fromkeys(terms, "its integral, term by term") | {p.name: source for p, source in printed}
+    exact = dict(terms)
     for q in QUOTIENTS:
-        words = f"{naive[q.numerator].words} over {naive[q.denominator].words}"
-        add(q.name, words, terms[q.numerator] / terms[q.denominator])
-    return naive
+        words.setdefault(q.name, f"{words[q.numerator]} over {words[q.denominator]}")
+        exact[q.name] = terms[q.numerator] / terms[q.denominator]
+    programs = {name: program(name, ("alpha",), form) for name, form in exact.items()}
+    programs |= {p.name: p for p, _ in printed}
+    of_alpha = {name: Form(words[name], programs[name], form) for name, form in exact.items()}
+    return of_alpha | _of_ends(terms, words)
 
 
-def _of_ends(terms: Mapping[str, Expr], of_alpha: Mapping[str, Form]) -> dict[str, Form]:
+def _of_ends(terms: Forms, words: TextMap) -> dict[str, Form]:
     """Return forms of functions of the ends of an arc by name; half angle and middle are rounded.
 
-    ``terms`` are the closed forms in alpha by name, written term by term, and ``of_alpha`` the forms made of them.
+    ``terms`` are the closed forms in alpha by name, written term by term, and ``words`` their names in the paper.
     """
     turned: dict[str, tuple[str, Expr]] = {}
     for moment in MOMENTS:
         if moment.amplitude:
             kernel = moment.kernel[0]
             direction = derive(moment).direction.subs(PSI, 3 * pi / 2 - theta_m)
-            turned[moment.name] = of_alpha[kernel].words, direction * terms[kernel]
+            turned[moment.name] = words[kernel], direction * terms[kernel]
     moment, radial = (turned[x][1] for x in ("weight_moment", "radial_weight"))
     turned["limit_friction"] = "(3.13) over Appendix I", moment / radial
     size = sqrt(terms["weight_moment_amplitude"] ** 2 + (_MU * terms["radial_weight_amplitude"]) ** 2)
     turned["sine_of_half_run_out"] = "(J_theta - mu J_r) over its amplitude", (moment - _MU * radial) / size
     ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
     naive = {}
-    for name, (words, form) in turned.items():
+    for name, (source, form) in turned.items():
         rounded = program(name, ("theta_1", "theta_2", *(("mu",) if form.has(_MU) else ())), form, let=ends)
-        naive[name] = Form(f"{words}, angles rounded", rounded, form.subs(ends))
+        naive[name] = Form(f"{source}, angles rounded", rounded, form.subs(ends))
     return naive
 
 
@@ -198,13 +187,9 @@ def measured() -> list[Result]:
         with mpmath.workdps(_DIGITS):
             size = abs(exact)
             ulp = float(np.spacing(float(size)))
-            naive_error = abs(naive)
-            if math.isfinite(naive):
-                naive_error = float(abs(naive - exact) / size)
             error = abs(computed - exact)
-            solve_error = float(abs(solved.get(case, math.nan) - size) / size)
-            of_kernel = float(error / size), float(error / ulp)
-            results.append(Result(*case, form.words, naive_error, *of_kernel, solve_error))
+            errors = abs(naive - exact) / size, error / size, error / ulp, abs(solved.get(case, math.nan) - size) / size
+            results.append(Result(*case, form.words, *map(float, errors)))
     return results
 
 

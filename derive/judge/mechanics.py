@@ -30,14 +30,15 @@ from sympy import (
 )
 
 from derive.algebra import dynamics
-from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
+from derive.algebra.dynamics import R, ell, g, mu, polar, rho, sigma_mean
+from derive.declare import symbols
 from derive.declare.quantities import CHORD, RESISTANCE
 from derive.declare.symbols import Forms, a, alpha, b, omega_0, r, t, theta, theta_1, theta_2, u
 from derive.kinds import ValueDict
 
 Pair = tuple[Expr, Expr]
 
-c0, c1, c2 = RATES = sp.symbols("c0 c1 c2", positive=True)
+c0, c1, c2 = sp.symbols("c0 c1 c2", positive=True)
 omega, omega_dot, sigma_n, tau_n, turn = sp.symbols("omega omega_dot sigma_n tau_n phi", real=True)
 sigma, mu_of, a_of, b_of, omega_of = sp.symbols("sigma mu_of a_of b_of omega_of", cls=Function)
 j_r, j_theta = (Function(x.name)(turn) for x in (dynamics.j_r, dynamics.j_theta))
@@ -214,9 +215,8 @@ def expanded_in_time(motion: Expr) -> tuple[Expr, Expr, Expr]:
 @cache
 def names() -> ValueDict:
     """Return the notation of the transcribed forms: symbols, functions and forms by name."""
-    symbols = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
-    symbols += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
-    notation = {x.name: x for x in symbols}
+    declared = vars(dynamics) | vars(symbols) | globals()
+    notation = {x.name: x for x in declared.values() if isinstance(x, Symbol)}
     notation |= {f.__name__: f for f in (sigma, omega_of, mu_of, a_of, b_of, body, body_star)}
     return notation | {
         "lam": LEVER,

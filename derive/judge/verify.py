@@ -25,12 +25,10 @@ from sympy import (
     Symbol,
     Tuple,
     atanh,
-    default_sort_key,
     diff,
     exp,
     log,
     oo,
-    parse_expr,
     pi,
     sin,
     sympify,
@@ -45,9 +43,10 @@ from derive.algebra.prove import prove_zero, refute
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD
 from derive.declare.symbols import alpha, in_words, theta, theta_m
+from derive.declare.units import dimension, of_unit
 from derive.judge import mechanics as m
 from derive.judge import section as s
-from derive.judge.claims import DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
+from derive.judge.claims import DOMAINS, UNITS, VERDICTS, Cause, Claim
 from derive.judge.paper import CLAIMS
 from derive.judge.postulates import POSTULATES, Postulate, exhibit
 from derive.kinds import TextPair, Texts
@@ -89,8 +88,8 @@ def vanishes(form: Expr, domain: Domain = ()) -> bool:
     form = sympify(form).as_dummy()
     if form.has(Order):
         return False
-    for kind in (Integral, Derivative, AppliedUndef):  # unevaluated parts count as one symbol
-        form = form.xreplace({x: Symbol(f"_{x}", real=True) for x in sorted(form.atoms(kind), key=default_sort_key)})
+    parts = form.atoms(Integral, Derivative, AppliedUndef)  # unevaluated, each counts as one symbol
+    form = form.xreplace({x: Symbol(f"_{x}", real=True) for x in parts})
     signs = [dict(choice) for choice in product(*_choices(form, domain))]
     try:
         for choice in signs:
@@ -122,22 +121,18 @@ def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
         yield choices
 
 
-def _homogeneous(form: Expr, dimension: str) -> bool:
-    """Return whether a form has a dimension, such as "L/T**2", from its factor when units are scaled."""
+def _has_unit(form: Expr, unit: str) -> bool:
+    """Return whether a form has the dimension of a unit, such as "m/s^2"; 0 has every dimension."""
     form = form.replace(Integral, lambda f, *limits: f * Mul(*(x for x, *_ in limits)))  # as its integrand dx
-    units = {x: Symbol(f"unit_{x}", positive=True) for x in "MLT"}
-    factors = {name: parse_expr(text, local_dict=units) for name, text in DIMENSIONS.items()}
-    in_other_units = {x: x * factors[x.name] for x in form.free_symbols if x.name in factors}
-    return vanishes(form.subs(in_other_units, simultaneous=True) - parse_expr(dimension, local_dict=units) * form)
+    units = {x: of_unit(UNITS.get(x.name, "")) for x in form.free_symbols}
+    return form == 0 or dimension(form, units, "a printed form") == of_unit(unit)
 
 
 def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
     """Return whether a form in alpha is the double integral of a weight, by quadrature at points of its domain."""
     low, high = limits(domain)["alpha"]
     points = [s.section_value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
-    allowed = mp.mpf(10) ** -13
-    differences = (s.section_value(form, x) - quadrature(weight, -x, x, 15) for x in points)
-    return all(abs(difference) < allowed for difference in differences)
+    return all(abs(s.section_value(form, x) - quadrature(weight, -x, x, 15)) < 1e-13 for x in points)
 
 
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
@@ -155,7 +150,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
         right = right.subs(replaced)
         if form != right and not vanishes(form - right, claim.domain):
             return False
-    if claim.dimension and not _homogeneous(printed[0], claim.dimension):
+    if claim.unit and not _has_unit(printed[0], claim.unit):
         return False
     if claim.weight is not None and not _integrates(printed[0], claim.weight, claim.domain):
         return False
@@ -187,7 +182,7 @@ def judge(claim: Claim) -> Row:
 def _assumed(claim: Claim) -> Texts:
     """Return the assumptions of a claim in words: domains of its symbols, and given relations."""
     symbols = {name for name, *_ in claim.domain}
-    if claim.kind in ("form", "definition") and claim.expression:
+    if claim.kind == "form" and claim.expression:
         for form in (*m.parse_forms(claim.expression), *_derived(claim)):
             symbols |= {x.name for x in form.free_symbols}
     assumed = []
@@ -305,10 +300,10 @@ def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | 
 
 
 def _names(claim: Claim) -> bool:
-    """Return whether a claim declared as a definition introduces a new quantity, which no earlier claim contains."""
+    """Return whether a claim with a unit introduces a new quantity, which no earlier claim contains."""
     name = re.compile(rf"(?<!\w){re.escape(claim.printed.partition(' = ')[0])}(?![\w*])")
     earlier = takewhile(lambda x: x.id != claim.id, CLAIMS)
-    return claim.kind == "definition" and not any(name.search(x.printed) for x in earlier)
+    return bool(claim.unit) and not any(name.search(x.printed) for x in earlier)
 
 
 def _appendix(claim: Claim) -> Judgement:

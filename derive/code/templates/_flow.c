@@ -144,8 +144,8 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* Registers, and after them cells, that an operation on series names, and cells that one on cells reads. */
-static const struct { unsigned char registers, cells; } named[] = { @NAMED@ };
+/* Registers that an operation on series names, without the terms of a sum, and cells that one on cells reads. */
+static const unsigned char named[] = { @REGISTERS@ };
 static const unsigned char arguments[] = { @ARGUMENTS@ };
 
 static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
@@ -156,13 +156,11 @@ static int series_fit(const Job *job, const int32_t *at, const int32_t *end)
 {
     while (at < end) {
         const int code = *at++;
-        if (code < 0 || code >= (int)sizeof named / 2 || end - at < named[code].registers + named[code].cells) return 0;
-        for (int i = 0; i < named[code].registers; i++) if (!is_register(job, *at++)) return 0;
-        for (int i = 0; i < named[code].cells; i++) if (!is_cell(job, *at++)) return 0;
-        if (code != LIN) continue;
-        if (end - at < 2 || (at[0] != -1 && !is_cell(job, at[0])) || at[1] < 0 || at[1] > (end - at - 2) / 2) return 0;
-        const int32_t *const stop = at + 2 + 2 * at[1];
-        for (at += 2; at < stop; at += 2) if (!is_cell(job, at[0]) || !is_register(job, at[1])) return 0;
+        if (code < 0 || code >= (int)sizeof named || at == end) return 0;
+        const int terms = code == LIN ? *at++ : 0, cells = code == LIN ? terms + 1 : 0;
+        if (terms < 0 || terms > end - at || end - at < named[code] + terms + cells) return 0;
+        for (int i = 0; i < named[code] + terms; i++) if (!is_register(job, *at++)) return 0;
+        for (int i = 0; i < cells; i++) if (!is_cell(job, *at++)) return 0;
     }
     return 1;
 }
@@ -657,21 +655,19 @@ INLINE V sqrt_of(V x)
     if (k < (below)) { const int j = 0; add; } } while (0)
 
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
- * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
- * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
+ * code, its results and its arguments; a sum is its code, how many terms, its result, their registers, the cell of its
+ * constant and those of the factors. What is read off a table is there already.
  * Cells are read from `own`, all else from `at`, so that this may be constant. Register i begins at r + i; by_n is 1 / n. */
 INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     switch (at[0]) {
     case LIN: {
-        V sum = n == 0 && own[2] >= 0 ? c[own[2]] : (V){0};
-        const int terms = at[3];
-        for (int k = 0; k < terms; k++) sum += c[own[4 + 2 * k]] * r[at[5 + 2 * k] + n];
-        r[at[1] + n] = sum;
+        const int terms = at[1];
+        V sum = n == 0 ? c[own[3 + terms]] : (V){0};
+        for (int k = 0; k < terms; k++) sum += c[own[4 + terms + k]] * r[at[3 + k] + n];
+        r[at[2] + n] = sum;
         return at + 4 + 2 * terms;
     }
-    case RAMP:
-        return at + 3;
 @SERIES@
     default:
         __builtin_unreachable();
