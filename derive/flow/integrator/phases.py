@@ -6,7 +6,6 @@ The cell `pending` contains the action that a lane needs before its next step, s
 from derive.flow.integrator.one_lane import (
     EPS,
     INFINITY,
-    Lane,
     Lanes,
     M,
     Note,
@@ -57,8 +56,8 @@ def update_reach(s: Lanes, here: M) -> None:
 
 def note_lift_off(s: Lanes, here: M) -> None:
     """Log the loss of contact with the slip surface."""
-    if s.logged and here:
-        note(s, Note.LIFTS)
+    if s.logged:
+        note(s, here, Note.LIFTS)
     here = here and s.lift_time != s.lift_time  # not yet a number
     s.lift_time = s.time
 
@@ -89,10 +88,9 @@ def start(s: Lanes, here: M) -> None:
     s.pending = where(moves, Pending.START_MOVING, Pending.RESOLVE)
     s.clocked = 0.0
     s.negligible = ROUNDING  # of series in the rotation, since all runs of an estimate would lack equal terms
-    if s.timed and here:
-        find_negligible(s)
-    if here:
-        find_pieces(s)
+    if s.timed:
+        find_negligible(s, here)
+    find_pieces(s, here)
 
 
 def start_moving(s: Lanes, here: M, rate: V) -> None:
@@ -103,8 +101,8 @@ def start_moving(s: Lanes, here: M, rate: V) -> None:
     turns = s.last_way * s.direction < 0.0
     s.turns = s.turns + where(turns, 1.0, 0.0)
     s.last_way = s.direction
-    if s.logged and here:
-        note(s, Note.BEGINS)
+    if s.logged:
+        note(s, here, Note.BEGINS)
     note_lift_off(s, here and s.lifted > 0.0)
     keep_faster(s, here, s.omega, s.time, s.x, rate)
     s.pending = Pending.READY
@@ -119,8 +117,9 @@ def stay(s: Lanes, here: M, status: V) -> None:
     s.direction = 0.0
     s.rest_since = where(s.rest_since > s.end_time, s.end_time, s.rest_since)  # by rounding at most
     s.pending = Pending.READY
-    if s.samples and here:
-        read_samples(s, s.time, INFINITY, 0, 0)
+    for_ever: V = INFINITY
+    if s.samples:
+        read_samples(s, here, s.time, for_ever, 0, 0)
 
 
 def may_start(s: Lanes) -> M:
@@ -248,8 +247,7 @@ def begin_phases(s: Lanes) -> None:
         on_discontinuity(s, sudden, force)
     waits = s.pending != Pending.READY
     while any_lane(waits):
-        if waits:
-            begin_pieces(s)
+        begin_pieces(s, waits)
         prologue(s, waits)
         if any_lane(s.pending == Pending.START_MOVING or s.pending == Pending.ENTER_PHASE):
             evaluate(s)
@@ -259,8 +257,8 @@ def begin_phases(s: Lanes) -> None:
         waits = s.pending != Pending.READY
 
 
-def begin_here(lane: Lane) -> None:
+def begin_here(s: Lanes, here: M) -> None:
     """Begin a phase in the current state. Its prologue follows."""
-    lane.x = 0.0
-    find_pieces(lane)
-    begin_pieces(lane)
+    s.x = 0.0
+    find_pieces(s, here)
+    begin_pieces(s, here)

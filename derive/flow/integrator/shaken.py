@@ -29,7 +29,7 @@ from derive.flow.integrator.phases import advance_origin, keep_faster, update_re
 from derive.flow.integrator.records import count_starts, enter_pieces, look_for_quiet
 from derive.flow.integrator.roots import increment, value_and_slope
 from derive.flow.integrator.step import find_standstill, keep_peak
-from derive.flow.integrator.tables import enter_line
+from derive.flow.integrator.tables import pass_break
 
 TOP = 7  # order of the speed in a piece
 SHORT = 2.0**-7  # path in a piece, and 32 times the change of its moments, up to which this order suffices
@@ -174,8 +174,7 @@ def wait_for_start(s: Lanes, here: M, t: T) -> M:
     s.quiet_from = -INFINITY
     s.quiet_to = INFINITY
     look_for_quiet(s, here)
-    if here:
-        enter_pieces(s)
+    enter_pieces(s, here)
     now = minimum(net_at_rest(s, t.inc), 0.0)
     then = net_at_rest(s, t.lower)
     starts = here and then > SURELY * s.drive_scale and fits(s, t)
@@ -212,4 +211,4 @@ def turn_through(s: Lanes, here: M, t: T) -> None:
         count_starts(s, starts and goes)
         here = goes
         move_within(s, here, t)
-        enter_line(s, here and s.time == t.upper, t)
+        pass_break(s, here and s.time == t.upper, t)
