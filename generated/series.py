@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fca5a7d9770d4112d89ad647de6a92f3a4105815d2bc0a4fbd447ec38a5364ea
+# sha256 of the text below: a931cb00189f71f5f424d83920f84ad7b4f435644aecc7842b39b4a7ad21ad6f
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "f2544d3a9bd3b52e59a759a36bb3813bc78528fea04bd4b3d79e2d3913210a07"  # of the compiled integrator's source
+DIGEST = "4c748e428645789925f06dc15b06e026693d5466deb43070164c679a62215fcb"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
