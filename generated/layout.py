@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bb9c2d180cd44d7b0de1450241cc736c062402aadc1f5b858ad2cec916362dc6
+# sha256 of the text below: a2b5d156a61766310f23389995cd1778552e00ee4633c4b679d4aedaaa72910a
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -12,7 +12,7 @@ STATUS = 5  # state of the lane
 STEPS = 6  # steps since the last rest or break
 PHASES = 7  # phases ended
 ORDER = 8  # order of its series
-FACTOR = 9  # length of a step over the radius of convergence
+FACTOR = 9  # ratio of consecutive terms of a series at the end of a step
 END_TIME = 10  # latest end, t*
 ONE_WAY = 11  # 1 if shaking may start it down-slope only
 FIRST_ONLY = 12  # 1 if the first standstill ends it
@@ -110,7 +110,9 @@ EVENT_NONE = -1  # the step has its full length
 EVENT_STANDSTILL = 0  # the speed falls to zero
 EVENT_LIFT_OFF = 1  # the normal force on the slip surface changes its sign: lift-off or landing
 EVENT_CHORD_UPRIGHT = 2  # the chord stands upright
-EVENT_BREAKPOINT = 3  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
+EVENT_LIMIT = 3  # a function of time has a break, or the end time is reached
+EVENT_ENDLESS = 4  # the motion continues for ever
+EVENT_BREAKPOINT = 5  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
 
 # Logged events of the first lane.
 NOTE_BEGINS = 1  # a phase

@@ -50,11 +50,11 @@ def agrees(number: int, motion: Any) -> None:
 
 # Steps of all scenes of a group together, and the operations on series in them.
 WORK = {
-    "frozen": (210, 500), "constant": (273, 1523), "exponential": (299, 3373), "linear": (117, 946),
-    "hyperbolic": (261, 2596), "tabulated": (1315, 13207), "viscous": (53, 250), "pulse": (307, 3249),
-    "series": (328, 3800), "rate": (138, 1158), "rate table": (596, 7623), "prescribed": (67, 530),
-    "product": (195, 2804), "heated": (122, 1598), "water": (54, 367), "all": (578, 13855),
-    "sections": (324, 4100), "that ship": (323, 4357),
+    "frozen": (174, 410), "constant": (245, 1368), "exponential": (243, 2742), "linear": (107, 860),
+    "hyperbolic": (212, 2118), "tabulated": (1303, 13075), "viscous": (45, 213), "pulse": (263, 2386),
+    "series": (301, 3058), "rate": (109, 914), "rate table": (459, 6328), "prescribed": (63, 432),
+    "product": (150, 2157), "heated": (96, 1254), "water": (48, 278), "all": (467, 10567),
+    "sections": (276, 3313), "that ship": (270, 3456),
 }  # fmt: skip
 
 

@@ -15,7 +15,7 @@ CELLS = {
     "STEPS": "steps since the last rest or break",
     "PHASES": "phases ended",
     "ORDER": "order of its series",
-    "FACTOR": "length of a step over the radius of convergence",
+    "FACTOR": "ratio of consecutive terms of a series at the end of a step",
     "END_TIME": "latest end, t*",
     "ONE_WAY": "1 if shaking may start it down-slope only",
     "FIRST_ONLY": "1 if the first standstill ends it",
@@ -77,6 +77,8 @@ EVENTS = {
     "STANDSTILL": "the speed falls to zero",
     "LIFT_OFF": "the normal force on the slip surface changes its sign: lift-off or landing",
     "CHORD_UPRIGHT": "the chord stands upright",
+    "LIMIT": "a function of time has a break, or the end time is reached",
+    "ENDLESS": "the motion continues for ever",
     "BREAKPOINT": "the upper edge of the first table's piece; then its lower edge, and those of the next tables",
 }
 # Cells of a lane during its integration, before the other cells: they begin at -len(WORKING).

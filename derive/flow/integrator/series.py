@@ -3,7 +3,6 @@
 from derive.flow.integrator.one_lane import (
     INFINITY,
     Kind,
-    Lane,
     Lanes,
     M,
     N,
@@ -96,18 +95,16 @@ def normal_force(s: Lanes) -> V:
     return force
 
 
-def find_negligible(lane: Lane) -> None:
+def find_negligible(s: Lanes, here: M) -> None:
     """Compute the size of the last terms over the largest term of a step that a break cuts short, factor^order.
 
     The truncation error is such a term times the step over the radius of convergence, per time the same as in complete
     steps.
     """
-    lane.negligible = 1.0
-    n = lane.order
-    while n > 0.0:
-        lane.negligible = lane.negligible * lane.factor
-        n = n - 1.0
-    lane.negligible = maximum(lane.negligible, ROUNDING)
+    negligible: V = 1.0
+    for n in up(1, s.highest):
+        negligible = where(s.order >= number(n), negligible * s.factor, negligible)
+    s.negligible = maximum(negligible, ROUNDING)
 
 
 def is_negligible(s: Lanes, term: V, largest: V) -> M:
@@ -133,7 +130,7 @@ def begin_expansion(s: Lanes, which: M, top: N, at_rest: N) -> None:
     for t in s.tables:
         if t.kind == Kind.TIME:
             t.series[1] = t.rise
-        if t.sine and which:
+        if t.sine:
             expand_sine(s, t, top)
     s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
 
@@ -202,10 +199,11 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
 
 
 def longest_step(s: Lanes, p: S, top: N, order: V) -> V:
-    """Return the longest step at the end of which the last terms are small beside one of the first five.
+    """Return the longest step at the end of which each of the last four terms is small beside one of the first five.
 
-    Term n of the last four is factor^n of the largest of the first five, so that the step is the factor times the
-    radius of convergence where the series is geometric. It is 2^1000 if these coefficients are zero.
+    Term n is at most factor^n of the largest of the first five, so that the step is the factor times the radius of
+    convergence if the series is geometric. Entire functions, whose terms decrease ever faster, allow longer steps. The
+    step is 2^1000 if these coefficients are zero.
     """
     first = new_series()
     comparable = p[0] != 0.0
