@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "003dc54dbb3b0f6d2799657dc7895ff46f6b7c6a445c005ae0c050538d19a4be"
+#define DIGEST "d6c1f59f26c69dc4647fca706157911b95a3f27892c322edfafa34d6d4b4d28f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1384,7 +1384,7 @@ static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.
 #define NEWTON 3
 #define NEAREST 0x1.ccccccccccccdp-1
 #define EVEN 0x1.0000000000000p-20
-#define FINEST 16
+#define FINEST 17
 #define CLOSER 0x1.0000000000000p-25
 #define MOST_HALVINGS 30
 #define BRIEFEST 0x1.ad7f29abcaf48p-24
@@ -1405,7 +1405,7 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
 #define PER_STEP 0x1.0000000000000p+2
-#define PER_STEP_TO_ROUNDING 0x1.4000000000000p+2
+#define PER_STEP_TO_ROUNDING 0x1.638e38e38e38fp+2
 #define BETWEEN 0x1.eb851eb851eb8p-3
 #define BENT 0x1.4cccccccccccdp-2
 #define CLOSER_TO_POLE 0x1.8000000000000p+1
@@ -3100,7 +3100,7 @@ INLINE void advance_states(Batch *b, M here, int top)
 }
 
 /* End motions that continue for ever. If the rate depends on the speed alone and hardly changes it, the rate never
- * becomes negative again. */
+ * becomes negative again. Neither does a mass come to rest that nothing but its speed brakes. */
 INLINE void find_endless(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
@@ -3108,8 +3108,9 @@ INLINE void find_endless(Batch *b, M here, V room)
     if (!bits(here)) return;
     V change = (b->r + job->role->net)[0] * c[STEP];
     M settled = change >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
+    M unopposed = magnitude(c[job->role->drive]) <= ((double)SETTLED * c[job->role->drive_scale]);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
-    here = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
+    here = here & uneventful & (settled | unopposed) & (room == INFINITY) & (c[LIFTED] == 0.0);
     c[EVENT] = pick(here, broadcast(EVENT_ENDLESS), c[EVENT]);
     c[STEP] = pick(here, broadcast(0.0), c[STEP]);
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6831459a59616fd04dfe51630933a011953bba8bb52905c7fea99361b2648ea2
+# sha256 of the text below: 9c98793586318f0de4cfc5ea75b900e280dcac8d890c8a880e4ae7e0d1375481
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -366,7 +366,7 @@ STRAIGHT = 16.0
 NEWTON = 3
 NEAREST = 0.9
 EVEN = 9.5367431640625e-07
-FINEST = 16
+FINEST = 17
 CLOSER = 2.9802322387695312e-08
 MOST_HALVINGS = 30
 BRIEFEST = 1e-07
@@ -392,7 +392,7 @@ GREATEST = 0.0625
 DRIVEN = 1024.0
 ALIKE = 3.814697265625e-06
 PER_STEP = 4.0
-PER_STEP_TO_ROUNDING = 5.0
+PER_STEP_TO_ROUNDING = 5.555555555555556
 BETWEEN = 0.24
 BENT = 0.325
 CLOSER_TO_POLE = 3.0
@@ -1837,8 +1837,9 @@ def find_endless(s: Lanes, here: Mask, room: Floats) -> None:
         return
     change = s.registers[s.roles.net][0] * c[ix.STEP]
     settled = change >= -ix.SETTLED * s.registers[s.roles.omega][0]
+    unopposed = np.abs(c[s.roles.drive]) <= ix.SETTLED * c[s.roles.drive_scale]
     uneventful = c[ix.EVENT] == ix.EVENT_NONE
-    here = here & uneventful & settled & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
+    here = here & uneventful & (settled | unopposed) & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
     c[ix.EVENT] = np.where(here, ix.EVENT_ENDLESS, c[ix.EVENT])
     c[ix.STEP] = np.where(here, 0.0, c[ix.STEP])
 

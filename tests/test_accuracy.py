@@ -50,11 +50,11 @@ def agrees(number: int, motion: Any) -> None:
 
 # Steps of all scenes of a group together, and the operations on series in them.
 WORK = {
-    "frozen": (174, 410), "constant": (245, 1368), "exponential": (243, 2742), "linear": (107, 860),
-    "hyperbolic": (212, 2118), "tabulated": (1303, 13075), "viscous": (45, 213), "pulse": (263, 2386),
-    "series": (301, 3058), "rate": (109, 914), "rate table": (459, 6328), "prescribed": (63, 432),
-    "product": (150, 2157), "heated": (96, 1254), "water": (48, 278), "all": (467, 10567),
-    "sections": (276, 3313), "that ship": (270, 3456),
+    "frozen": (186, 441), "constant": (264, 1477), "exponential": (266, 3001), "linear": (113, 910),
+    "hyperbolic": (227, 2267), "tabulated": (1312, 13174), "viscous": (50, 237), "pulse": (303, 2751),
+    "series": (313, 3192), "rate": (122, 1025), "rate table": (488, 6729), "prescribed": (65, 448),
+    "product": (164, 2359), "heated": (108, 1404), "water": (53, 308), "all": (501, 11335),
+    "sections": (293, 3528), "that ship": (305, 3893),
 }  # fmt: skip
 
 

@@ -45,7 +45,7 @@ DRIVEN = 1024.0  # greatest load that friction loses over the drive, with which 
 ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate, `CLOSER` beyond `FINEST`
 # Reciprocals of the factor that lanes usually have, the ratio of terms at the end of a step.
 PER_STEP = 4.0
-PER_STEP_TO_ROUNDING = 5.0
+PER_STEP_TO_ROUNDING = 5.555555555555556
 BETWEEN = 0.24  # factors of lanes that are solved to rounding are smaller, all others greater
 BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
 CLOSER_TO_POLE = 3.0  # of nodes in the logarithm of the distance from the pole

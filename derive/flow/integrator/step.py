@@ -252,12 +252,14 @@ def advance_states(s: Lanes, here: M, top: N) -> None:
 def find_endless(s: Lanes, here: M, room: V) -> None:
     """End motions that continue for ever.
 
-    If the rate depends on the speed alone and hardly changes it, the rate never becomes negative again.
+    If the rate depends on the speed alone and hardly changes it, the rate never becomes negative again. Neither does a
+    mass come to rest that nothing but its speed brakes.
     """
     change = s.series.net[0] * s.step
     settled = change >= -Share.SETTLED * s.series.omega[0]
+    unopposed = abs(s.drive) <= Share.SETTLED * s.drive_scale
     uneventful = s.event == Event.NONE
-    here = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
+    here = here and uneventful and (settled or unopposed) and room == INFINITY and s.lifted == 0.0
     s.event = Event.ENDLESS
     s.step = 0.0
 

@@ -29,7 +29,7 @@ FINEST = 1e-14  # accuracy of single scenes, since lower orders save little time
 # for single scenes, because coefficients of high order overflow and extrema within a step are lost in the rounding of
 # its terms.
 STEP = 0.25
-STEP_TO_ROUNDING = 0.2
+STEP_TO_ROUNDING = 0.18
 NEAR = 2e13  # margin of a decision at rest, in units of rounding, from which the rounded limit friction is accurate
 LOWEST = 8  # least order, since steps depend on the first five and the last four coefficients
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
@@ -290,9 +290,9 @@ def _cells_of_method(program: Program, accuracy: float, lanes: int, shaken: bool
     lane) are solved to rounding.
     """
     attainable = max(accuracy if lanes > 1 else min(accuracy, FINEST), 1e-16)
-    step, margin = (STEP, 1.0) if attainable > FINEST else (STEP_TO_ROUNDING, 2.0)
+    step, margin = (STEP, 2.0) if attainable > FINEST else (STEP_TO_ROUNDING, 1.0)
     if shaken and attainable > FINEST:
-        margin = 2.0  # since displacements are small sums of steps
+        margin += 1.0  # displacements are small sums of steps
     terms = math.ceil(margin + math.log(attainable) / math.log(step))
     return {**program.constants, "ORDER": max(terms, LOWEST), "FACTOR": step}
 
