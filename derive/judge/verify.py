@@ -110,15 +110,8 @@ def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
     for x in sorted(form.free_symbols, key=lambda x: x.name):
         low, high = limits(domain).get(x.name, (0, oo))
         size = Symbol(x.name, positive=True)
-        choices = []
-        if low == high:
-            choices.append((x, low))
-        else:
-            if high > 0:
-                choices.append((x, size))
-            if low < 0:
-                choices.append((x, -size))
-        yield choices
+        signed = ((size, high > 0), (-size, low < 0))
+        yield [(x, low)] if low == high else [(x, value) for value, exists in signed if exists]
 
 
 def _has_unit(form: Expr, unit: str) -> bool:
@@ -214,18 +207,13 @@ def _number(claim: Claim) -> Judgement:
     return computed, *_explained(claim, lambda value: low <= value < high)
 
 
-def _bounds(claim: Claim) -> Iterator[mp.mpf]:
-    """Yield the least and the greatest value that a claim allows."""
-    return (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.parse_forms(claim.expression))
-
-
 def _small(claim: Claim) -> Judgement:
     """Return the verdict on a statement "for small rotations", for which the paper gives no limit.
 
     It holds if the change stays within the bounds up to the rotation that the paper itself reaches.
     """
     change = claim.definition()
-    low, high = _bounds(claim)
+    low, high = m.parse_forms(claim.expression)
     largest = s.reached("phi", as_printed=True)
     rotations = [mp.radians(x) for x in (1, 2, 5)]
     rotations.append(largest)
@@ -245,7 +233,7 @@ def _small(claim: Claim) -> Judgement:
 def _range(claim: Claim) -> Judgement:
     """Return the verdict on a statement of size: every value lies between two bounds."""
     values = claim.definition()
-    low, high = _bounds(claim)
+    low, high = m.parse_forms(claim.expression)
     computed = claim.shows.format(*map(_digits, values))
     if all(low <= x <= high for x in values):
         return computed, "holds", claim.remark
@@ -314,7 +302,7 @@ def _appendix(claim: Claim) -> Judgement:
         proof = simplify(appendix)
     except (ProofError, ValueError) as error:
         return "nothing: it is no such integral", "wrong", f"cause not found ({error})"
-    before, after = proof.operations
+    before, *_, after = (step.operations for step in proof.steps)
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
     brackets = _brackets(appendix)
     (claimed,) = m.parse_forms(claim.expression)
