@@ -42,7 +42,7 @@ def moment(weight: str, name: str = "new", more: str = "") -> str:
     return f'Moment("{name}", "N", {weight}, "help"{more})'
 
 
-SLIPS = '_list("slip", "m", "slips", "slip_m")'
+SLIPS = 'Parameter("slip", "m", "slips", "slip_m", kind="list")'
 COEFFICIENTS = '_friction("coefficient", "coefficients", "angle_deg", "list")'
 FALLS = "_R + (_P - _R) * sp.exp(-SLIP / _L)"
 C = 'sp.Symbol("c_new", real=True)'

@@ -63,15 +63,10 @@ class Claim:
     kind: Literal["form", "number", "range", "small", "appendix"] = "form"
     causes: tuple[Cause, ...] = ()
     shows: str = "{}"  # format of the derived value
-    note: str | Callable[[], str] = ""  # remark if the claim is correct, or a function that computes it
+    remark: str = ""  # if the claim is correct
     unit: str = ""
     law: Callable[[Expr], Iterable[Expr]] | None = None
     weight: Expr | None = None
     given: Names = ()
     domain: tuple[tuple[str, Any, Any], ...] = ()
     subject: Appendix | None = None
-
-    @property
-    def remark(self) -> str:
-        """Note as text."""
-        return self.note if isinstance(self.note, str) else self.note()

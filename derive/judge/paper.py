@@ -104,9 +104,9 @@ def _reached(id: str, claim: str, digits: str) -> Claim:
     return _number(id, claim, digits, lambda: reached(name), cause, given=_EXAMPLE)
 
 
-def _figure(id: str, claim: str, shows: str, values: Callable[[], list[mp.mpf]], note: str) -> Claim:
+def _figure(id: str, claim: str, shows: str, values: Callable[[], list[mp.mpf]], remark: str) -> Claim:
     """Return the claim of a figure, which cannot be checked; ``shows`` is the format of the values."""
-    return Claim(id, claim, "a curve", definition=values, shows=shows, note=f"the picture is lost; {note}")
+    return Claim(id, claim, "a curve", definition=values, shows=shows, remark=f"the picture is lost; {remark}")
 
 
 def _over_angle(name: str) -> Callable[[], list[mp.mpf]]:
@@ -129,7 +129,7 @@ CLAIMS = (
     Claim("Sect. 1 initial", "range of the rigid rotation", "acceptable only for the initial phase",
           definition=lambda: [mp.degrees(x) for x in both_results("phi")],
           shows="rotation after 30 s: {} degrees with the paper's slips, {} corrected",
-          note="a limit without a number; the deformation of the mass is outside the model"),
+          remark="a limit without a number; the deformation of the mass is outside the model"),
     Claim("(1.1)", "opening angle", "2 alpha = theta_2 - theta_1 = const", "0",
           lambda: diff(end_angle(theta_2) - end_angle(theta_1), t), shows="d(theta_2 - theta_1)/dt = {}",
           unit="1/s", given=("rigid body",)),
@@ -137,7 +137,7 @@ CLAIMS = (
           lambda: end_angle(theta_1), causes=_notation(_SLIP, "(t), (t", "(s), (s"), given=("rigid body",)),
     Claim("(1.3)", "rotation, by its rate", "phi = int omega dt <=> omega = dphi/dt", "diff(phi, t)",
           lambda: dimensional()["omega"], shows="rate of the derived phi: {}",
-          note="up to the constant phi(0)", unit="1/s"),
+          remark="up to the constant phi(0)", unit="1/s"),
     Claim("(1.4)", "position vector", "R_P = r e_r", "r; 0", lambda: basis(r * cos(theta), r * sin(theta)), unit="m"),
     Claim("(1.5)", "velocity is tangential", "v_P = v_theta e_theta", "0; r*omega", lambda: rate(1)),
     Claim("(1.6)", "acceleration", "a_P = a_r e_r + a_theta e_theta", "-r*omega**2; r*omega_dot", lambda: rate(2)),
@@ -172,7 +172,7 @@ CLAIMS = (
           lambda: (R / (rho * g) * STRESS_SUM, expand(radial() / (rho * g))), causes=_notation(_SLIP, *_ONCE),
           given=_SUM),
     Claim("(2.8)", "polar surface moment", "I_p = int int r^2 dr dtheta", "body(r**2)",
-          lambda: expand(radial() / rho).coeff(omega, 2), note="a first moment of area, despite its name"),
+          lambda: expand(radial() / rho).coeff(omega, 2), remark="a first moment of area, despite its name"),
     Claim("(2.9)", "uniform stress, and its mean", "sigma_n = 1/(2 alpha) int_0^{2 alpha} sigma_n dalpha",
           f"sigma_mean; {_STRESS}/(2*alpha)", lambda: (sigma(theta), STRESS_SUM / (2 * alpha)),
           causes=_notation(_SLIP, *_ONCE)),
@@ -246,7 +246,7 @@ CLAIMS = (
           lambda: expand(ell * rho * body(moment_of(r, rate(2)) * AREA)), shows="its rate: {}"),
     Claim("(3.3)", "moments about K", "int r dW_theta - int R dT", "r*dW_theta; -R*dT",
           lambda: (moment_of(r, symbols("dW_r dW_theta")), moment_of(R, (-Symbol("dN"), -Symbol("dT")))),
-          note="dT is the magnitude; dN has no moment"),
+          remark="dT is the magnitude; dN has no moment"),
     Claim("(3.4)", "moments, written out", "int r rho g(-cos theta) dV - R int mu sigma_n dS",
           "-r*rho*g*cos(theta); -R*mu*sigma_n",
           lambda: (moment_of(r, GRAVITY) * rho, moment_of(R, reaction()).subs(tau_n, mu * sigma_n)),
@@ -257,7 +257,7 @@ CLAIMS = (
                         "radial columns", "wrong", postulates.same_force),)),
     Claim("(3.5)", "friction force", "mu(t) sigma_n ell R 2 alpha", "mu*sigma_mean*ell*R*2*alpha",
           lambda: (mu * ell * ARC * STRESS_SUM).subs(STRESS_SUM, 2 * alpha * sigma_mean),
-          note="for any distribution of the stress", given=_MOTION),
+          remark="for any distribution of the stress", given=_MOTION),
     Claim("(3.6)", "mean stress", "sigma_ref (sigma_st* + A omega*^2)", "sigma_ref*(J_r/lam + A*omega_star**2)",
           lambda: derived_form("2.10"), given=_MEAN),
     Claim("(3.7)", "moment of the weight", "ell rho g int int r^2(-cos theta) dr dtheta",
@@ -299,11 +299,11 @@ CLAIMS = (
           causes=(Cause("t* belongs outside the root, as in (4.2)", "misprint",
                         edit=("sqrt(a*b*t)", "sqrt(a*b)*t")),)),
     Claim("(3.21)", "limit friction", "mu_eq = J_theta0/J_r0", "J_theta0/J_r0",
-          lambda: derived_form("3.21").subs(turn, 0), note="omega* = 0 for all times, not at one", given=_MOTION),
+          lambda: derived_form("3.21").subs(turn, 0), remark="omega* = 0 for all times, not at one", given=_MOTION),
     Claim("Sect. 3 start", "motion starts below the limit friction", "as soon as mu < mu_eq",
           "J_r0*(J_theta0/J_r0 - mu)", lambda: (derived_form("3.17") * theta_star).subs(turn, 0),
           shows="Theta* domega*/dt* at rest: {}",
-          note="the drive at rest has the sign of mu_eq - mu, since J_r0 > 0", given=_MOTION),
+          remark="the drive at rest has the sign of mu_eq - mu, since J_r0 > 0", given=_MOTION),
     Claim("Sect. 3 density", "motion independent of density", "a, b without rho", "0; 0",
           lambda: tuple(diff(derived_form(x), rho) for x in ("3.17", "3.18")), shows="da/drho; db/drho = {}",
           given=("homogeneous, dry, without cohesion",)),
@@ -313,7 +313,7 @@ CLAIMS = (
     _number("Sect. 4 phi_eq", "limit friction angle, degrees", "24", lambda: friction_degrees(limit_friction()),
             _LIMIT_ANGLE, given=_MOTION),
     Claim("Sect. 4 phi_res", "residual friction angle, degrees", GIVEN["phi_res"],
-          note="measured in ring-shear tests (Fig. 4-1); nothing here determines it"),
+          remark="measured in ring-shear tests (Fig. 4-1); nothing here determines it"),
     Claim("Sect. 4 reduction", "friction falls before the motion", "assumed, from 24 to 10 degrees", "mu",
           lambda: mu_of(t), given=_MOTION),
     _number("Sect. 4 g", "gravity, nowhere stated, m/s^2", s.GRAVITY, shows="c0 implies {}", given=_SOLVED,
@@ -353,7 +353,7 @@ CLAIMS = (
     Claim("Sect. 4 large", "large velocity and displacement", "in the considered short time interval", "1; oo",
           lambda: [*(v / 5 for v in both_results("v")), *(x / depth() for x in both_results("s"))], "range",
           shows="after 30 s {} and {} times 5 m/s, {} and {} times the depth f, with the paper's slips and corrected",
-          note="5 m/s: where Cruden and Varnes' (1996) fastest class of landslides begins", given=_EXAMPLE),
+          remark="5 m/s: where Cruden and Varnes' (1996) fastest class of landslides begins", given=_EXAMPLE),
     Claim("Appendix I", "antiderivative of (2.23)", "J_r(alpha) := ...", "-r*sin(theta)", kind="appendix",
           subject=APPENDIX_I, domain=_ARC, given=_DIPS),
     Claim("Appendix II", "antiderivative of (3.13)", "J(alpha) := ...", "-r**2*cos(theta)", kind="appendix",
