@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 import mpmath as mp
@@ -65,8 +66,14 @@ class Claim:
     shows: str = "{}"  # format of the derived value
     remark: str = ""  # if the claim is correct
     unit: str = ""
-    law: Callable[[Expr], Iterable[Expr]] | None = None
+    law: Callable[[Expr], Iterable[Expr]] = lambda form: ()
     weight: Expr | None = None
     given: Names = ()
     domain: tuple[tuple[str, Any, Any], ...] = ()
     subject: Appendix | None = None
+
+    @cached_property
+    def derived(self) -> tuple[Any, ...]:
+        """Forms or values that the transcription must equal."""
+        forms = self.definition()
+        return tuple(forms) if isinstance(forms, (tuple, list)) else (forms,)
