@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "fdb8f1364277de7b3d57d912d6c05c4c6b3ee4e068ac50c77b430f35d28b1aa2"
+#define DIGEST "a74cb39bf07c99a0b7b41b393cf5ac2b64e87ed250f3bb19e0cf2c804e35b3db"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -107,6 +107,8 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
 #define SELECT(condition, yes, no) ((condition) ? (yes) : (no))
 #define SMALLER(a, b) SELECT((a) < (b), a, b)
 #define LARGER(a, b) SELECT((a) > (b), a, b)
+/* The integer nearest to an x below 2**51, of a tie the even one. */
+#define NEAREST(x) ((x) + 0x1.8p52 - 0x1.8p52)
 /* The rounding error of a + b (TwoSum). */
 INLINE double lost(double a, double b)
 {
@@ -157,7 +159,7 @@ INLINE double logarithm_fused(double b)
 INLINE void cos_psi_fused(double theta_1, double theta_2, double *to_0, double *to_1, double *to_2)
 {
     const double t1 = theta_1 + theta_2;
-    const double t2 = t1 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t2 = NEAREST(t1 * 0x1.45f306dc9c883p-3);
     const double t3 = t2 * 2.0;
     const double t4 = t3 * -0x1.921fb54440000p+1;
     const double t5 = t3 * -0x1.68c234c4c0000p-38;
@@ -190,7 +192,7 @@ INLINE void cos_psi_fused(double theta_1, double theta_2, double *to_0, double *
     const double t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25);
     const double t33 = LARGER(SMALLER(t31 + t32, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
     const double t34 = t2 * 0.5;
-    const double t35 = t34 - (t34 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t35 = t34 - NEAREST(t34);
     const double t36 = t33 * 0.5;
     const double t37 = t36 * t36;
     const double t38 = (t37 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t37 + -0x1.6c16c16c16c17p-6;
@@ -202,7 +204,7 @@ INLINE void cos_psi_fused(double theta_1, double theta_2, double *to_0, double *
 INLINE void sin_psi_fused(double theta_1, double theta_2, double *to_0, double *to_1, double *to_2)
 {
     const double t1 = theta_1 + theta_2;
-    const double t2 = t1 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t2 = NEAREST(t1 * 0x1.45f306dc9c883p-3 - 0.5);
     const double t3 = t2 * 2.0 + 1.0;
     const double t4 = t3 * -0x1.921fb54440000p+1;
     const double t5 = t3 * -0x1.68c234c4c0000p-38;
@@ -235,7 +237,7 @@ INLINE void sin_psi_fused(double theta_1, double theta_2, double *to_0, double *
     const double t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25);
     const double t33 = LARGER(SMALLER(t31 + t32, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
     const double t34 = t2 * 0.5;
-    const double t35 = t34 - (t34 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t35 = t34 - NEAREST(t34);
     const double t36 = t33 * 0.5;
     const double t37 = t36 * t36;
     const double t38 = (t37 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t37 + -0x1.6c16c16c16c17p-6;
@@ -1067,7 +1069,7 @@ INLINE double logarithm_plain(double b)
 INLINE void cos_psi_plain(double theta_1, double theta_2, double *to_0, double *to_1, double *to_2)
 {
     const double t1 = theta_1 + theta_2;
-    const double t2 = t1 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t2 = NEAREST(t1 * 0x1.45f306dc9c883p-3);
     const double t3 = t2 * 2.0;
     const double t4 = t3 * -0x1.921fb54440000p+1;
     const double t5 = t3 * -0x1.68c234c4c0000p-38;
@@ -1100,7 +1102,7 @@ INLINE void cos_psi_plain(double theta_1, double theta_2, double *to_0, double *
     const double t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25);
     const double t33 = LARGER(SMALLER(t31 + t32, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
     const double t34 = t2 * 0.5;
-    const double t35 = t34 - (t34 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t35 = t34 - NEAREST(t34);
     const double t36 = t33 * 0.5;
     const double t37 = t36 * t36;
     const double t38 = (t37 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t37 + -0x1.6c16c16c16c17p-6;
@@ -1112,7 +1114,7 @@ INLINE void cos_psi_plain(double theta_1, double theta_2, double *to_0, double *
 INLINE void sin_psi_plain(double theta_1, double theta_2, double *to_0, double *to_1, double *to_2)
 {
     const double t1 = theta_1 + theta_2;
-    const double t2 = t1 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t2 = NEAREST(t1 * 0x1.45f306dc9c883p-3 - 0.5);
     const double t3 = t2 * 2.0 + 1.0;
     const double t4 = t3 * -0x1.921fb54440000p+1;
     const double t5 = t3 * -0x1.68c234c4c0000p-38;
@@ -1145,7 +1147,7 @@ INLINE void sin_psi_plain(double theta_1, double theta_2, double *to_0, double *
     const double t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25);
     const double t33 = LARGER(SMALLER(t31 + t32, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
     const double t34 = t2 * 0.5;
-    const double t35 = t34 - (t34 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t35 = t34 - NEAREST(t34);
     const double t36 = t33 * 0.5;
     const double t37 = t36 * t36;
     const double t38 = (t37 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t37 + -0x1.6c16c16c16c17p-6;

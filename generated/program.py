@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5e576ee542e2316f8500d7d7508113d5f7278bf9ba74a6d95aa1bdf7a38f8934
+# sha256 of the text below: 20ef3b6cef1117adf336dc3a7b36f227e132e8ac7976cf05df8d385b9dcf40a6
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import chain, product
 from typing import Any, NamedTuple, Self
 
-from generated.flow import INPUTS, QUANTITIES, RESULTS, Fragment
+from generated.flow import INPUTS, QUANTITIES, Fragment, OnSeries
 from generated.layout import CELLS, KINDS, ROLES, STRIDE, TABLE
 from generated.series import SCALAR, SERIES
 
@@ -44,21 +44,6 @@ class Recipe(NamedTuple):
     def of_friction(self) -> Names:
         """Laws without the laws of cohesion."""
         return tuple(law for law in self.laws if OF_COHESION not in law)
-
-
-class OnSeries(NamedTuple):
-    """Operation on series: its kind, its registers and cells, and the table of a ramp.
-
-    The cells of a sum are its constant and the factor of each register.
-    """
-
-    kind: str
-    registers: Names
-    cells: Names
-    table: str = ""
-
-
-Computed = tuple[OnSeries, Names]  # operation and its results
 
 
 class DeclaredTable(NamedTuple):
@@ -99,11 +84,16 @@ class Definitions:
     """
 
     cells: dict[str, OnCells] = field(default_factory=dict)
-    series: dict[str, Computed] = field(default_factory=dict)
+    series: dict[str, OnSeries] = field(default_factory=dict)
     inputs: list[str] = field(default_factory=lambda: list(INPUTS))
     states: dict[str, str] = field(default_factory=lambda: {"x": "omega", "omega": "net"})
     tables: list[DeclaredTable] = field(default_factory=list)
     addends: dict[str, list[Any]] = field(default_factory=dict)
+
+    @property
+    def variables(self) -> Names:
+        """Registers of states, and of the functions of time, which the integrator reads off tables."""
+        return (*self.states, *(table.argument for table in self.tables if table.kind == "time"))
 
     @property
     def moving(self) -> list[str]:
@@ -135,7 +125,7 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
         _define_quantity(made, quantity)
     if slip_factor == "mu":  # without a law of speed the coefficient itself depends on slip
         made.cells["slip_mu_0"] = ("set", "mu_0")
-        made.series["dslip_mu"] = (OnSeries("lin", ("dmu",), (ZERO, ONE)), ("dslip_mu",))
+        made.series["dslip_mu"] = OnSeries("lin", ("dslip_mu",), ("dmu",), (ZERO, ONE))
     given = dict.fromkeys(made.inputs)
     made.inputs = [name for name in given if name not in made.cells]
     made.cells["departed"] = _departed(made)
@@ -172,9 +162,9 @@ def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = ()
     """
     for kind, result, *arguments in fragment.scalar:
         made.cells[result] = (kind, *arguments)
-    for operation in fragment.series:
-        computed = _on_series(*operation)
-        made.series |= dict.fromkeys(computed[1], computed)
+    for row in fragment.series:
+        operation = OnSeries(*row)
+        made.series |= dict.fromkeys(operation.results, operation)
     for quantity, added in fragment.adds.items():
         name = friction if quantity == "mu" else quantity
         made.addends.setdefault(name, []).append(added)
@@ -189,29 +179,13 @@ def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = ()
             made.cells |= dict.fromkeys(table.coefficients, ("set", ZERO))
 
 
-def _on_series(kind: Any, *names: Any) -> Computed:
-    """Return an operation on series of a fragment, with its results."""
-    count = RESULTS.get(kind, 1)
-    results, arguments = names[:count], names[count:]
-    if kind == "lin":
-        constant, terms = arguments
-        cells = [cell for cell, _ in terms]
-        registers = tuple(register for _, register in terms)
-        return OnSeries(kind, registers, (constant or ZERO, *cells)), results
-    taken = len(arguments) - (kind == "pow")  # the exponent is a cell
-    return OnSeries(kind, arguments[:taken], arguments[taken:]), results
-
-
 def _define_functions_of_time(made: Definitions, moving: Names) -> None:
-    """Define each parameter in ``moving``, which changes with time, by its initial value and its increment, a ramp."""
+    """Define each parameter in ``moving``, which changes with time, by its initial value and its table."""
     known = [table.name for table in made.tables]
     for symbol in moving:
         made.cells[symbol] = ("set", f"{symbol}.VALUE")
         if symbol not in known:
             made.tables.append(DeclaredTable(symbol, "time", f"d{symbol}", 0))
-    for table in made.tables:
-        if table.kind == "time":
-            made.series[table.argument] = (OnSeries("ramp", (), (), table.name), (table.argument,))
 
 
 def _define_quantity(made: Definitions, quantity: str) -> None:
@@ -220,8 +194,10 @@ def _define_quantity(made: Definitions, quantity: str) -> None:
     _define_sum(made, f"{quantity}_0", [base for base, _, _ in addends])
     _define_sum(made, f"{quantity}_size", [size for _, size, _ in addends])
     terms = [term for _, _, increment in addends for term in increment]
-    register = f"d{quantity}"
-    made.series[register] = _on_series("lin", register, "", terms)
+    factors = [factor for factor, _ in terms]
+    registers = tuple(register for _, register in terms)
+    name = f"d{quantity}"
+    made.series[name] = OnSeries("lin", (name,), registers, (ZERO, *factors))
 
 
 def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
@@ -252,7 +228,6 @@ def _departed(made: Definitions) -> OnCells:
     return ("abs", "ROTATION") if "ROTATION" in taken else ("set", ZERO)
 
 
-SQUARE = ("sqr", ("omega",))  # operation that precedes all others
 EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and an upright chord
 # Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
 OUTPUT_CELLS = {
@@ -277,8 +252,8 @@ FACTORS = {"sin(x)": "sine", "vers(x)": "vers", "omega*omega": "square"}
 class Linked(NamedTuple):
     """Operations of a program in order, with their results, and the names of the required registers and cells."""
 
-    scalar: list[tuple[OnCells, Names]]
-    series: list[tuple[OnSeries, Names]]
+    scalar: list[tuple[OnCells, str]]
+    series: list[OnSeries]
     registers: Mapping[str, str | None]  # required registers by name; None for an event that never happens
     outputs: Mapping[str, str]  # cells by role
     constants: list[str]
@@ -301,21 +276,14 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     if len(definitions.states) == 2 and len(parts) == len(definitions.tables):
         outputs |= linker.closed_form(registers, outputs, parts)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
-    series = _needed(linker.series, pending)
-    scalar = _needed(linker.scalar, pending)
+    scalar, series = linker.needed(pending)
     constants = sorted(name for name in pending if name and name.startswith("="))
     return Linked(scalar, series, registers, outputs, constants)
 
 
-def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tuple[Any, Names]]:
-    """Return the operations on which pending results depend, in order. Their operands become pending, too."""
-    selected = []
-    for operation, results in reversed(operations.items()):
-        if not pending.isdisjoint(results):
-            selected.append((operation, results))
-            of_series = isinstance(operation, OnSeries)
-            pending.update(operation.registers + operation.cells if of_series else operation[1:])
-    return selected[::-1]
+def squares_omega(operation: OnSeries) -> bool:
+    """Return whether an operation squares omega. It precedes all others."""
+    return operation.kind == "sqr" and operation.registers == ("omega",)
 
 
 class Linker:
@@ -323,18 +291,34 @@ class Linker:
 
     Attributes
     ----------
-    scalar, series : dict
-        Operations on cells, and on series, with the names of their results.
+    scalar : dict
+        Names of the results of operations on cells.
+    series : dict
+        Operations on series, by the same without results.
     """
 
     def __init__(self, definitions: Definitions, given: Iterable[str]) -> None:
-        self.scalar: dict[OnCells, Names] = {}
-        self.series: dict[OnSeries, Names] = {}
+        self.scalar: dict[OnCells, str] = {}
+        self.series: dict[OnSeries, OnSeries] = {}
         self._definitions = definitions
         self._shared: set[str] = set()  # registers used by operations other than sums
         # Names under which cells and registers are computed; None for a register that is zero.
         self._cells = {name: name for name in given}
-        self._registers: dict[str, str | None] = {name: name for name in definitions.states}
+        self._registers: dict[str, str | None] = {name: name for name in definitions.variables}
+
+    def needed(self, pending: set[str | None]) -> tuple[list[tuple[OnCells, str]], list[OnSeries]]:
+        """Return the operations on which pending results depend, in order. Their operands become pending, too."""
+        series = list[OnSeries]()
+        for operation in reversed(self.series.values()):
+            if not pending.isdisjoint(operation.results):
+                series.insert(0, operation)
+                pending.update(operation.registers, operation.cells)
+        scalar = list[tuple[OnCells, str]]()
+        for on_cells, result in reversed(self.scalar.items()):
+            if result in pending:
+                scalar.insert(0, (on_cells, result))
+                pending.update(on_cells[1:])
+        return scalar, series
 
     # --- cells -------------------------------------------------------------------------------------------------------
 
@@ -354,14 +338,17 @@ class Linker:
         if known is not None:
             return known
         number = len(self.scalar)
-        (cell,) = self.scalar.setdefault((kind, *operands), (name or f"cell{number}",))
-        return cell
+        return self.scalar.setdefault((kind, *operands), name or f"cell{number}")
 
     # --- registers ---------------------------------------------------------------------------------------------------
 
-    def _definition(self, name: str) -> Computed:
+    def _definition(self, name: str) -> OnSeries:
         """Return the definition of a register. Without a definition it is an empty sum."""
-        return self._definitions.series.get(name, (OnSeries("lin", (), (ZERO,)), (name,)))
+        return self._definitions.series.get(name, OnSeries("lin", (name,), (), (ZERO,)))
+
+    def _computed(self, operation: OnSeries) -> Names:
+        """Return the results of an operation on series, or of an equal one that exists."""
+        return self.series.setdefault(operation._replace(results=()), operation).results
 
     def mark_shared(self, read: Iterable[str]) -> None:
         """Mark registers that are read, or used by operations other than sums. Sums among them are not flattened."""
@@ -373,7 +360,7 @@ class Linker:
             if name in seen or self._is_zero(name):
                 continue
             seen.add(name)
-            operation, _ = self._definition(name)
+            operation = self._definition(name)
             pending += operation.registers
             if operation.kind != "lin":
                 self._shared.update(operation.registers)
@@ -382,7 +369,7 @@ class Linker:
         """Return whether a register is identically zero, an operation on zero or a sum of zeros."""
         if name in self._registers:
             return self._registers[name] is None
-        (kind, registers, cells, _), _ = self._definition(name)
+        kind, _, registers, cells = self._definition(name)
         if kind == "lin":
             constant, *factors = cells
             terms = zip(factors, registers, strict=True)
@@ -397,21 +384,19 @@ class Linker:
     def register(self, name: str) -> str | None:
         """Return the register for a name, computed if necessary, or None if it is zero."""
         if not self._is_zero(name) and name not in self._registers:
-            operation, results = self._definition(name)
+            operation = self._definition(name)
             if operation.kind == "lin":
                 self._registers[name] = self._sum(name, operation)
             else:
                 registers = tuple(str(self.register(operand)) for operand in operation.registers)
-                cells = tuple(map(self.cell, operation.cells))
-                linked = operation._replace(registers=registers, cells=cells)
-                computed = self.series.setdefault(linked, results)
-                self._registers[name] = computed[results.index(name)]
+                results = self._computed(operation._replace(registers=registers))
+                self._registers[name] = results[operation.results.index(name)]
         return self._registers[name]
 
     def event(self, register: str | None) -> str | None:
         """Return a register whose roots are events, or None if it is None or constant during a phase."""
-        constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
-        return None if (register,) in constant else register
+        operation = self._made_by(str(register))
+        return None if operation.kind == "lin" and not operation.registers else register
 
     def parts(self) -> dict[str, str]:
         """Return the registers that follow tables in sums with a closed form, with their names in roles.
@@ -437,11 +422,11 @@ class Linker:
         """
         cells = dict[str, str]()
         names = FACTORS | parts
-        for operation, results in self.series.items():
+        for operation in self.series.values():
             if operation.kind in ("exp", "rec"):
                 argument = self._made_by(operation.registers[-1])
                 if argument.registers == ("x",) and not cells:
-                    names[results[1]] = "loss"
+                    names[operation.results[1]] = "loss"
                     rate = argument.cells[1]
                     cells["cell_loss_rate"] = rate
                     if operation.kind == "rec":
@@ -459,7 +444,8 @@ class Linker:
 
     def _made_by(self, register: str) -> OnSeries:
         """Return the operation that computes a register. The operation of a state has no operands."""
-        return next((made for made, results in self.series.items() if register in results), OnSeries("", (), ()))
+        operations = self.series.values()
+        return next((made for made in operations if register in made.results), OnSeries("", (), ()))
 
     def _products(self, register: str, units: Mapping[str, str]) -> Iterator[tuple[Names, str]]:
         """Yield a register as a sum of products of other registers, each with the cell of its factor.
@@ -482,8 +468,8 @@ class Linker:
 
     def zero(self, name: str) -> str:
         """Return a register that contains zero; it is called ``name`` if there is none yet."""
-        (zero,) = self.series.setdefault(OnSeries("lin", (), (ZERO,)), (name,))
-        return zero
+        (zero,) = self._computed(OnSeries("lin", (name,), (), (ZERO,)))
+        return str(zero)
 
     def _sum(self, name: str, operation: OnSeries) -> str:
         """Return the register of a sum, in which each register occurs once."""
@@ -497,8 +483,8 @@ class Linker:
             return register
         in_order = sorted(factors)  # sums with permuted terms are equal
         cells = (start, *(factors[register] for register in in_order))
-        (result,) = self.series.setdefault(OnSeries("lin", tuple(in_order), cells), (name,))
-        return result
+        (result,) = self._computed(OnSeries("lin", (name,), tuple(in_order), cells))
+        return str(result)
 
     def _flat(self, operation: OnSeries, factor: str) -> Iterator[tuple[str, str]]:
         """Yield the nonzero terms of a sum as pairs (factor, register), each times the cell ``factor``.
@@ -509,7 +495,7 @@ class Linker:
             scaled = self._result("mul", [factor, self.cell(cell)])
             if scaled == ZERO or self._is_zero(register):
                 continue
-            inner, _ = self._definition(register)
+            inner = self._definition(register)
             kept = register in self._shared or register in self._registers
             if inner.kind == "lin" and inner.cells[0] == ZERO and not kept:  # a constant is not a term
                 yield from self._flat(inner, scaled)
@@ -545,7 +531,7 @@ def _simplified(kind: str, operands: list[str]) -> str | None:
 
 
 # Functions of slip whose series converge no farther in the rotation than in time, and other arguments of tables.
-SHORT = {"exp", "rec", "log", "pow", "time", "speed"}
+SHORT = {"exp", "rec", "log", "time", "speed"}
 
 
 class Table(NamedTuple):
@@ -567,19 +553,17 @@ class Program:
     """Operations on the cells and the registers of a lane by place, and the places that the integrator reads.
 
     The first ``given`` cells are set at the start of a lane, the following cells are computed at the beginning of a
-    phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
-    its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
-    each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
-    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. Unless ``by_rotation``
-    is 0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
-    E = omega^2 in place of omega. If it is 2, the first operation squares omega.
+    phase, and ``constants`` by name are the last. ``states`` are (cell, register, register of the rate). Between breaks
+    in time d(omega)/dt depends on time alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers
+    if it is 0. Unless ``by_rotation`` is 0, forces depend on the rotation and on omega^2 only, and series may be in
+    powers of the rotation, with E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 
     cells: Names
     given: int
     registers: Names
     scalar: tuple[tuple[Any, ...], ...]
-    series: tuple[tuple[Any, ...], ...]
+    series: tuple[OnSeries, ...]
     states: tuple[tuple[int, int, int], ...]
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
@@ -593,18 +577,17 @@ class Program:
         return {name: k for k, name in enumerate(self.cells)}
 
     @cached_property
-    def split(self) -> tuple[list[int], list[int]]:
-        """Places of the operations on which rates depend, and of those that can wait until states are complete."""
+    def split(self) -> tuple[list[OnSeries], list[OnSeries]]:
+        """Operations on which rates depend, and those that can wait until states are complete."""
         needed = {rate for _, _, rate in self.states} | {self.roles.get("square", -1)}
-        rates = list[int]()
-        others = list[int]()
-        for k in reversed(range(len(self.series))):
-            kind, *names = self.series[k]
-            if needed & {*names[: RESULTS.get(kind, 1)]}:
-                needed |= {register for _, register in names[2]} if kind == "lin" else {*names}
-                rates.insert(0, k)
+        rates = list[OnSeries]()
+        others = list[OnSeries]()
+        for operation in reversed(self.series):
+            if needed.isdisjoint(operation.results):
+                others.insert(0, operation)
             else:
-                others.insert(0, k)
+                needed.update(operation.registers)
+                rates.insert(0, operation)
         return rates, others
 
 
@@ -617,19 +600,17 @@ def build(recipe: Recipe, fragments: Lookup, outputs: Names = (), further: Names
 
 
 class _Places(NamedTuple):
-    """Places of a program's cells, registers and tables by name."""
+    """Places of a program's cells and registers by name."""
 
     cells: dict[str, int]
     registers: dict[str, int]
-    tables: dict[str, int]
 
     @classmethod
     def of(cls, definitions: Definitions, linked: Linked, given: Names) -> Self:
-        """Return numbers for cells (given, computed, constant), registers (of states, computed) and tables."""
-        computed = chain.from_iterable(results for _, results in linked.scalar)
-        made = chain.from_iterable(results for _, results in linked.series)
-        tables = [table.name for table in definitions.tables]
-        every = [*given, *computed, *linked.constants], [*definitions.states, *made], tables
+        """Return numbers for cells (given, computed, constant) and registers (of variables, computed)."""
+        computed = [result for _, result in linked.scalar]
+        made = chain.from_iterable(operation.results for operation in linked.series)
+        every = [*given, *computed, *linked.constants], [*definitions.variables, *made]
         return cls(*({name: place for place, name in enumerate(names)} for names in every))
 
 
@@ -646,7 +627,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         name, kind, argument, degree = table
         tables.append(Table(name, kind, read[argument], cells[table.cells[0]], degree))
     scalar = []
-    for (kind, *arguments), (result,) in linked.scalar:
+    for (kind, *arguments), result in linked.scalar:
         operands = [cells[argument] for argument in arguments]
         scalar.append((kind, cells[result], *operands))
     states = []
@@ -672,47 +653,43 @@ def _roles(linked: Linked, places: _Places) -> dict[str, int]:
     roles = {}
     for role, name in linked.outputs.items():
         roles[role] = places.cells[name]
-    for operation, results in linked.series:
-        if operation[:2] == SQUARE:
-            roles["square"] = places.registers[results[0]]
+    for operation in linked.series:
+        if squares_omega(operation):
+            roles["square"] = places.registers[operation.results[0]]
     return roles
 
 
-def _in_order(linked: Linked, places: _Places) -> tuple[tuple[Any, ...], ...]:
+def _in_order(linked: Linked, places: _Places) -> tuple[OnSeries, ...]:
     """Return the operations on series with places. The square of omega precedes all others."""
-    rows = sorted(linked.series, key=lambda row: row[0][:2] != SQUARE)
-    return tuple(_placed(operation, results, places) for operation, results in rows)
+    return tuple(_placed(operation, places) for operation in sorted(linked.series, key=squares_omega, reverse=True))
 
 
-def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
-    """Return an operation on series with places: its results, registers, and cells or the table.
+def _placed(operation: OnSeries, places: _Places) -> OnSeries:
+    """Return an operation on series with places.
 
     The terms of a sum are in the order in which their registers become available, so that it waits only for the last.
     """
-    made = [places.registers[name] for name in results]
-    taken = [places.registers[name] for name in operation.registers]
-    if operation.kind == "ramp":
-        return operation.kind, *made, places.tables[operation.table]
-    cells = [places.cells[name] for name in operation.cells]
-    if operation.kind != "lin":
-        return operation.kind, *made, *taken, *cells
-    constant, *factors = cells
-    in_order = sorted(zip(taken, factors, strict=True))
-    if operation.cells[0] == ZERO:
-        constant = -1
-    return operation.kind, *made, constant, tuple((cell, register) for register, cell in in_order)
+    results = tuple(places.registers[name] for name in operation.results)
+    registers = tuple(places.registers[name] for name in operation.registers)
+    cells = tuple(places.cells[name] for name in operation.cells)
+    if operation.kind == "lin":
+        constant, *factors = cells
+        in_order = sorted(zip(registers, factors, strict=True))
+        registers = tuple(register for register, _ in in_order)
+        cells = (constant, *(factor for _, factor in in_order))
+    return OnSeries(operation.kind, results, registers, cells)
 
 
 def _autonomous(definitions: Definitions, linked: Linked) -> int:
     """Return the code of `Program.autonomous`."""
-    taken = {register for operation, _ in linked.series for register in operation.registers}
+    taken = {register for operation in linked.series for register in operation.registers}
     still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
     return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)
 
 
 def _by_rotation(definitions: Definitions, linked: Linked) -> int:
     """Return the code of `Program.by_rotation`."""
-    others = [operation for operation, _ in linked.series if operation[:2] != SQUARE]
+    others = [operation for operation in linked.series if not squares_omega(operation)]
     taken = {register for operation in others for register in operation.registers}
     kinds = {operation.kind for operation in others}
     kinds.update(table.kind for table in definitions.tables)
@@ -781,9 +758,8 @@ def _numbered(known: Mapping[str, Fragment], shared_name: str, number: str) -> F
 def _results(fragment: Fragment) -> set[str]:
     """Return the names of the cells and registers that a fragment computes. A table of time supplies its argument."""
     results = {operation[1] for operation in fragment.scalar}
-    for kind, *names in fragment.series:
-        count = RESULTS.get(str(kind), 1)
-        results.update(map(str, names[:count]))
+    for _, names, *_ in fragment.series:
+        results.update(names)
     for _, kind, argument, _ in fragment.tables:
         if kind == "time":
             results.add(argument)
@@ -795,9 +771,7 @@ def integers_of(program: Program) -> list[int]:
 
     They are its sizes, roles, operations on cells, operations on series, states and tables, in this order.
     """
-    rates, others = program.split
-    series = _encoded_series(program, rates)
-    later = _encoded_series(program, others)
+    series, later = ([*chain.from_iterable(map(encoded, operations))] for operations in program.split)
     scalar = list[int]()
     for kind, *names in program.scalar:
         scalar += [SCALAR[kind], *names]
@@ -831,19 +805,8 @@ def _begin(register: int) -> int:
     return -1 if register < 0 else register * STRIDE
 
 
-def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
-    """Return operations on series as integers. ``chosen`` are their indices in ``program.series``."""
-    code = list[int]()
-    for k in chosen:
-        kind, *names = program.series[k]
-        code.append(SERIES[kind])
-        if kind == "lin":
-            result, constant, terms = names
-            code += [_begin(result), constant, len(terms)]
-            for cell, register in terms:
-                code += [cell, _begin(register)]
-        elif kind in ("pow", "ramp"):  # the last operand is a cell or a table
-            code += [*map(_begin, names[:-1]), names[-1]]
-        else:
-            code += map(_begin, names)
-    return code
+def encoded(operation: OnSeries) -> list[Any]:
+    """Return an operation on series as integers. A sum also contains the number of its terms."""
+    kind, results, registers, cells = operation
+    count = [len(registers)] if kind == "lin" else []
+    return [SERIES[kind], *count, *map(_begin, (*results, *registers)), *cells]

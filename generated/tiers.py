@@ -1,8 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 24b3f0c64a873d48ff896ca4136a32c93eb24362b7d9f7eb0576bd98dc9a3abf
+# sha256 of the text below: 97c4467bbbc2ebb865a5001608b1770029575af4f4f7ab9213ec2110ad4d34ed
 """Proved error bounds of the kernels, and the digest of the C source that they speak of."""
 
-DIGEST = "fdb8f1364277de7b3d57d912d6c05c4c6b3ee4e068ac50c77b430f35d28b1aa2"
+DIGEST = "a74cb39bf07c99a0b7b41b393cf5ac2b64e87ed250f3bb19e0cf2c804e35b3db"
 LIMIT = 65536.0  # of an end of an arc, rad
 
 # kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).

@@ -53,7 +53,7 @@ def certified(variant: Variant) -> Record:
     record = plain(variant)
     boxes: list[Pair] = []
     for claim, patches in certify.by_claim(record).items():
-        bound, worst_boxes = certify.halve(record, patches, halvings=750)
+        bound, worst_boxes = certify.halve(record, patches)
         record[claim] = round_up(bound)
         boxes += worst_boxes
     record["bound"] = max(record["bound"], record["bound_to_quarter_pi"])

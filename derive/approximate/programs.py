@@ -19,7 +19,7 @@ from derive.algebra.integrate import derive
 from derive.approximate import shapes
 from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
 from derive.check import ends
-from derive.code.program import ROUND, Builder, Program, Value, without_dead
+from derive.code.program import Builder, Program, Value, without_dead
 from derive.declare.quantities import LIMIT_FRICTION, MOMENTS
 from derive.kinds import Names
 
@@ -346,9 +346,6 @@ def inlined(name: str, steps: Sequence[ends.RecordedValue], part: Program | None
             values += code.inline(part, {"alpha": operands[0]})
         elif kind == "const":
             values.append(code.value(float.fromhex(value)))
-        elif kind == "integer":
-            (x,) = operands
-            values.append(x + ROUND - ROUND)
         else:
             values.append(code.put(kind, *operands, value=value))
     outputs = tuple(values[step.place].place for step in steps)

@@ -37,11 +37,12 @@ from derive.check.records import (
     unit,
 )
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
-from derive.check.truth import TOP, working
+from derive.check.truth import working
 from derive.kinds import Pair
 from derive.progress import parallel
 
 VANISHING = 2.0**-352  # below this alpha every kernel is less than 2**-1055
+HALVINGS = 750  # most halvings of boxes for one claim
 
 
 def ulp(x: float) -> float:
@@ -125,13 +126,10 @@ class Box(NamedTuple):
     upper: float
 
 
-def halve(
-    record: Record, parts: list[Patch], wanted: float = 0.0, halvings: float = math.inf
-) -> tuple[float, list[Pair]]:
+def halve(record: Record, parts: list[Patch], wanted: float = 0.0) -> tuple[float, list[Pair]]:
     """Return the bound proved on these patches, and at most 16 boxes of alpha with the greatest bounds, in order.
 
-    The box with the greatest bound is halved until the bound is at most ``wanted``, ``halvings`` is reached, or the box
-    is too narrow.
+    The box with the greatest bound is halved until the bound is at most ``wanted``, at most HALVINGS times.
     """
 
     def box(number: int, lower: float, upper: float) -> Box:
@@ -139,24 +137,19 @@ def halve(
 
     boxes = [box(number, part.lower, part.upper) for number, part in enumerate(parts)]
     heapq.heapify(boxes)
-    while boxes and -boxes[0].minus_bound > wanted and halvings > 0:
-        _, number, lower, upper = boxes[0]
+    for _ in range(HALVINGS):
+        minus_bound, number, lower, upper = boxes[0]
         middle = (lower + upper) / 2
-        narrow = False
-        if halvings == math.inf:
-            narrow = upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53)
-        if narrow or not lower < middle < upper:
+        if -minus_bound <= wanted or not lower < middle < upper:
             break
         heapq.heapreplace(boxes, box(number, lower, middle))
         heapq.heappush(boxes, box(number, middle, upper))
-        halvings -= 1
-    bounds = (-x.minus_bound for x in boxes)
     worst = []
     of_each_patch = {x.number: x for x in sorted(boxes, reverse=True)}
     for x in heapq.nsmallest(16, of_each_patch.values()):
         scale = 2.0**-10 if parts[x.number].top else 1.0  # a window represents every power of two
         worst.append((x.lower * scale, x.upper * scale))
-    return max(bounds, default=0.0), worst
+    return -boxes[0].minus_bound, worst
 
 
 def prove(record: Record) -> float:

@@ -33,29 +33,23 @@ DIGITS = 500  # precision in bits; closed forms lose less than 110 bits
 LEAST = -150  # the exponent of half of the least float32
 
 
-def hard_inputs(statement: str) -> Iterator[float]:
-    """Yield every float32 in (0, pi/2] whose exact value is within WIDTH ulp of a midpoint, and some more."""
-    for exponent in range(0, -61, -1):
-        yield from _of_binade(statement, exponent)
-
-
 @cache
-def _of_binade(statement: str, exponent: int) -> Coefficients:
-    """Return the hard inputs from 2**exponent up to twice that; none if they give less than half of the least float32.
+def hard_inputs(statement: str) -> Coefficients:
+    """Return every float32 in (0, pi/2] whose exact value is within WIDTH ulp of a midpoint, and some more.
 
-    They are found when they are needed, since a program with a wrong rounding is refused at the first one.
+    Below the first power of two at which the value is less than half of the least float32 there are none.
     """
+    found: list[float] = []
+    exponent = 0
     with working(BITS):
-        (nearest, *_) = SEGMENTS
+        nearest, *_ = SEGMENTS
         largest = above(truth.kernel_model(statement, nearest)(truth.ball(0.0, 2.0**-40)))  # of F/alpha**3
-        if largest * 8.0 ** (exponent + 1) < 2.0 ** (LEAST - 1):
-            return ()
-        h = 2.0 ** (exponent - 23)
-        end = min(SIGNIFICANDS.stop, int(TOP / h) + 1)
-        found: list[float] = []
-        for start in range(SIGNIFICANDS.start, end, BLOCK):
-            stop = min(start + BLOCK, end)
-            found += _near(statement, h, start, stop)
+        while largest * 8.0 ** (exponent + 1) >= 2.0 ** (LEAST - 1):
+            h = 2.0 ** (exponent - 23)
+            end = min(SIGNIFICANDS.stop, int(TOP / h) + 1)
+            for start in range(SIGNIFICANDS.start, end, BLOCK):
+                found += _near(statement, h, start, min(start + BLOCK, end))
+            exponent -= 1
     return tuple(found)
 
 

@@ -33,12 +33,7 @@ class Function:
 
 
 PYTHON = Language(
-    "python",
-    "{name} = {text}",
-    repr,
-    "horner({x}, ({coefficients}))",
-    several="{names} = {function}({arguments})",
-    integer="{space}.rint({0})",
+    "python", "{name} = {text}", repr, "horner({x}, ({coefficients}))", several="{names} = {function}({arguments})"
 )
 # Imports of all generated modules; of the certified functions beyond these, and of their stub.
 IMPORTS = "from __future__ import annotations\n\nfrom typing import Any\n\nimport numpy as np\n"

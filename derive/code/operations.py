@@ -102,6 +102,7 @@ OPERATIONS = {
         "{space}.where({0}, {1}, {2})", "SELECT({0}, {1}, {2})", "IN(choose)({0} > 0.0, {1}, {2})", np.where, Select
     ),
     "lost": Operation("lost({0}, {1})", "lost({0}, {1})", "", lambda a, b: two_sum(a, b)[1]),
+    "integer": _call("rint", None, "NEAREST({0})"),
     "fma": Operation("", "FMA({0}, {1}, {2})", "", fma),
     "exponent": Operation("", "exponent_of({0})", "", exponent),
     "significand": Operation("", "significand_of({0})", "", significand),

@@ -20,7 +20,6 @@ from derive.code.operations import OPERATIONS
 from derive.kinds import Names
 
 _NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
-ROUND = 1.5 * 2.0**52  # added and subtracted, it rounds to an integer
 _SYMBOLS = {operation.symbol: name for name, operation in OPERATIONS.items()} | {Exp: "exp"}
 
 
@@ -115,9 +114,6 @@ class Value(NDArrayOperatorsMixin):
 
     def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Value":
         """Return the value of a ufunc's operation."""
-        if function is np.rint:
-            (x,) = operands
-            return x + ROUND - ROUND
         if function is np.greater:  # Python turns 1.0 < x around
             function = np.less
             operands = operands[::-1]

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
-from derive.code.program import ROUND, Builder, Op, Program, walk
+from derive.code.program import Builder, Op, Program, walk
 from derive.kinds import Names, Texts, ValueDict
 
 WIDTH = 116  # width of a statement, including its indent
@@ -29,7 +29,6 @@ class Language:
     polynomial: str  # with {x}, {degree} and {coefficients}
     space: str = ""
     passed: Names = ()  # further arguments of every call of a part
-    integer: str = ""  # rounding to an integer, if the language has a function for it
     several: str = ""  # call with several results: {names}, {function}, {arguments}, {places} of results
 
 
@@ -61,7 +60,6 @@ class _Text:
         self.names = _known(program)
         self.calls = _calls(program, parts)
         self.polynomials = _polynomials(program)
-        self.integers = _integers(program) if language.integer else {}
         uses = self._uses()
         for i in sorted(uses):
             if i in self.calls and len(self.calls[i].results) > 1:
@@ -87,8 +85,6 @@ class _Text:
                 called.add(call)
             elif i in self.polynomials:
                 uses[self.polynomials[i][0]] += 1
-            elif i in self.integers:
-                uses[self.integers[i]] += 1
             else:
                 uses.update(ops[i].args)
         return uses
@@ -104,9 +100,6 @@ class _Text:
         if i in self.calls:
             call = self.calls[i]
             return f"{call.function}({self._arguments(call)})", 9
-        if i in self.integers:
-            x, _ = self.text[self.integers[i]]
-            return self.language.integer.format(x, space=self.language.space), 9
         if i in self.polynomials:
             return self._polynomial(*self.polynomials[i]), 9
         while len(self._operation(op)) > WIDTH - 24:  # room for the name
@@ -231,25 +224,6 @@ def seam(program: Program) -> tuple[float, int, int] | None:
     if less.kind != "less" or [program.ops[i].kind for i in less.args] != ["input", "const"]:
         return None
     return float(program.ops[less.args[1]].value), near, far  # type: ignore[arg-type]
-
-
-def _integers(program: Program) -> dict[int, int]:
-    """Return the index of each value that is rounded to an integer by a large constant, with the index of its argument.
-
-    The constant is added and subtracted.
-    """
-    ops = program.ops
-    rounded = {}
-    for i, op in enumerate(ops):
-        if op.kind != "sub":
-            continue
-        raised, subtracted = op.args
-        if ops[raised].kind != "add":
-            continue
-        x, added = ops[raised].args
-        if added == subtracted and ops[added].value == ROUND:
-            rounded[i] = x
-    return rounded
 
 
 def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list[float]] | None:

@@ -181,7 +181,7 @@ def _piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
     if degree < DEGREE:
         return {(argument,) * power: c for power, c in enumerate(coefficients, 1)}
     higher = [f"{argument}^{power}" for power in range(2, degree + 1)]
-    low.put("powers", *higher, argument)
+    low.put("powers", higher, [argument])
     return {(name,): c for name, c in zip((argument, *higher), coefficients, strict=True)}
 
 
@@ -191,21 +191,19 @@ def effect_fragment(effect: Effect) -> Fragment:
     if effect.turns:
         return _rotation(effect)
     low = Lowering(effect.name, moving(effect))
-    numbers = {str(x): p for x, p in effect.symbols.items() if p.kind != "rotation"}
     functions = [str(x) for x, p in effect.symbols.items() if p.kind == "rotation"]
     for name in functions:
         low.register(_piece(low, name, "x", DEGREE), f"d{name}")
     for x in effect.states:
         low.cells[f"{x}_less"] = -x
         low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's cell changes along the phase
-        low.whole(f"d{x}", f"{x}_less", str(x))
+        low.register(series(str(x)), f"d{x}", f"{x}_less")
     low.moving = {**low.moving, **TOTALS}
     rate = expand(effect.growth * OMEGA)
     rate = rate.subs(EFFECTIVE, NORMAL / RESISTANCE_FACTOR).subs(MU * NORMAL, FRICTION)
     return low.fragment(
         quantities(effect),
-        inputs=numbers,
-        optional=[name for name, p in numbers.items() if p.optional],
+        inputs=[str(x) for x, p in effect.symbols.items() if p.kind != "rotation"],
         states={str(x): rate for x in effect.states},
         tables=tuple((name, "rotation", "x", DEGREE) for name in functions),
     )
@@ -246,8 +244,8 @@ def _log_speed(law: Law, low: Lowering) -> None:
     start = cell("start_speed")
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
     low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
-    low.put("lin", "relative_speed", low.cell(-beyond), ((low.cell(beyond / start), "omega"),))
-    low.put("log", "log_speed", "relative_speed")
+    low.register(series("omega", beyond / start), "relative_speed", low.cell(-beyond))
+    low.operate("log", ["log_speed.times", "log_speed"], "relative_speed")
 
 
 def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
@@ -298,7 +296,7 @@ def _rotation(effect: Effect) -> Fragment:
         low.cells[str(seen(q))] = sign(q) * (q * cos(ROTATION) - slope * sin(ROTATION))
     low.turn(series("x"), ONE, ONE)
     normal_load, increment = _position()[NORMAL_LOAD]
-    low.put("lin", "upright", str(normal_load), low.sum(increment))
+    low.register(increment, "upright", str(normal_load))
     return low.fragment()
 
 
@@ -317,13 +315,13 @@ def _balance() -> Fragment:
         base, increment = low.split(e)
         low.cells[f"{name}_0"] = base
         low.register(increment, f"d{name}")
-        low.whole(name, f"{name}_0", f"d{name}")
+        low.register(series(f"d{name}"), name, f"{name}_0")
         low.moving = {**low.moving, cell(name): varying(name)}
     for name in names:
-        low.whole(name, f"{name}_0", f"d{name}")
+        low.register(series(f"d{name}"), name, f"{name}_0")
     net, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
-    low.whole("net", "drive", "dnet")
+    low.register(series("dnet"), "net", "drive")
     _drive(low, net)
     return low.fragment()
 

@@ -7,6 +7,7 @@ proof therefore includes everything that the linker combines, omits, orders and 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain, cycle, product
+from operator import attrgetter
 from typing import Any
 
 from sympy import Add, Expr, Integer, Lt, Rational, Symbol, cos, expand, expand_trig, log, sin
@@ -46,7 +47,7 @@ from derive.flow.link import lookup
 from derive.flow.link.definitions import OF_COHESION, OF_SOIL, Recipe
 from derive.flow.link.program import Program, build
 from derive.flow.lowering import ONE, ZERO, without_tanh
-from derive.flow.recurrences import CELLS, OPERATIONS, SeriesOperation
+from derive.flow.recurrences import CELLS, evaluate
 from derive.kinds import Texts
 
 Cells = Mapping[str, Expr]
@@ -114,31 +115,11 @@ def registers_of(program: Program, cells: Sequence[Any]) -> list[Expr]:
     values = [ZERO] * len(program.registers)
     for cell, register, _ in program.states:
         values[register] = now(program.cells[cell])
-    for kind, *places in program.series:
-        if kind == "lin":
-            result, constant, terms = places
-            products = [cells[cell] * values[register] for cell, register in terms]
-            first = cells[constant] if constant >= 0 else ZERO
-            values[result] = Add(first, *products)
-        elif kind == "ramp":
-            result, table = places
-            values[result] = since(program.tables[table].name)
-        else:
-            operate(OPERATIONS[kind], places, values, cells)
+    for table in program.tables:
+        if table.kind == "time":
+            values[table.register] = since(table.name)
+    evaluate(program.series, values, cells.__getitem__, attrgetter("means"))
     return values
-
-
-def operate(operation: SeriesOperation, places: Sequence[int], values: list[Expr], cells: Sequence[Any]) -> None:
-    """Set the results of an operation on series in ``values``, those of all registers, each by its meaning.
-
-    ``places`` are the numbers of its results, registers and cells.
-    """
-    names = (*operation.results, *operation.arguments, *operation.numbers)
-    place = dict(zip(names, places, strict=True))
-    known = {x: values[place[x]] for x in operation.arguments}
-    known |= {x: cells[place[x]] for x in operation.numbers}
-    for x, meaning in zip(operation.results, operation.means, strict=True):
-        values[place[x]] = meaning.xreplace(known)
 
 
 def on_numbers(kind: str, *operands: Any) -> Any:

@@ -9,15 +9,16 @@ series. Increments are built from increments, so that nothing cancels near a lim
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from operator import attrgetter
+from typing import Any, NamedTuple
 
-from sympy import Add, Expr, Integer, Min, Mul, Rational, Symbol, Tuple, cos, exp, expand, log, sin, tanh
+from sympy import Add, Expr, Float, Integer, Min, Mul, Rational, Symbol, Tuple, cos, exp, expand, log, sin, tanh
 
 from derive.algebra.remainders import Exp, Select
 from derive.check.proof import ProofError
-from derive.code.program import program
+from derive.code.program import Op, program, walk
 from derive.declare.symbols import Forms
-from derive.flow.recurrences import OPERATIONS, Q, first
+from derive.flow.recurrences import OPERATIONS, Q, evaluate
 from derive.kinds import Names, Texts
 
 # Increment: the coefficient of each product of registers, whose names are in order.
@@ -71,19 +72,31 @@ def times(a: Increment, b: Increment) -> Increment:
 SLIP = cell("slip")
 
 
+class OnSeries(NamedTuple):
+    """Operation on series, by the names or by the places of its results, registers and cells.
+
+    The cells of a sum, ``lin``, are its constant and the factor of each register; other operations have no cells.
+    """
+
+    kind: str
+    results: Any
+    registers: Any
+    cells: Any = ()
+
+
 class Fragment(NamedTuple):
     """Operations on numbers at the start of a phase, operations on series, and their contributions to the balance.
 
     ``adds`` contains for each quantity of the balance its base, the size of the base's terms, and its increment as a
-    sum of (number, series). ``inputs`` are the dimensionless numbers of a scene; ``optional`` inputs may be omitted.
-    ``states`` are series with the series of their rates. Each of ``tables`` consists of its name, its variable (slip,
-    speed, rotation or time), the series of its argument (for time its own series), and the degree of its pieces.
+    sum of (number, series). ``inputs`` are the dimensionless numbers of a scene. Each of ``series`` consists of its
+    kind, its results, its registers and its cells. ``states`` are series with the series of their rates. Each of
+    ``tables`` consists of its name, its variable (slip, speed, rotation or time), the series of its argument (for time
+    its own series), and the degree of its pieces.
     """
 
     inputs: tuple[str, ...]
-    optional: tuple[str, ...]
     scalar: tuple[tuple[str, ...], ...]
-    series: tuple[tuple[object, ...], ...]
+    series: tuple[tuple[Any, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
     tables: tuple[tuple[str, str, str, int], ...] = ()
@@ -95,7 +108,7 @@ class Lowering:
 
     name: str
     moving: Moving
-    series: list[tuple[object, ...]] = field(default_factory=list)
+    series: list[OnSeries] = field(default_factory=list)
     cells: Forms = field(default_factory=dict)  # results of the prologue, by name
     count: int = 0
 
@@ -154,19 +167,15 @@ class Lowering:
             power = b**e.exp
             if b != 1 and not (2 * e.exp).is_Integer:
                 power = Exp(e.exp * log(b))
-            return power, self.apply("pow", relative, power, e.exp)
+            return power, self.apply("exp", self.apply("log", relative, e.exp), power)
         raise ProofError(f"{self.name}: operation on series", e, KNOWN)
 
-    def apply(self, operation: str, increment: Increment, factor: Expr, *numbers: Expr) -> Increment:
-        """Return a factor times the last result of an operation on an increment, 0 if the increment is 0.
-
-        ``numbers`` are further operands that do not change during the phase, such as an exponent.
-        """
+    def apply(self, operation: str, increment: Increment, factor: Expr) -> Increment:
+        """Return a factor times the last result of an operation on an increment, 0 if the increment is 0."""
         z = self.register(increment)
         self.count += 1
-        name = f"{self.name}.{operation}{self.count}"
-        results = [name, f"{name}_less_1"][: len(OPERATIONS[operation].results)]
-        self.operate(operation, results, z, *map(self.cell, numbers))
+        results = [f"{self.name}.{operation}{self.count}.{x}" for x in OPERATIONS[operation].results]
+        self.operate(operation, results, z)
         return series(results[-1], factor)
 
     def turn(self, increment: Increment, sine: Expr, versine: Expr) -> Increment:
@@ -177,35 +186,38 @@ class Lowering:
         sine_of_x, versine_of_x = map(series, results)
         return total((sine, sine_of_x), (versine, versine_of_x))
 
-    def operate(self, operation: str, results: Iterable[str], z: str, *numbers: str) -> None:
+    def operate(self, operation: str, results: Iterable[str], z: str) -> None:
         """Append an operation on the register z, preceded by t dz/dt if the operation needs it.
 
-        ``results`` are the registers of its results and ``numbers`` its cells.
+        ``results`` are the registers of its results.
         """
         arguments = [z]
         if Q in OPERATIONS[operation].arguments:
-            arguments.insert(0, f"{z}.times")
-            self.put("tim", *arguments)
-        self.put(operation, *results, *arguments, *numbers)
+            times = f"{z}.times"
+            self.put("tim", [times], arguments)
+            arguments = [times, z]
+        self.put(operation, results, arguments)
 
-    def put(self, *operation: object) -> None:
-        """Append an operation on series, its kind and its operands by name, unless it exists."""
+    def put(self, kind: str, results: Iterable[str], registers: Iterable[str], cells: Iterable[str] = ()) -> None:
+        """Append an operation on series, with its results and operands by name, unless it exists."""
+        operation = OnSeries(kind, tuple(results), tuple(registers), tuple(cells))
         if operation not in self.series:
             self.series.append(operation)
 
-    def register(self, increment: Increment, name: str = "") -> str:
-        """Return the register that contains an increment, a new one called ``name`` if that is given."""
+    def register(self, increment: Increment, name: str = "", constant: str = "=0.0") -> str:
+        """Return the register that contains an increment, a new one called ``name`` if that is given.
+
+        A new one also contains the number in the cell ``constant``.
+        """
         if not name:
             if list(increment.values()) == [1]:
                 return self.product(*increment)
             self.count += 1
             name = f"{self.name}.sum{self.count}"
-        self.put("lin", name, "", self.sum(increment))
+        terms = self.sum(increment)
+        factors = [factor for factor, _ in terms]
+        self.put("lin", [name], [register for _, register in terms], [constant, *factors])
         return name
-
-    def whole(self, name: str, base: str, increment: str) -> None:
-        """Define the register of a complete quantity from the cell of its base and the register of its increment."""
-        self.put("lin", name, base, (("=1.0", increment),))
 
     def product(self, registers: Names) -> str:
         """Return the register that contains the product of these registers."""
@@ -213,9 +225,9 @@ class Lowering:
         for other in rest:
             name = f"{result}*{other}"
             if other == result:
-                self.put("sqr", name, result)
+                self.put("sqr", [name], [result])
             else:
-                self.put("mul", name, result, other)
+                self.put("mul", [name], [result, other])
             result = name
         return result
 
@@ -240,6 +252,10 @@ class Lowering:
         self.cells[name] = e
         return name
 
+    def number(self, name: str) -> Expr:
+        """Return the number that a cell contains; a cell which is not computed here is a symbol."""
+        return Float(name[1:]) if name.startswith("=") else self.cells.get(name, cell(name))
+
     def add(self, e: Expr, quantity: str) -> tuple[str, str, Products]:
         """Return base, size of the base's terms, and increment of the term ``e`` that is added to a quantity.
 
@@ -262,7 +278,8 @@ class Lowering:
         from_start = Lowering("start", {SLIP: (ZERO, series("slip"))})
         bases = {x: base for x, (base, _) in self.moving.items() if x != SLIP}
         start, increment = from_start.split(e.subs(bases))
-        registers = first(from_start.series, {"slip": self.moving[SLIP][0]}, from_start.cells)
+        registers = {"slip": self.moving[SLIP][0]}
+        evaluate(from_start.series, registers, from_start.number, attrgetter("start"))
         other = expand(start)
         for names, coefficient in increment.items():
             other += coefficient * Mul(*(registers[name] for name in names))
@@ -274,7 +291,6 @@ class Lowering:
         self,
         adds: Mapping[str, Expr] | None = None,
         inputs: Iterable[str] = (),
-        optional: Iterable[str] = (),
         states: Mapping[str, Expr] | None = None,
         tables: tuple[tuple[str, str, str, int], ...] = (),
     ) -> Fragment:
@@ -286,9 +302,8 @@ class Lowering:
             rates.append((name, self.register(increment)))
         return Fragment(
             inputs=tuple(inputs),
-            optional=tuple(optional),
             scalar=self.scalar(),
-            series=tuple(self.series),
+            series=tuple(map(tuple, self.series)),
             adds=added,
             states=tuple(rates),
             tables=tables,
@@ -301,21 +316,17 @@ class Lowering:
         """
         numbers = Tuple(*self.cells.values())
         prologue = program(self.name, tuple(sorted(str(x) for x in numbers.free_symbols)), *numbers)
-        outputs = dict(zip(self.cells, prologue.outputs, strict=True))
-        first_names: dict[int, str] = {}
-        for name, index in outputs.items():
-            first_names.setdefault(index, name)
-        names: Texts = []
-        operations = []
-        for index, op in enumerate(prologue.ops):
-            if op.kind == "input":
-                names.append(str(op.value))
-            elif op.kind == "const":
-                names.append(f"={op.value!r}")
-            else:
-                names.append(first_names.get(index, f"{self.name}.t{index}"))
-                operations.append((op.kind, names[index], *(names[j] for j in op.args)))
-        return (*operations, *(("set", name, names[i]) for name, i in outputs.items() if names[i] != name))
+        operations: list[Names] = []
+
+        def make(op: Op, operands: Texts) -> str:
+            if op.kind == "const":
+                return f"={op.value!r}"
+            result = f"{self.name}.t{len(operations)}"
+            operations.append((op.kind, result, *operands))
+            return result
+
+        results = walk(prologue, {name: name for name in prologue.inputs}, make)
+        return (*operations, *(("set", name, result) for name, result in zip(self.cells, results, strict=True)))
 
 
 def size(e: Expr) -> Expr:

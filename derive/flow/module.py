@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+from pprint import pformat
 
 from sympy import Float, sstr
 
@@ -10,8 +11,7 @@ from derive.declare.effects import LAWS, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.link import definitions, integers, linker, program, soils
-from derive.flow.lowering import Fragment
-from derive.flow.recurrences import RESULTS
+from derive.flow.lowering import Fragment, OnSeries
 
 LINKER = (definitions, linker, program, soils, integers)
 
@@ -21,13 +21,17 @@ def flow_module() -> str:
     blocks = {
         "INPUTS": {name: repr(meaning) for name, meaning in INPUTS.items()},
         "PIECES": {law.name: _pieces(law) for law in LAWS if law.kinks},
-        "FRAGMENTS": {name: _fragment(f) for name, f in fragments().items()},
+        "FRAGMENTS": {name: pformat(f._asdict(), width=120, sort_dicts=False) for name, f in fragments().items()},
     }
     marks = {}
     for mark, rows in blocks.items():
         marks[mark] = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
-    marks |= {"FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.equation_text()}
-    return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES), "RESULTS": repr(RESULTS)})
+    marks |= {
+        "CLASSES": "\n\n".join(map(inspect.getsource, (OnSeries, Fragment))),
+        "QUANTITIES": repr(QUANTITIES),
+        "TERMS": equation.equation_text(),
+    }
+    return filled("_flow.py.in", marks)
 
 
 def _pieces(law: Law) -> str:
@@ -47,21 +51,6 @@ def _pieces(law: Law) -> str:
         rows.append(f"({', '.join(coefficients)})")
     starts = tuple(map(float, breaks))
     return f"({law.kinks[0].name!r}, {starts!r}, lambda {', '.join(sorted(names))}, **_: ({', '.join(rows)}))"
-
-
-def _fragment(f: Fragment) -> str:
-    """Return the source of a fragment, with one operation or term per line."""
-    lines = []
-    for name, value in f._asdict().items():
-        if name in ("scalar", "series") and value:
-            rows = "".join(f"            {x!r},\n" for x in value)
-            lines.append(f"        {name}=(\n{rows}        ),\n")
-        elif name == "adds" and value:
-            rows = "".join(f"            {x!r}: {added!r},\n" for x, added in value.items())
-            lines.append(f"        {name}={{\n{rows}        }},\n")
-        else:
-            lines.append(f"        {name}={value!r},\n")
-    return f"Fragment(\n{''.join(lines)}    )"
 
 
 def linker_module() -> str:

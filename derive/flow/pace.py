@@ -40,7 +40,7 @@ def fragment() -> Fragment:
     low.cells["pace"] = per_speed
     low.cells["gain_0"], increment = low.split(others - cell("far") * pressed)
     low.register(increment, "dgain")
-    low.whole("gain", "gain_0", "dgain")
+    low.register(series("dgain"), "gain", "gain_0")
     _, increment = low.split(others - cell("mu_0") * pressed + change * cell("gain"))
     low.register(increment, "dnet")
     return low.fragment(states={"x": cell("omega") * (1 + change)})

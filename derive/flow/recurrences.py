@@ -4,7 +4,7 @@ Each operation is stated once. `prove` compares it with SymPy's series. The same
 compiled interpreter and of the NumPy interpreter, and programs in any other arithmetic.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,16 +12,16 @@ from sympy import (
     Add,
     Derivative,
     Expr,
-    Float,
     Indexed,
     IndexedBase,
     Integer,
+    Mul,
     Sum,
     Symbol,
     cos,
-    diff,
     exp,
     expand,
+    factorial,
     log,
     sin,
     symbols,
@@ -31,18 +31,19 @@ from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import expm1, log1p, unfold
 from derive.code import operations
 from derive.declare.effects import DEGREE
-from derive.declare.symbols import Forms
-from derive.kinds import Texts, Values
+from derive.kinds import Texts
 
 CELLS = {name: o for name, o in operations.OPERATIONS.items() if o.vector}  # operations on numbers of lanes
 n, k = symbols("n k", integer=True)
-A, B, Q, X, Z, E, H, P, S, V, L = (IndexedBase(x) for x in "abqxzehpsvl")
-POWER = Symbol("power", real=True)
+A, B, Q, X, Z, E, H, S, V, U, L = (IndexedBase(x) for x in "abqxzehsvul")
 
 
-def _sum(term: Expr, first: int = 1, last: Expr = n) -> Expr:
-    """Return the sum of a term over k from ``first`` to ``last``."""
-    return Sum(term, (k, first, last))
+def _sum(a: IndexedBase, b: IndexedBase) -> Expr:
+    """Return the sum of a[k] b[n - k] without its first and its last term.
+
+    Steps add these two terms apart, since they contain coefficients of order n, which are the last to be computed.
+    """
+    return Sum(a[k] * b[n - k], (k, 1, n - 1))
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ class SeriesOperation:
     """Operation on series: results and arguments, order 0 from order 0, and order n from the lower orders.
 
     ``means`` expresses each result as a function of the arguments, ``start`` is the same without cancellation at 0, and
-    ``step`` is coefficient n >= 1. ``numbers`` are arguments that are cells and not series.
+    ``step`` is coefficient n >= 1.
     """
 
     name: str
@@ -59,7 +60,6 @@ class SeriesOperation:
     means: tuple[Expr, ...]
     start: tuple[Expr, ...]
     step: tuple[Expr, ...]
-    numbers: tuple[Symbol, ...] = ()
 
 
 D = IndexedBase("d")
@@ -69,16 +69,15 @@ _t = Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
 OPERATIONS = {
     o.name: o
     for o in (
-        SeriesOperation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (_sum(A[k] * B[n - k], 0),)),
-        SeriesOperation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (_sum(A[k] * A[n - k], 0),)),
+        SeriesOperation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (A[0] * B[n] + A[n] * B[0] + _sum(A, B),)),
+        SeriesOperation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (2 * A[0] * A[n] + _sum(A, A),)),
         SeriesOperation(
             "powers",
             POWERS,
             (X,),
             tuple(X**power for power in range(2, DEGREE + 1)),
             tuple(X[0] ** power for power in range(2, DEGREE + 1)),
-            # x^(i + 1) = x x^i; the term with x[0] is separate, since coefficient n of x^i has the same order.
-            tuple(X[0] * lower[n] + _sum(X[k] * lower[n - k]) for lower in (X, *POWERS[:-1])),
+            tuple(X[0] * lower[n] + X[n] * lower[0] + _sum(X, lower) for lower in (X, *POWERS[:-1])),
         ),
         SeriesOperation("tim", (Q,), (A,), (_t * Derivative(A, _t),), (Integer(0),), (n * A[n],)),
         SeriesOperation(
@@ -87,10 +86,15 @@ OPERATIONS = {
             (Q, X),
             (sin(X), 1 - cos(X)),
             (sin(X[0]), 2 * sin(X[0] / 2) ** 2),
-            ((Q[n] - _sum(Q[k] * V[n - k])) / n, _sum(Q[k] * S[n - k]) / n),
+            ((Q[n] - Q[n] * V[0] - _sum(Q, V)) / n, (Q[n] * S[0] + _sum(Q, S)) / n),
         ),
         SeriesOperation(
-            "exp", (E, M), (Q, Z), (exp(Z), exp(Z) - 1), (exp(Z[0]), expm1(Z[0])), (_sum(Q[k] * E[n - k]) / n, E[n])
+            "exp",
+            (E, M),
+            (Q, Z),
+            (exp(Z), exp(Z) - 1),
+            (exp(Z[0]), expm1(Z[0])),
+            ((Q[n] * E[0] + _sum(Q, E)) / n, E[n]),
         ),
         SeriesOperation(
             "rec",
@@ -98,74 +102,50 @@ OPERATIONS = {
             (Z,),
             (1 / (1 + Z), 1 / (1 + Z) - 1),
             (1 / (1 + Z[0]), -Z[0] / (1 + Z[0])),
-            (-H[0] * _sum(Z[k] * H[n - k]), H[n]),
+            (-H[0] * (Z[n] * H[0] + _sum(Z, H)), H[n]),
         ),
         SeriesOperation(
             "log",
-            (L,),
-            (Z,),
-            (log(1 + Z),),
-            (log1p(Z[0]),),
-            ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),),
-        ),
-        SeriesOperation(
-            "pow",
-            (P, M),
-            (Z,),
-            ((1 + Z) ** POWER, (1 + Z) ** POWER - 1),
-            (expm1(POWER * log1p(Z[0])) + 1, expm1(POWER * log1p(Z[0]))),
-            (_sum((POWER * k - (n - k)) * Z[k] * P[n - k]) / n / (1 + Z[0]), P[n]),
-            (POWER,),
+            (U, L),
+            (Q, Z),
+            (_t * Derivative(Z, _t) / (1 + Z), log(1 + Z)),
+            (Integer(0), log1p(Z[0])),
+            ((Q[n] - _sum(U, Z)) / (1 + Z[0]), U[n] / n),
         ),
     )
 }
-SERIES = {name: code for code, name in enumerate(("lin", "ramp", *OPERATIONS))}  # codes in the compiled integrator
+SERIES = {name: code for code, name in enumerate(("lin", *OPERATIONS))}  # codes in the compiled integrator
 SCALAR = {name: code for code, name in enumerate(CELLS)}
-RESULTS = {o.name: len(o.results) for o in OPERATIONS.values() if len(o.results) > 1}  # other operations have one
 
 
 def prove(order: int = 6) -> Texts:
     """Prove each operation's coefficients equal to SymPy's series of its definition, and return the claims."""
     claims = []
     for o in OPERATIONS.values():
-        highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
-        coefficients = _coefficients(o, highest)
-        for i in range(highest + 1):
+        coefficients = _coefficients(o, order)
+        for i in range(order + 1):
             for result, start, step in zip(o.results, o.start, o.step, strict=True):
                 stated = unfold(at(step.subs(n, i).doit() if i else start, coefficients))
                 prove_zero(expand(stated - coefficients[result][i]), f"{o.name}: coefficient {i}")
-        claims.append(f"{o.name}: {highest + 1} coefficients")
+        claims.append(f"{o.name}: {order + 1} coefficients")
     return claims
 
 
 def _coefficients(o: SeriesOperation, highest: int) -> dict[IndexedBase, tuple[Expr, ...]]:
-    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results, up to order ``highest``.
-
-    The coefficients of a series about a moment t satisfy da_i/dt = (i + 1) a_(i+1). The same is true for a function f
-    of it, whose coefficient i + 1 is therefore df_i/dt/(i + 1).
-    """
+    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results, up to ``highest``."""
     coefficients = {x: symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
-    rates = {_t: 1}
-    for a in coefficients.values():
-        for i in range(highest):
-            rates[a[i]] = (i + 1) * a[i + 1]
     if Z in o.arguments:  # 1 + z begins with a positive number
-        y = Symbol("y", positive=True)
-        z, *others = coefficients[Z]
-        coefficients[Z] = (y - 1, *others)
-        rates[y] = rates[z]
+        coefficients[Z] = (Symbol("y", positive=True) - 1, *coefficients[Z][1:])
     if Q in o.arguments:  # coefficients of the other argument times their order
         coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
-    first_two: dict[Expr, Expr] = {}
-    for x, a in coefficients.items():
-        first_two[x] = a[0]
-        first_two[Derivative(x, _t)] = a[1]
+    series = {}
+    for x, values in coefficients.items():
+        series[x] = Add(*(value * _t**i for i, value in enumerate(values)))
     for result, means in zip(o.results, o.means, strict=True):
-        f = [means.xreplace(first_two)]
-        for i in range(highest):
-            rate = sum(rate * diff(f[i], a) for a, rate in rates.items())
-            f.append(expand(rate / (i + 1)))
-        coefficients[result] = tuple(c.subs(_t, 0) for c in f)
+        derivatives = [means.xreplace(series).doit()]
+        for _ in range(highest):
+            derivatives.append(derivatives[-1].diff(_t))
+        coefficients[result] = tuple(f.subs(_t, 0) / factorial(i) for i, f in enumerate(derivatives))
     return coefficients
 
 
@@ -177,33 +157,26 @@ def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
     return e.xreplace(named)
 
 
-def _cell(name: str, cells: Values) -> Any:
-    """Return a cell by its name. ``=1.0`` is a constant, and an unknown cell a symbol."""
-    if name in cells:
-        return cells[name]
-    return Float(name[1:]) if name.startswith("=") else Symbol(name, real=True)
+def evaluate(
+    operations: Iterable[Sequence[Any]],
+    registers: Any,
+    cell: Callable[[Any], Any],
+    forms: Callable[[SeriesOperation], Sequence[Expr]],
+) -> None:
+    """Compute the results of operations on series, in order, in ``registers``, which contains values of the others.
 
-
-def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> Forms:
-    """Return order 0 of every register that operations on series compute, from order 0 of the given registers.
-
-    ``series`` are rows of the operation, its results and its operands, and ``cells`` are known numbers by name.
+    An operation consists of its kind, results, registers and cells. ``cell`` returns the number in a cell, and
+    ``forms`` the results of a kind of operation as functions of its arguments.
     """
-    registers = dict(values)
-    for name, *names in series:
-        if name == "lin":
-            result, constant, terms = names
-            base = _cell(constant, cells) if constant else 0
-            registers[result] = Add(base, *(_cell(c, cells) * registers[r] for c, r in terms))
+    for kind, results, arguments, cells in operations:
+        values = [registers[x] for x in arguments]
+        if kind == "lin":
+            constant, *factors = map(cell, cells)
+            registers[results[0]] = Add(constant, *map(Mul, factors, values))
             continue
-        o = OPERATIONS[name]
-        places = (*o.results, *o.arguments, *o.numbers)
-        known = {}
-        for place, operand in zip(places, names, strict=True):
-            if place in o.arguments:
-                known[place[0]] = registers[operand]
-            elif place in o.numbers:
-                known[place] = _cell(operand, cells)
-        for result, start in zip(names, o.start, strict=False):
-            registers[result] = start.subs(known)
-    return registers
+        operation = OPERATIONS[kind]
+        known: dict[Any, Any] = {}
+        for x, value in zip(operation.arguments, values, strict=True):
+            known |= {x: value, x[0]: value}
+        for result, form in zip(results, forms(operation), strict=True):
+            registers[result] = form.xreplace(known)

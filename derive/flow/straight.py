@@ -7,16 +7,15 @@ differ in cells only share a function: a section of the ground, a cohesion and a
 
 from collections.abc import Iterator
 from itertools import product
-from typing import Any
 
 from sympy import Symbol
 
 from derive.declare.effects import EFFECTS, K_H, K_V, LAWS, WATER
 from derive.flow.link import lookup
 from derive.flow.link.definitions import Recipe
+from derive.flow.link.integers import encoded
 from derive.flow.link.program import Program, build
-from derive.flow.recurrences import OPERATIONS
-from derive.kinds import TextDict, Texts
+from derive.kinds import TextDict
 
 # Parameters that change along the motion: none, a level of water, a record in one direction or in two.
 MOVING: tuple[tuple[Symbol, ...], ...] = ((), (WATER,), (K_H,), (K_H, K_V))
@@ -56,23 +55,6 @@ def programs() -> Iterator[Program]:
         yield build(recipe, parts)
 
 
-def operation(kind: str, *places: Any) -> Texts:
-    """Return an operation of a program as C reads it: a list of C expressions, with CELL for each cell or missing cell.
-
-    ``places`` are the numbers of its results, registers and cells, as in `Program.series`.
-    """
-    if kind == "ramp":
-        return ["RAMP", f"{places[0]} * STRIDE", "CELL"]
-    if kind == "lin":
-        result, _, terms = places
-        rows = [x for _, register in terms for x in ("CELL", f"{register} * STRIDE")]
-        return ["LIN", f"{result} * STRIDE", "CELL", str(len(terms)), *rows]
-    known = OPERATIONS[kind]
-    cells = len(known.numbers)
-    registers = places[: len(places) - cells]
-    return [kind.upper(), *(f"{register} * STRIDE" for register in registers), *["CELL"] * cells]
-
-
 def c_programs() -> TextDict:
     """Return programs as integers, as functions, and as a table of these functions, by their marks in the C text."""
     patterns = functions = rows = ""
@@ -81,11 +63,13 @@ def c_programs() -> TextDict:
         calls = list[str]()
         begins = list[int]()
         rates, others = program.split
-        for row in (program.series[i] for i in (*rates, *others)):
+        for operation in (*rates, *others):
             begins.append(len(integers))
-            condition = "if (squares) " if row[0] == "sqr" and not integers else ""
-            calls.append(f"    {condition}OPERATION({len(integers)}, {', '.join(operation(*row))});")
-            integers += operation(*row)
+            condition = "if (squares) " if operation.kind == "sqr" and not integers else ""
+            cells = ["CELL"] * len(operation.cells)  # any cell
+            row = [*map(str, encoded(operation._replace(cells=cells)))]
+            calls.append(f"    {condition}OPERATION({len(integers)}, {', '.join(row)});")
+            integers += row
         count = len(rates)
         patterns += f"    {{{begins[count]}, {len(integers)}, (const int32_t[]){{{', '.join(integers)}}}}},\n"
         first, last = ("\n".join(x) for x in (calls[:count], calls[count:]))

@@ -7,19 +7,33 @@ from sympy import Expr, Rational, atanh, cos, sin
 
 from derive.algebra.appendices import APPENDICES, parse
 from derive.algebra.integrate import closed_forms, derive
-from derive.approximate.programs import Variant, functions_of_ends, variants, variants_of_ends
+from derive.approximate.programs import variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.records import Record, of_both_ends, unit
 from derive.code.emit import Function
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, PRINTED, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import alpha
+from derive.kinds import Coefficients, TextPair
 
 PAPER = "the paper"
+# Names and descriptions of arguments, their domain, and the arguments of the example.
+Arguments = tuple[tuple[TextPair, ...], str, Coefficients]
 
 # The domain includes alpha up to pi/2 (1 + 4 eps), for half discs given in degrees. The kernels clip alpha to pi/2.
-_ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
-_ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
+_OF_ALPHA: Arguments = (
+    (("alpha", "Half the opening angle of the arc, rad."),),
+    "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends",
+    (0.5,),
+)
+_OF_ENDS: Arguments = (
+    (
+        ("theta_1", "Polar angle of the arc's first end, rad, from the positive x axis."),
+        ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi."),
+    ),
+    f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within {LIMIT:.0f} rad of 0",
+    (4.0, 5.0),
+)
 
 
 def public_functions(proved: Sequence[Record]) -> list[Function]:
@@ -31,22 +45,30 @@ def public_functions(proved: Sequence[Record]) -> list[Function]:
     every = []
     for x in quantities:
         name, symbol = x.kernel if isinstance(x, Moment) else (x.name, x.symbol)
-        tiers = _tiers(name, variants())
-        every.append(
-            Function(
-                tiers["best"],
-                f"Return {symbol}, the {x.help}, dimensionless.",
-                f"{symbol} = {formulas[name]}",
-                _source(x),
-                (_ALPHA,),
-                f"{symbol}.",
-                _ALPHA_DOMAIN,
-                _accuracy(name, proved),
-                given=(0.5,),
-                tiers=tiers,
-            )
-        )
-    return [*every, *_of_ends(proved)]
+        every.append(_function(name, symbol, f"{x.help}, dimensionless", formulas[name], _source(x), proved))
+    for m in MOMENTS:
+        if m.amplitude:
+            turned = f"{m.kernel[1]}(alpha) {derive(m).direction}"
+            formula = f"{turned}, alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2."
+            every.append(_function(m.name, m.symbol, f"{m.help}, dimensionless", formula, _source(m), proved))
+    friction = "friction coefficient at limit equilibrium"
+    formula = "J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise."
+    every.append(_function("limit_friction", "mu_eq", friction, formula, f"eq. (3.21) of {PAPER}", proved))
+    return every
+
+
+def _function(name: str, symbol: str, words: str, formula: str, source: str, proved: Sequence[Record]) -> Function:
+    """Return a function of alpha or of both ends with its programs, its proved accuracy, and the texts on it."""
+    tiers: dict[str, Program] = {}
+    for form in ("plain", "numpy"):
+        own = [v for v in (*variants(), *variants_of_ends()) if (v.kernel, v.form) == (name, form)]
+        tiers |= {v.tier: v.program for v in own}
+    best = tiers["best"]
+    parameters, domain, given = _OF_ALPHA if len(best.inputs) == 1 else _OF_ENDS
+    summary = f"Return {symbol}, the {words}."
+    equation = f"{symbol} = {formula}"
+    accuracy = _accuracy(name, proved)
+    return Function(best, summary, equation, source, parameters, f"{symbol}.", domain, accuracy, given, tiers)
 
 
 def _source(x: Moment | Elementary | Quotient) -> str:
@@ -54,15 +76,6 @@ def _source(x: Moment | Elementary | Quotient) -> str:
     if isinstance(x, Moment) and not x.equation:
         return x.source or "a declaration of one's own"
     return f"eq. ({x.equation}) of {PAPER}"
-
-
-def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
-    """Return the NumPy program of each tier of the kernel ``name``, from the variants ``among``."""
-    programs: dict[str, Program] = {}
-    for form in ("plain", "numpy"):
-        own = [v for v in among if (v.kernel, v.form) == (name, form)]
-        programs |= {v.tier: v.program for v in own}
-    return programs
 
 
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
@@ -103,43 +116,6 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
         formula = by_name[kernel].formula.rstrip(".")
         texts[kernel, tier, form] = f"{formula}, {interval}, {tier}, {form}: proved within {bound}"
     return texts
-
-
-_ARC = (
-    ("theta_1", "Polar angle of the arc's first end, rad, from the positive x axis."),
-    ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi."),
-)
-_ARC_DOMAIN = f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within {LIMIT:.0f} rad of 0"
-
-
-def _of_ends(proved: Sequence[Record]) -> list[Function]:
-    """Return the functions of both ends, J_r, J_theta and mu_eq, with their proved accuracy."""
-    moments = {m.name: m for m in MOMENTS}
-    every = []
-    for name, *_ in functions_of_ends():
-        tiers = _tiers(name, variants_of_ends())
-        if name in moments:
-            m = moments[name]
-            symbol = m.symbol
-            _, amplitude = m.kernel
-            turned = f"{amplitude}(alpha) {derive(m).direction}"
-            words = (
-                f"Return {symbol}, the {m.help}, dimensionless.",
-                f"{symbol} = {turned}, alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.",
-                _source(m),
-            )
-        else:
-            symbol = "mu_eq"
-            words = (
-                "Return mu_eq, the friction coefficient at limit equilibrium.",
-                "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
-                f"eq. (3.21) of {PAPER}",
-            )
-        best = tiers["best"]
-        returns = f"{symbol}."
-        accuracy = _accuracy(name, proved)
-        every.append(Function(best, *words, _ARC, returns, _ARC_DOMAIN, accuracy, given=(4.0, 5.0), tiers=tiers))
-    return every
 
 
 def printed() -> list[tuple[Program, str]]:

@@ -144,8 +144,8 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* Registers, and after them cells, that an operation on series names, and cells that one on cells reads. */
-static const struct { unsigned char registers, cells; } named[] = { @NAMED@ };
+/* Registers that an operation on series names, without the terms of a sum, and cells that one on cells reads. */
+static const unsigned char named[] = { @REGISTERS@ };
 static const unsigned char arguments[] = { @ARGUMENTS@ };
 
 static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
@@ -156,13 +156,11 @@ static int series_fit(const Job *job, const int32_t *at, const int32_t *end)
 {
     while (at < end) {
         const int code = *at++;
-        if (code < 0 || code >= (int)sizeof named / 2 || end - at < named[code].registers + named[code].cells) return 0;
-        for (int i = 0; i < named[code].registers; i++) if (!is_register(job, *at++)) return 0;
-        for (int i = 0; i < named[code].cells; i++) if (!is_cell(job, *at++)) return 0;
-        if (code != LIN) continue;
-        if (end - at < 2 || (at[0] != -1 && !is_cell(job, at[0])) || at[1] < 0 || at[1] > (end - at - 2) / 2) return 0;
-        const int32_t *const stop = at + 2 + 2 * at[1];
-        for (at += 2; at < stop; at += 2) if (!is_cell(job, at[0]) || !is_register(job, at[1])) return 0;
+        if (code < 0 || code >= (int)sizeof named || at == end) return 0;
+        const int terms = code == LIN ? *at++ : 0, cells = code == LIN ? terms + 1 : 0;
+        if (terms < 0 || terms > end - at || end - at < named[code] + terms + cells) return 0;
+        for (int i = 0; i < named[code] + terms; i++) if (!is_register(job, *at++)) return 0;
+        for (int i = 0; i < cells; i++) if (!is_cell(job, *at++)) return 0;
     }
     return 1;
 }
@@ -657,21 +655,19 @@ INLINE V sqrt_of(V x)
     if (k < (below)) { const int j = 0; add; } } while (0)
 
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
- * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
- * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
+ * code, its results and its arguments; a sum is its code, how many terms, its result, their registers, the cell of its
+ * constant and those of the factors. What is read off a table is there already.
  * Cells are read from `own`, all else from `at`, so that this may be constant. Register i begins at r + i; by_n is 1 / n. */
 INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, const V *c, int n, double by_n)
 {
     switch (at[0]) {
     case LIN: {
-        V sum = n == 0 && own[2] >= 0 ? c[own[2]] : (V){0};
-        const int terms = at[3];
-        for (int k = 0; k < terms; k++) sum += c[own[4 + 2 * k]] * r[at[5 + 2 * k] + n];
-        r[at[1] + n] = sum;
+        const int terms = at[1];
+        V sum = n == 0 ? c[own[3 + terms]] : (V){0};
+        for (int k = 0; k < terms; k++) sum += c[own[4 + terms + k]] * r[at[3 + k] + n];
+        r[at[2] + n] = sum;
         return at + 4 + 2 * terms;
     }
-    case RAMP:
-        return at + 3;
 @SERIES@
     default:
         __builtin_unreachable();
@@ -762,73 +758,48 @@ INLINE V power_of_two(V y)
     return (V)((M)(y + (0x1p52 + 1023 * FIXED)) << 12);
 }
 
-/* The coefficients of a lane's piece, in powers of what is beyond its break. */
-INLINE const double *polynomial_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Data *const d = b->job->data + t;
-    return d->across ? d->coefficients + piece * d->terms * d->across + b->column[lane] : d->coefficients + piece * d->terms;
-}
-INLINE double constant_of(const Batch *b, unsigned lane, int t, int64_t piece) { return *polynomial_of(b, lane, t, piece); }
-INLINE void coefficients_of(const Batch *b, unsigned lane, int t, int64_t piece, double *terms)
-{
-    const Data *const d = b->job->data + t;
-    const int64_t across = d->across ? d->across : 1;
-    const double *from = polynomial_of(b, lane, t, piece);
-    for (int j = 0; j < d->terms; j++) terms[j] = from[j * across];
-}
-
-/* Where a piece begins, and by how much a function of time jumps there. */
-INLINE double break_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Data *const d = b->job->data + t;
-    return d->breaks[d->apart ? piece * d->apart + b->column[lane] : piece];
-}
-INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    (void)lane;
-    return b->job->data[t].jumps[piece];
-}
-
-/* The same of a piece in each lane, and the coefficients of a straight line there. */
+/* Where the piece of each lane begins, by how much a function of time jumps there, and a coefficient of the piece, in
+ * powers of the distance from there. */
 INLINE V breaks_at(const Batch *b, int t, V piece)
 {
+    const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
+    for (unsigned k = 0; k < LANES; k++) x[k] = d->breaks[d->apart ? (int64_t)piece[k] * d->apart + b->column[k] : (int64_t)piece[k]];
     return x;
 }
 INLINE V jumps_at(const Batch *b, int t, V piece)
 {
+    const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    for (unsigned k = 0; k < LANES; k++) x[k] = d->jumps[(int64_t)piece[k]];
     return x;
 }
-INLINE V heights_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V slopes_at(const Batch *b, int t, V piece)
+INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
 {
     const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    for (unsigned k = 0; k < LANES; k++) {
+        const int64_t row = (int64_t)piece[k] * d->terms + j;
+        x[k] = d->coefficients[d->across ? row * d->across + b->column[k] : row];
+    }
     return x;
 }
 
 /* Record an event of the first lane. */
-static void note(const Batch *b, unsigned k, int kind)
+static void note(const Batch *b, M here, int kind)
 {
     Job *const job = b->job;
-    if (b->column[k] != 0 || job->noted == job->notes_room) return;
-    double *const row = job->notes + 4 * job->noted++;
-    row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
+    EACH(k, bits(here)) {
+        if (b->column[k] != 0 || job->noted == job->notes_room) continue;
+        double *const row = job->notes + 4 * job->noted++;
+        row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
+    }
 }
 
 INLINE V variable_at(Batch *b, int top, V time);
 
-/* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
-static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
+/* States of a lane at sample times from `begin` up to, and without, `end`; it moves along series in r, or rests. */
+static void read_samples_of(Batch *b, unsigned k, double begin, double end, int moving, int top)
 {
     const Job *const job = b->job;
     const V *const c = b->c;
@@ -859,6 +830,11 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
+}
+
+static void read_samples(Batch *b, M here, V begin, V end, int moving, int top)
+{
+    EACH(k, bits(here)) read_samples_of(b, k, begin[k], end[k], moving, top);
 }
 
 /* A sample time of each lane, and the states of lanes that move then. */
@@ -964,8 +940,8 @@ static void read_registers(Batch *b)
         for (int64_t k = 0; k < count; k++) {
             for (int i = 0; i < job->cells; i++) b->c[i][k] = job->all[i * job->count + first + k];
             b->column[k] = first + k;
-            if (job->budget) begin_here(b, k);
         }
+        if (job->budget) begin_here(b, lanes((1u << count) - 1));
         if (job->budget) IN(prologue)(job->scalar, job->scalar_end, b->c, lanes(ALL));
         evaluate(b);
         for (int64_t k = 0; k < count; k++) {

@@ -84,6 +84,8 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
 #define SELECT(condition, yes, no) ((condition) ? (yes) : (no))
 #define SMALLER(a, b) SELECT((a) < (b), a, b)
 #define LARGER(a, b) SELECT((a) > (b), a, b)
+/* The integer nearest to an x below 2**51, of a tie the even one. */
+#define NEAREST(x) ((x) + 0x1.8p52 - 0x1.8p52)
 /* The rounding error of a + b (TwoSum). */
 INLINE double lost(double a, double b)
 {

@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 
 from derive.flow.fragments import INPUTS, QUANTITIES
 from derive.flow.layout import TABLE
-from derive.flow.lowering import Fragment
-from derive.flow.recurrences import RESULTS
+from derive.flow.lowering import Fragment, OnSeries
 
 Names = tuple[str, ...]
 OnCells = tuple[str, ...]  # kind of an operation on cells, and its arguments
@@ -45,21 +44,6 @@ class Recipe(NamedTuple):
     def of_friction(self) -> Names:
         """Laws without the laws of cohesion."""
         return tuple(law for law in self.laws if OF_COHESION not in law)
-
-
-class OnSeries(NamedTuple):
-    """Operation on series: its kind, its registers and cells, and the table of a ramp.
-
-    The cells of a sum are its constant and the factor of each register.
-    """
-
-    kind: str
-    registers: Names
-    cells: Names
-    table: str = ""
-
-
-Computed = tuple[OnSeries, Names]  # operation and its results
 
 
 class DeclaredTable(NamedTuple):
@@ -100,11 +84,16 @@ class Definitions:
     """
 
     cells: dict[str, OnCells] = field(default_factory=dict)
-    series: dict[str, Computed] = field(default_factory=dict)
+    series: dict[str, OnSeries] = field(default_factory=dict)
     inputs: list[str] = field(default_factory=lambda: list(INPUTS))
     states: dict[str, str] = field(default_factory=lambda: {"x": "omega", "omega": "net"})
     tables: list[DeclaredTable] = field(default_factory=list)
     addends: dict[str, list[Any]] = field(default_factory=dict)
+
+    @property
+    def variables(self) -> Names:
+        """Registers of states, and of the functions of time, which the integrator reads off tables."""
+        return (*self.states, *(table.argument for table in self.tables if table.kind == "time"))
 
     @property
     def moving(self) -> list[str]:
@@ -136,7 +125,7 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
         _define_quantity(made, quantity)
     if slip_factor == "mu":  # without a law of speed the coefficient itself depends on slip
         made.cells["slip_mu_0"] = ("set", "mu_0")
-        made.series["dslip_mu"] = (OnSeries("lin", ("dmu",), (ZERO, ONE)), ("dslip_mu",))
+        made.series["dslip_mu"] = OnSeries("lin", ("dslip_mu",), ("dmu",), (ZERO, ONE))
     given = dict.fromkeys(made.inputs)
     made.inputs = [name for name in given if name not in made.cells]
     made.cells["departed"] = _departed(made)
@@ -173,9 +162,9 @@ def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = ()
     """
     for kind, result, *arguments in fragment.scalar:
         made.cells[result] = (kind, *arguments)
-    for operation in fragment.series:
-        computed = _on_series(*operation)
-        made.series |= dict.fromkeys(computed[1], computed)
+    for row in fragment.series:
+        operation = OnSeries(*row)
+        made.series |= dict.fromkeys(operation.results, operation)
     for quantity, added in fragment.adds.items():
         name = friction if quantity == "mu" else quantity
         made.addends.setdefault(name, []).append(added)
@@ -190,29 +179,13 @@ def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = ()
             made.cells |= dict.fromkeys(table.coefficients, ("set", ZERO))
 
 
-def _on_series(kind: Any, *names: Any) -> Computed:
-    """Return an operation on series of a fragment, with its results."""
-    count = RESULTS.get(kind, 1)
-    results, arguments = names[:count], names[count:]
-    if kind == "lin":
-        constant, terms = arguments
-        cells = [cell for cell, _ in terms]
-        registers = tuple(register for _, register in terms)
-        return OnSeries(kind, registers, (constant or ZERO, *cells)), results
-    taken = len(arguments) - (kind == "pow")  # the exponent is a cell
-    return OnSeries(kind, arguments[:taken], arguments[taken:]), results
-
-
 def _define_functions_of_time(made: Definitions, moving: Names) -> None:
-    """Define each parameter in ``moving``, which changes with time, by its initial value and its increment, a ramp."""
+    """Define each parameter in ``moving``, which changes with time, by its initial value and its table."""
     known = [table.name for table in made.tables]
     for symbol in moving:
         made.cells[symbol] = ("set", f"{symbol}.VALUE")
         if symbol not in known:
             made.tables.append(DeclaredTable(symbol, "time", f"d{symbol}", 0))
-    for table in made.tables:
-        if table.kind == "time":
-            made.series[table.argument] = (OnSeries("ramp", (), (), table.name), (table.argument,))
 
 
 def _define_quantity(made: Definitions, quantity: str) -> None:
@@ -221,8 +194,10 @@ def _define_quantity(made: Definitions, quantity: str) -> None:
     _define_sum(made, f"{quantity}_0", [base for base, _, _ in addends])
     _define_sum(made, f"{quantity}_size", [size for _, size, _ in addends])
     terms = [term for _, _, increment in addends for term in increment]
-    register = f"d{quantity}"
-    made.series[register] = _on_series("lin", register, "", terms)
+    factors = [factor for factor, _ in terms]
+    registers = tuple(register for _, register in terms)
+    name = f"d{quantity}"
+    made.series[name] = OnSeries("lin", (name,), registers, (ZERO, *factors))
 
 
 def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:

@@ -1,9 +1,11 @@
 """Programs as integers, the form that the compiled integrator and the page's integrator read."""
 
-from collections.abc import Sequence
+from itertools import chain
+from typing import Any
 
 from derive.flow.layout import KINDS, ROLES, STRIDE
 from derive.flow.link.program import Program
+from derive.flow.lowering import OnSeries
 from derive.flow.recurrences import SCALAR, SERIES
 
 
@@ -12,9 +14,7 @@ def integers_of(program: Program) -> list[int]:
 
     They are its sizes, roles, operations on cells, operations on series, states and tables, in this order.
     """
-    rates, others = program.split
-    series = _encoded_series(program, rates)
-    later = _encoded_series(program, others)
+    series, later = ([*chain.from_iterable(map(encoded, operations))] for operations in program.split)
     scalar = list[int]()
     for kind, *names in program.scalar:
         scalar += [SCALAR[kind], *names]
@@ -48,19 +48,8 @@ def _begin(register: int) -> int:
     return -1 if register < 0 else register * STRIDE
 
 
-def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
-    """Return operations on series as integers. ``chosen`` are their indices in ``program.series``."""
-    code = list[int]()
-    for k in chosen:
-        kind, *names = program.series[k]
-        code.append(SERIES[kind])
-        if kind == "lin":
-            result, constant, terms = names
-            code += [_begin(result), constant, len(terms)]
-            for cell, register in terms:
-                code += [cell, _begin(register)]
-        elif kind in ("pow", "ramp"):  # the last operand is a cell or a table
-            code += [*map(_begin, names[:-1]), names[-1]]
-        else:
-            code += map(_begin, names)
-    return code
+def encoded(operation: OnSeries) -> list[Any]:
+    """Return an operation on series as integers. A sum also contains the number of its terms."""
+    kind, results, registers, cells = operation
+    count = [len(registers)] if kind == "lin" else []
+    return [SERIES[kind], *count, *map(_begin, (*results, *registers)), *cells]

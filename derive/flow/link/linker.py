@@ -5,12 +5,12 @@ Equal operations are computed once, and sums of sums are flattened.
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from derive.flow.layout import ROLES
-from derive.flow.link.definitions import ONE, ZERO, Computed, Definitions, Names, OnCells, OnSeries
+from derive.flow.link.definitions import ONE, ZERO, Definitions, Names, OnCells
+from derive.flow.lowering import OnSeries
 
-SQUARE = ("sqr", ("omega",))  # operation that precedes all others
 EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and an upright chord
 # Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
 OUTPUT_CELLS = {
@@ -35,8 +35,8 @@ FACTORS = {"sin(x)": "sine", "vers(x)": "vers", "omega*omega": "square"}
 class Linked(NamedTuple):
     """Operations of a program in order, with their results, and the names of the required registers and cells."""
 
-    scalar: list[tuple[OnCells, Names]]
-    series: list[tuple[OnSeries, Names]]
+    scalar: list[tuple[OnCells, str]]
+    series: list[OnSeries]
     registers: Mapping[str, str | None]  # required registers by name; None for an event that never happens
     outputs: Mapping[str, str]  # cells by role
     constants: list[str]
@@ -59,21 +59,14 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     if len(definitions.states) == 2 and len(parts) == len(definitions.tables):
         outputs |= linker.closed_form(registers, outputs, parts)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
-    series = _needed(linker.series, pending)
-    scalar = _needed(linker.scalar, pending)
+    scalar, series = linker.needed(pending)
     constants = sorted(name for name in pending if name and name.startswith("="))
     return Linked(scalar, series, registers, outputs, constants)
 
 
-def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tuple[Any, Names]]:
-    """Return the operations on which pending results depend, in order. Their operands become pending, too."""
-    selected = []
-    for operation, results in reversed(operations.items()):
-        if not pending.isdisjoint(results):
-            selected.append((operation, results))
-            of_series = isinstance(operation, OnSeries)
-            pending.update(operation.registers + operation.cells if of_series else operation[1:])
-    return selected[::-1]
+def squares_omega(operation: OnSeries) -> bool:
+    """Return whether an operation squares omega. It precedes all others."""
+    return operation.kind == "sqr" and operation.registers == ("omega",)
 
 
 class Linker:
@@ -81,18 +74,34 @@ class Linker:
 
     Attributes
     ----------
-    scalar, series : dict
-        Operations on cells, and on series, with the names of their results.
+    scalar : dict
+        Names of the results of operations on cells.
+    series : dict
+        Operations on series, by the same without results.
     """
 
     def __init__(self, definitions: Definitions, given: Iterable[str]) -> None:
-        self.scalar: dict[OnCells, Names] = {}
-        self.series: dict[OnSeries, Names] = {}
+        self.scalar: dict[OnCells, str] = {}
+        self.series: dict[OnSeries, OnSeries] = {}
         self._definitions = definitions
         self._shared: set[str] = set()  # registers used by operations other than sums
         # Names under which cells and registers are computed; None for a register that is zero.
         self._cells = {name: name for name in given}
-        self._registers: dict[str, str | None] = {name: name for name in definitions.states}
+        self._registers: dict[str, str | None] = {name: name for name in definitions.variables}
+
+    def needed(self, pending: set[str | None]) -> tuple[list[tuple[OnCells, str]], list[OnSeries]]:
+        """Return the operations on which pending results depend, in order. Their operands become pending, too."""
+        series = list[OnSeries]()
+        for operation in reversed(self.series.values()):
+            if not pending.isdisjoint(operation.results):
+                series.insert(0, operation)
+                pending.update(operation.registers, operation.cells)
+        scalar = list[tuple[OnCells, str]]()
+        for on_cells, result in reversed(self.scalar.items()):
+            if result in pending:
+                scalar.insert(0, (on_cells, result))
+                pending.update(on_cells[1:])
+        return scalar, series
 
     # --- cells -------------------------------------------------------------------------------------------------------
 
@@ -112,14 +121,17 @@ class Linker:
         if known is not None:
             return known
         number = len(self.scalar)
-        (cell,) = self.scalar.setdefault((kind, *operands), (name or f"cell{number}",))
-        return cell
+        return self.scalar.setdefault((kind, *operands), name or f"cell{number}")
 
     # --- registers ---------------------------------------------------------------------------------------------------
 
-    def _definition(self, name: str) -> Computed:
+    def _definition(self, name: str) -> OnSeries:
         """Return the definition of a register. Without a definition it is an empty sum."""
-        return self._definitions.series.get(name, (OnSeries("lin", (), (ZERO,)), (name,)))
+        return self._definitions.series.get(name, OnSeries("lin", (name,), (), (ZERO,)))
+
+    def _computed(self, operation: OnSeries) -> Names:
+        """Return the results of an operation on series, or of an equal one that exists."""
+        return self.series.setdefault(operation._replace(results=()), operation).results
 
     def mark_shared(self, read: Iterable[str]) -> None:
         """Mark registers that are read, or used by operations other than sums. Sums among them are not flattened."""
@@ -131,7 +143,7 @@ class Linker:
             if name in seen or self._is_zero(name):
                 continue
             seen.add(name)
-            operation, _ = self._definition(name)
+            operation = self._definition(name)
             pending += operation.registers
             if operation.kind != "lin":
                 self._shared.update(operation.registers)
@@ -140,7 +152,7 @@ class Linker:
         """Return whether a register is identically zero, an operation on zero or a sum of zeros."""
         if name in self._registers:
             return self._registers[name] is None
-        (kind, registers, cells, _), _ = self._definition(name)
+        kind, _, registers, cells = self._definition(name)
         if kind == "lin":
             constant, *factors = cells
             terms = zip(factors, registers, strict=True)
@@ -155,21 +167,19 @@ class Linker:
     def register(self, name: str) -> str | None:
         """Return the register for a name, computed if necessary, or None if it is zero."""
         if not self._is_zero(name) and name not in self._registers:
-            operation, results = self._definition(name)
+            operation = self._definition(name)
             if operation.kind == "lin":
                 self._registers[name] = self._sum(name, operation)
             else:
                 registers = tuple(str(self.register(operand)) for operand in operation.registers)
-                cells = tuple(map(self.cell, operation.cells))
-                linked = operation._replace(registers=registers, cells=cells)
-                computed = self.series.setdefault(linked, results)
-                self._registers[name] = computed[results.index(name)]
+                results = self._computed(operation._replace(registers=registers))
+                self._registers[name] = results[operation.results.index(name)]
         return self._registers[name]
 
     def event(self, register: str | None) -> str | None:
         """Return a register whose roots are events, or None if it is None or constant during a phase."""
-        constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
-        return None if (register,) in constant else register
+        operation = self._made_by(str(register))
+        return None if operation.kind == "lin" and not operation.registers else register
 
     def parts(self) -> dict[str, str]:
         """Return the registers that follow tables in sums with a closed form, with their names in roles.
@@ -195,11 +205,11 @@ class Linker:
         """
         cells = dict[str, str]()
         names = FACTORS | parts
-        for operation, results in self.series.items():
+        for operation in self.series.values():
             if operation.kind in ("exp", "rec"):
                 argument = self._made_by(operation.registers[-1])
                 if argument.registers == ("x",) and not cells:
-                    names[results[1]] = "loss"
+                    names[operation.results[1]] = "loss"
                     rate = argument.cells[1]
                     cells["cell_loss_rate"] = rate
                     if operation.kind == "rec":
@@ -217,7 +227,8 @@ class Linker:
 
     def _made_by(self, register: str) -> OnSeries:
         """Return the operation that computes a register. The operation of a state has no operands."""
-        return next((made for made, results in self.series.items() if register in results), OnSeries("", (), ()))
+        operations = self.series.values()
+        return next((made for made in operations if register in made.results), OnSeries("", (), ()))
 
     def _products(self, register: str, units: Mapping[str, str]) -> Iterator[tuple[Names, str]]:
         """Yield a register as a sum of products of other registers, each with the cell of its factor.
@@ -240,8 +251,8 @@ class Linker:
 
     def zero(self, name: str) -> str:
         """Return a register that contains zero; it is called ``name`` if there is none yet."""
-        (zero,) = self.series.setdefault(OnSeries("lin", (), (ZERO,)), (name,))
-        return zero
+        (zero,) = self._computed(OnSeries("lin", (name,), (), (ZERO,)))
+        return str(zero)
 
     def _sum(self, name: str, operation: OnSeries) -> str:
         """Return the register of a sum, in which each register occurs once."""
@@ -255,8 +266,8 @@ class Linker:
             return register
         in_order = sorted(factors)  # sums with permuted terms are equal
         cells = (start, *(factors[register] for register in in_order))
-        (result,) = self.series.setdefault(OnSeries("lin", tuple(in_order), cells), (name,))
-        return result
+        (result,) = self._computed(OnSeries("lin", (name,), tuple(in_order), cells))
+        return str(result)
 
     def _flat(self, operation: OnSeries, factor: str) -> Iterator[tuple[str, str]]:
         """Yield the nonzero terms of a sum as pairs (factor, register), each times the cell ``factor``.
@@ -267,7 +278,7 @@ class Linker:
             scaled = self._result("mul", [factor, self.cell(cell)])
             if scaled == ZERO or self._is_zero(register):
                 continue
-            inner, _ = self._definition(register)
+            inner = self._definition(register)
             kept = register in self._shared or register in self._registers
             if inner.kind == "lin" and inner.cells[0] == ZERO and not kept:  # a constant is not a term
                 yield from self._flat(inner, scaled)

@@ -7,12 +7,12 @@ from itertools import chain
 from typing import Any, NamedTuple, Self
 
 from derive.flow.layout import CELLS
-from derive.flow.link.definitions import ZERO, Definitions, Lookup, Names, OnSeries, Recipe, definitions_of
-from derive.flow.link.linker import EVENTS, SQUARE, Linked, link
-from derive.flow.recurrences import RESULTS
+from derive.flow.link.definitions import Definitions, Lookup, Names, Recipe, definitions_of
+from derive.flow.link.linker import EVENTS, Linked, link, squares_omega
+from derive.flow.lowering import OnSeries
 
 # Functions of slip whose series converge no farther in the rotation than in time, and other arguments of tables.
-SHORT = {"exp", "rec", "log", "pow", "time", "speed"}
+SHORT = {"exp", "rec", "log", "time", "speed"}
 
 
 class Table(NamedTuple):
@@ -34,19 +34,17 @@ class Program:
     """Operations on the cells and the registers of a lane by place, and the places that the integrator reads.
 
     The first ``given`` cells are set at the start of a lane, the following cells are computed at the beginning of a
-    phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
-    its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
-    each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
-    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0. Unless ``by_rotation``
-    is 0, forces depend on the rotation and on omega^2 only, and series may be in powers of the rotation, with
-    E = omega^2 in place of omega. If it is 2, the first operation squares omega.
+    phase, and ``constants`` by name are the last. ``states`` are (cell, register, register of the rate). Between breaks
+    in time d(omega)/dt depends on time alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers
+    if it is 0. Unless ``by_rotation`` is 0, forces depend on the rotation and on omega^2 only, and series may be in
+    powers of the rotation, with E = omega^2 in place of omega. If it is 2, the first operation squares omega.
     """
 
     cells: Names
     given: int
     registers: Names
     scalar: tuple[tuple[Any, ...], ...]
-    series: tuple[tuple[Any, ...], ...]
+    series: tuple[OnSeries, ...]
     states: tuple[tuple[int, int, int], ...]
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
@@ -60,18 +58,17 @@ class Program:
         return {name: k for k, name in enumerate(self.cells)}
 
     @cached_property
-    def split(self) -> tuple[list[int], list[int]]:
-        """Places of the operations on which rates depend, and of those that can wait until states are complete."""
+    def split(self) -> tuple[list[OnSeries], list[OnSeries]]:
+        """Operations on which rates depend, and those that can wait until states are complete."""
         needed = {rate for _, _, rate in self.states} | {self.roles.get("square", -1)}
-        rates = list[int]()
-        others = list[int]()
-        for k in reversed(range(len(self.series))):
-            kind, *names = self.series[k]
-            if needed & {*names[: RESULTS.get(kind, 1)]}:
-                needed |= {register for _, register in names[2]} if kind == "lin" else {*names}
-                rates.insert(0, k)
+        rates = list[OnSeries]()
+        others = list[OnSeries]()
+        for operation in reversed(self.series):
+            if needed.isdisjoint(operation.results):
+                others.insert(0, operation)
             else:
-                others.insert(0, k)
+                needed.update(operation.registers)
+                rates.insert(0, operation)
         return rates, others
 
 
@@ -84,19 +81,17 @@ def build(recipe: Recipe, fragments: Lookup, outputs: Names = (), further: Names
 
 
 class _Places(NamedTuple):
-    """Places of a program's cells, registers and tables by name."""
+    """Places of a program's cells and registers by name."""
 
     cells: dict[str, int]
     registers: dict[str, int]
-    tables: dict[str, int]
 
     @classmethod
     def of(cls, definitions: Definitions, linked: Linked, given: Names) -> Self:
-        """Return numbers for cells (given, computed, constant), registers (of states, computed) and tables."""
-        computed = chain.from_iterable(results for _, results in linked.scalar)
-        made = chain.from_iterable(results for _, results in linked.series)
-        tables = [table.name for table in definitions.tables]
-        every = [*given, *computed, *linked.constants], [*definitions.states, *made], tables
+        """Return numbers for cells (given, computed, constant) and registers (of variables, computed)."""
+        computed = [result for _, result in linked.scalar]
+        made = chain.from_iterable(operation.results for operation in linked.series)
+        every = [*given, *computed, *linked.constants], [*definitions.variables, *made]
         return cls(*({name: place for place, name in enumerate(names)} for names in every))
 
 
@@ -113,7 +108,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         name, kind, argument, degree = table
         tables.append(Table(name, kind, read[argument], cells[table.cells[0]], degree))
     scalar = []
-    for (kind, *arguments), (result,) in linked.scalar:
+    for (kind, *arguments), result in linked.scalar:
         operands = [cells[argument] for argument in arguments]
         scalar.append((kind, cells[result], *operands))
     states = []
@@ -139,47 +134,43 @@ def _roles(linked: Linked, places: _Places) -> dict[str, int]:
     roles = {}
     for role, name in linked.outputs.items():
         roles[role] = places.cells[name]
-    for operation, results in linked.series:
-        if operation[:2] == SQUARE:
-            roles["square"] = places.registers[results[0]]
+    for operation in linked.series:
+        if squares_omega(operation):
+            roles["square"] = places.registers[operation.results[0]]
     return roles
 
 
-def _in_order(linked: Linked, places: _Places) -> tuple[tuple[Any, ...], ...]:
+def _in_order(linked: Linked, places: _Places) -> tuple[OnSeries, ...]:
     """Return the operations on series with places. The square of omega precedes all others."""
-    rows = sorted(linked.series, key=lambda row: row[0][:2] != SQUARE)
-    return tuple(_placed(operation, results, places) for operation, results in rows)
+    return tuple(_placed(operation, places) for operation in sorted(linked.series, key=squares_omega, reverse=True))
 
 
-def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
-    """Return an operation on series with places: its results, registers, and cells or the table.
+def _placed(operation: OnSeries, places: _Places) -> OnSeries:
+    """Return an operation on series with places.
 
     The terms of a sum are in the order in which their registers become available, so that it waits only for the last.
     """
-    made = [places.registers[name] for name in results]
-    taken = [places.registers[name] for name in operation.registers]
-    if operation.kind == "ramp":
-        return operation.kind, *made, places.tables[operation.table]
-    cells = [places.cells[name] for name in operation.cells]
-    if operation.kind != "lin":
-        return operation.kind, *made, *taken, *cells
-    constant, *factors = cells
-    in_order = sorted(zip(taken, factors, strict=True))
-    if operation.cells[0] == ZERO:
-        constant = -1
-    return operation.kind, *made, constant, tuple((cell, register) for register, cell in in_order)
+    results = tuple(places.registers[name] for name in operation.results)
+    registers = tuple(places.registers[name] for name in operation.registers)
+    cells = tuple(places.cells[name] for name in operation.cells)
+    if operation.kind == "lin":
+        constant, *factors = cells
+        in_order = sorted(zip(registers, factors, strict=True))
+        registers = tuple(register for register, _ in in_order)
+        cells = (constant, *(factor for _, factor in in_order))
+    return OnSeries(operation.kind, results, registers, cells)
 
 
 def _autonomous(definitions: Definitions, linked: Linked) -> int:
     """Return the code of `Program.autonomous`."""
-    taken = {register for operation, _ in linked.series for register in operation.registers}
+    taken = {register for operation in linked.series for register in operation.registers}
     still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
     return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)
 
 
 def _by_rotation(definitions: Definitions, linked: Linked) -> int:
     """Return the code of `Program.by_rotation`."""
-    others = [operation for operation, _ in linked.series if operation[:2] != SQUARE]
+    others = [operation for operation in linked.series if not squares_omega(operation)]
     taken = {register for operation in others for register in operation.registers}
     kinds = {operation.kind for operation in others}
     kinds.update(table.kind for table in definitions.tables)

@@ -9,7 +9,6 @@ from typing import Any
 
 from derive.flow.link.definitions import OF_COHESION, OF_SOIL
 from derive.flow.lowering import Fragment
-from derive.flow.recurrences import RESULTS
 
 # Quantity that a law of one soil supplies, by the effect that takes it.
 LAW_OF_EFFECT = {"soil_friction": "soil_mu", "softening_cohesion": "cohesion_law"}
@@ -70,9 +69,8 @@ def _numbered(known: Mapping[str, Fragment], shared_name: str, number: str) -> F
 def _results(fragment: Fragment) -> set[str]:
     """Return the names of the cells and registers that a fragment computes. A table of time supplies its argument."""
     results = {operation[1] for operation in fragment.scalar}
-    for kind, *names in fragment.series:
-        count = RESULTS.get(str(kind), 1)
-        results.update(map(str, names[:count]))
+    for _, names, *_ in fragment.series:
+        results.update(names)
     for _, kind, argument, _ in fragment.tables:
         if kind == "time":
             results.add(argument)
