@@ -46,7 +46,7 @@ class _Target(NamedTuple):
 
 
 C = _Target(
-    Language("vector", "const V {name} = {text};", repr, ""),
+    Language("vector", "const V {name} = {text};", repr),
     "(V){0}",
     ";",
     "V {name} = {name}_[0] + {name}_[1];",
@@ -55,7 +55,7 @@ C = _Target(
     "{name} += {factor}{a}[{k}] * {b}[{rest}];",
 )
 NUMPY = _Target(
-    Language("python", "{name} = {text}", repr, "", "np"),
+    Language("python", "{name} = {text}", repr, "np"),
     "0.0",
     "",
     "{name} = _over({a}, {b}, n, {first}, {last})",
