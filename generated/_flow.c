@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c4308c62881749eb6206fe376084e04206d597dbe923df3e8dca42c71fac9dcb"
+#define DIGEST "4c748e428645789925f06dc15b06e026693d5466deb43070164c679a62215fcb"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -141,7 +141,7 @@ enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
 enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE, REST };
-enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_BREAKPOINT };
+enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
@@ -196,7 +196,7 @@ static int runs(int kind)
 }
 
 /* Registers that an operation on series names, without the terms of a sum, and cells that one on cells reads. */
-static const unsigned char named[] = { 1, 3, 2, 7, 2, 4, 4, 3, 2 };
+static const unsigned char named[] = { 1, 3, 2, 7, 2, 4, 4, 3, 4 };
 static const unsigned char arguments[] = { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3 };
 
 static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
@@ -552,7 +552,7 @@ enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
 enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE, REST };
-enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_BREAKPOINT };
+enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
@@ -742,10 +742,8 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}};
             OVER(n, sum0_[j] += a[k] * b[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += a[0] * b[n];
-            sum0 += a[n] * b[0];
-            d[n] = sum0;
+            const V sum0 = sum0_[0] + sum0_[1];
+            d[n] = sum0 + a[0] * b[n] + a[n] * b[0];
         }
         return at + 4;
     }
@@ -759,8 +757,7 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             OVER((n + 1) / 2, sum0_[j] += a[k] * a[n - k]);
             V sum0 = 2.0 * (sum0_[0] + sum0_[1]);
             if (n % 2 == 0) sum0 += a[n / 2] * a[n / 2];
-            sum0 += 2.0 * a[0] * a[n];
-            d[n] = sum0;
+            d[n] = sum0 + 2.0 * a[0] * a[n];
         }
         return at + 3;
     }
@@ -785,24 +782,18 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}}, sum1_[2] = {{0}}, sum2_[2] = {{0}}, sum3_[2] = {{0}}, sum4_[2] = {{0}}, sum5_[2] = {{0}};
             OVER(n, sum0_[j] += x[k] * p2[n - k]; sum1_[j] += x[k] * p3[n - k]; sum2_[j] += x[k] * p4[n - k]; sum3_[j] += x[k] * p5[n - k]; sum4_[j] += x[k] * p6[n - k]; sum5_[j] += x[k] * x[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += x[n] * p2[0];
-            V sum1 = sum1_[0] + sum1_[1];
-            sum1 += x[n] * p3[0];
-            V sum2 = sum2_[0] + sum2_[1];
-            sum2 += x[n] * p4[0];
-            V sum3 = sum3_[0] + sum3_[1];
-            sum3 += x[n] * p5[0];
-            V sum4 = sum4_[0] + sum4_[1];
-            sum4 += x[n] * p6[0];
-            V sum5 = sum5_[0] + sum5_[1];
-            sum5 += x[n] * x[0];
-            p2[n] = sum5 + x[0] * x[n];
-            p3[n] = sum0 + p2[n] * x[0];
-            p4[n] = sum1 + p3[n] * x[0];
-            p5[n] = sum2 + p4[n] * x[0];
-            p6[n] = sum3 + p5[n] * x[0];
-            p7[n] = sum4 + p6[n] * x[0];
+            const V sum0 = sum0_[0] + sum0_[1];
+            const V sum1 = sum1_[0] + sum1_[1];
+            const V sum2 = sum2_[0] + sum2_[1];
+            const V sum3 = sum3_[0] + sum3_[1];
+            const V sum4 = sum4_[0] + sum4_[1];
+            const V sum5 = sum5_[0] + sum5_[1];
+            p2[n] = sum5 + 2.0 * x[0] * x[n];
+            p3[n] = sum0 + p2[0] * x[n] + p2[n] * x[0];
+            p4[n] = sum1 + p3[0] * x[n] + p3[n] * x[0];
+            p5[n] = sum2 + p4[0] * x[n] + p4[n] * x[0];
+            p6[n] = sum3 + p5[0] * x[n] + p5[n] * x[0];
+            p7[n] = sum4 + p6[0] * x[n] + p6[n] * x[0];
         }
         return at + 8;
     }
@@ -828,12 +819,10 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}}, sum1_[2] = {{0}};
             OVER(n, sum0_[j] += q[k] * s[n - k]; sum1_[j] += q[k] * v[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += q[n] * s[0];
-            V sum1 = sum1_[0] + sum1_[1];
-            sum1 += q[n] * v[0];
-            s[n] = (q[n] - sum1) * by_n;
-            v[n] = by_n * sum0;
+            const V sum0 = sum0_[0] + sum0_[1];
+            const V sum1 = sum1_[0] + sum1_[1];
+            s[n] = (q[n] - sum1 - q[n] * v[0]) * by_n;
+            v[n] = (sum0 + q[n] * s[0]) * by_n;
         }
         return at + 5;
     }
@@ -848,9 +837,8 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}};
             OVER(n, sum0_[j] += q[k] * e[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += q[n] * e[0];
-            e[n] = by_n * sum0;
+            const V sum0 = sum0_[0] + sum0_[1];
+            e[n] = (sum0 + e[0] * q[n]) * by_n;
             m[n] = e[n];
         }
         return at + 5;
@@ -866,25 +854,28 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             V sum0_[2] = {{0}};
             OVER(n, sum0_[j] += z[k] * h[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            sum0 += z[n] * h[0];
-            h[n] = -(h[0] * sum0);
+            const V sum0 = sum0_[0] + sum0_[1];
+            h[n] = -((sum0 + h[0] * z[n]) * h[0]);
             m[n] = h[n];
         }
         return at + 4;
     }
-    case LOG: { /* l = log(z + 1) */
-        V *restrict l = r + at[1];
-        const V *z = r + at[2];
+    case LOG: { /* u = t*Derivative(z, t)/(z + 1), l = log(z + 1) */
+        V *restrict u = r + at[1];
+        V *restrict l = r + at[2];
+        const V *q = r + at[3];
+        const V *z = r + at[4];
         if (n == 0) {
+            u[0] = (V){0};
             l[0] = IN(map)(log1p, z[0]);
         } else {
             V sum0_[2] = {{0}};
-            OVER(n, sum0_[j] += k * l[k] * z[n - k]);
-            V sum0 = sum0_[0] + sum0_[1];
-            l[n] = (z[n] - by_n * sum0) / (1.0 + z[0]);
+            OVER(n, sum0_[j] += u[k] * z[n - k]);
+            const V sum0 = sum0_[0] + sum0_[1];
+            u[n] = (q[n] - sum0) / (1.0 + z[0]);
+            l[n] = by_n * u[n];
         }
-        return at + 3;
+        return at + 5;
     }
     default:
         __builtin_unreachable();
@@ -1265,73 +1256,48 @@ INLINE V power_of_two(V y)
     return (V)((M)(y + (0x1p52 + 1023 * FIXED)) << 12);
 }
 
-/* The coefficients of a lane's piece, in powers of what is beyond its break. */
-INLINE const double *polynomial_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Data *const d = b->job->data + t;
-    return d->across ? d->coefficients + piece * d->terms * d->across + b->column[lane] : d->coefficients + piece * d->terms;
-}
-INLINE double constant_of(const Batch *b, unsigned lane, int t, int64_t piece) { return *polynomial_of(b, lane, t, piece); }
-INLINE void coefficients_of(const Batch *b, unsigned lane, int t, int64_t piece, double *terms)
-{
-    const Data *const d = b->job->data + t;
-    const int64_t across = d->across ? d->across : 1;
-    const double *from = polynomial_of(b, lane, t, piece);
-    for (int j = 0; j < d->terms; j++) terms[j] = from[j * across];
-}
-
-/* Where a piece begins, and by how much a function of time jumps there. */
-INLINE double break_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Data *const d = b->job->data + t;
-    return d->breaks[d->apart ? piece * d->apart + b->column[lane] : piece];
-}
-INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    (void)lane;
-    return b->job->data[t].jumps[piece];
-}
-
-/* The same of a piece in each lane, and the coefficients of a straight line there. */
+/* Where the piece of each lane begins, by how much a function of time jumps there, and a coefficient of the piece, in
+ * powers of the distance from there. */
 INLINE V breaks_at(const Batch *b, int t, V piece)
 {
+    const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
+    for (unsigned k = 0; k < LANES; k++) x[k] = d->breaks[d->apart ? (int64_t)piece[k] * d->apart + b->column[k] : (int64_t)piece[k]];
     return x;
 }
 INLINE V jumps_at(const Batch *b, int t, V piece)
 {
+    const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    for (unsigned k = 0; k < LANES; k++) x[k] = d->jumps[(int64_t)piece[k]];
     return x;
 }
-INLINE V heights_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V slopes_at(const Batch *b, int t, V piece)
+INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
 {
     const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    for (unsigned k = 0; k < LANES; k++) {
+        const int64_t row = (int64_t)piece[k] * d->terms + j;
+        x[k] = d->coefficients[d->across ? row * d->across + b->column[k] : row];
+    }
     return x;
 }
 
 /* Record an event of the first lane. */
-static void note(const Batch *b, unsigned k, int kind)
+static void note(const Batch *b, M here, int kind)
 {
     Job *const job = b->job;
-    if (b->column[k] != 0 || job->noted == job->notes_room) return;
-    double *const row = job->notes + 4 * job->noted++;
-    row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
+    EACH(k, bits(here)) {
+        if (b->column[k] != 0 || job->noted == job->notes_room) continue;
+        double *const row = job->notes + 4 * job->noted++;
+        row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
+    }
 }
 
 INLINE V variable_at(Batch *b, int top, V time);
 
-/* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
-static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
+/* States of a lane at sample times from `begin` up to, and without, `end`; it moves along series in r, or rests. */
+static void read_samples_of(Batch *b, unsigned k, double begin, double end, int moving, int top)
 {
     const Job *const job = b->job;
     const V *const c = b->c;
@@ -1362,6 +1328,11 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
+}
+
+static void read_samples(Batch *b, M here, V begin, V end, int moving, int top)
+{
+    EACH(k, bits(here)) read_samples_of(b, k, begin[k], end[k], moving, top);
 }
 
 /* A sample time of each lane, and the states of lanes that move then. */
@@ -1401,7 +1372,6 @@ static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.
 #define CLOSEST 0x1.56e1fc2f8f359p-997
 #define SURE 0x1.ffffe00000000p-1
 #define SIXTH 0x1.5555555555555p-3
-#define LATEST 0x1.0000000000000p+1000
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
 #define TOP 7
@@ -1498,6 +1468,16 @@ INLINE void differentiate(V *rates, V *p, int n)
 {
     for (int k = 1; k <= n; k++) {
         rates[k - 1] = p[k] * (double)k;
+    }
+}
+
+/* Shift a polynomial to another origin: Taylor's shift by Horner's scheme. */
+INLINE void shift(V *p, int n, V by)
+{
+    for (int first = 0; first <= n - 1; first++) {
+        for (int j = n - 1; j >= first; j--) {
+            p[j] = p[j] + (by * p[j + 1]);
+        }
     }
 }
 
@@ -1616,336 +1596,175 @@ static V falling_root(V *p, int n, V t, V last, V slope, M here)
     return root;
 }
 
-/* Shift a polynomial to another origin: Taylor's shift by Horner's scheme. */
-INLINE void shift(double *terms, int count, double by)
+/* Return the end of a piece in the table's argument, infinity for the last piece. */
+INLINE V end_of_piece(Batch *b, int t, V piece)
 {
-    for (int first = 0; first <= count - 2; first++) {
-        for (int j = count - 2; j >= first; j--) {
-            terms[j] = terms[j] + (by * terms[j + 1]);
-        }
+    const Job *const job = b->job;
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    V following = breaks_at(b, t, minimum(piece + 1.0, last));
+    return pick(piece < last, following, broadcast(INFINITY));
+}
+
+/* Return the piece that contains an argument, searched from a first piece on. A break belongs to the piece above
+ * where it is ``included``, otherwise to the piece below. */
+static V piece_at(Batch *b, M here, int t, V first, V argument, M included)
+{
+    V piece = 1.0 * first;
+    M goes_on = here;
+    while (bits(goes_on)) {
+        V end = end_of_piece(b, t, piece);
+        M ends_there = included & (end == argument);
+        goes_on = goes_on & (end < INFINITY) & ((end < argument) | ends_there);
+        piece = pick(goes_on, piece + 1.0, piece);
     }
+    return piece;
 }
 
 /* Return a function of time, a sine or a straight line, at a distance from the left end of a piece. */
-INLINE double value_within(Batch *b, unsigned lane, int t, int64_t piece, double local)
+INLINE V value_within(Batch *b, int t, V piece, V local)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double terms[STRIDE];
-    coefficients_of(b, lane, t, piece, terms);
-    double change = terms[1] * local;
-    double line = terms[0] + change;
-    double value = job->data[t].sine ? (terms[0] * sin(change + terms[2])) : line;
-    return c[job->table[t].cell + SCALED_BY][lane] * value;
+    V height = coefficients_at(b, t, piece, 0);
+    V change = coefficients_at(b, t, piece, 1) * local;
+    V value = height + change;
+    if (job->data[t].sine) {
+        value = height * sin_of(change + coefficients_at(b, t, piece, 2));
+    }
+    return c[job->table[t].cell + SCALED_BY] * value;
 }
 
-/* Return the distance of the current time from the left end of a piece, in the table's argument. */
-INLINE double since_break(Batch *b, unsigned lane, int t, int64_t piece)
+/* Return the distance of the current time from the left end of its piece, in the table's argument. */
+INLINE V since_break(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    return (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece);
+    return (c[TIME] * c[job->table[t].cell + SCALE]) - breaks_at(b, t, c[job->table[t].cell + PIECE]);
 }
 
 /* Return a function of time at the current time. */
-INLINE double value_now(Batch *b, unsigned lane, int t)
+INLINE V value_now(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double local = since_break(b, lane, t, piece);
-    return value_within(b, lane, t, piece, local);
+    V local = since_break(b, t);
+    return value_within(b, t, c[job->table[t].cell + PIECE], local);
 }
 
 /* Compute the series of a sine about the current time, as its increment since the phase began. */
-static void expand_sine(Batch *b, unsigned lane, int t, int top)
+INLINE void expand_sine(Batch *b, int t, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double terms[STRIDE];
-    coefficients_of(b, lane, t, piece, terms);
-    double rate = terms[1];
-    double angle = (rate * since_break(b, lane, t, piece)) + terms[2];
-    double size = terms[0] * c[job->table[t].cell + SCALED_BY][lane];
-    double now = sin(angle);
-    double slope = cos(angle);
+    V size = coefficients_at(b, t, c[job->table[t].cell + PIECE], 0) * c[job->table[t].cell + SCALED_BY];
+    V rate = coefficients_at(b, t, c[job->table[t].cell + PIECE], 1);
+    V angle = (rate * since_break(b, t)) + coefficients_at(b, t, c[job->table[t].cell + PIECE], 2);
+    V now = sin_of(angle);
+    V slope = cos_of(angle);
     for (int j = 1; j <= top; j++) {
-        size = size * ((rate * c[job->table[t].cell + SCALE][lane]) / (double)j);
-        (b->r + job->table[t].reg)[j][lane] = size * slope;
-        double before = now;
+        size = size * ((rate * c[job->table[t].cell + SCALE]) * b->inverse[j]);
+        (b->r + job->table[t].reg)[j] = size * slope;
+        V before = now;
         now = slope;
         slope = -before;
     }
 }
 
-/* Return the rise of a function of time over a distance ahead within its piece, in the table's argument. */
-INLINE double rise_to(Batch *b, unsigned lane, int t, double past)
+/* Return the rise of a sine over a distance ahead of a place in its piece: 2 A sin(r/2) cos(angle + r/2). */
+INLINE V rise_of_sine(Batch *b, int t, V local, V past)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double terms[STRIDE];
-    coefficients_of(b, lane, t, piece, terms);
-    double slope = c[job->table[t].cell + SCALED_BY][lane] * terms[1];
-    c[job->table[t].cell + RISE][lane] = slope * c[job->table[t].cell + SCALE][lane];
+    V rate = coefficients_at(b, t, c[job->table[t].cell + PIECE], 1);
+    V half = (0.5 * rate) * past;
+    V angle = (rate * local) + coefficients_at(b, t, c[job->table[t].cell + PIECE], 2);
+    V change = (2.0 * sin_of(half)) * cos_of(angle + half);
+    return (c[job->table[t].cell + SCALED_BY] * coefficients_at(b, t, c[job->table[t].cell + PIECE], 0)) * change;
+}
+
+/* Compute the end of the piece of a function of time and the increment there, from a distance from its left end. */
+INLINE void find_end_of_piece(Batch *b, M here, int t, V local)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    V end = end_of_piece(b, t, c[job->table[t].cell + PIECE]);
+    V now = breaks_at(b, t, c[job->table[t].cell + PIECE]) + local;
+    V past = pick(end < INFINITY, end - now, broadcast(0.0));
+    V slope = coefficients_at(b, t, c[job->table[t].cell + PIECE], 1) * c[job->table[t].cell + SCALED_BY];
+    V rise = slope * past;
     if (job->data[t].sine) {
-        double half = (0.5 * terms[1]) * past;
-        double angle = (terms[1] * since_break(b, lane, t, piece)) + terms[2];
-        double change = (2.0 * sin(half)) * cos(angle + half);
-        return (c[job->table[t].cell + SCALED_BY][lane] * terms[0]) * change;
+        rise = rise_of_sine(b, t, local, past);
     }
-    return slope * past;
+    c[job->table[t].cell + RISE] = pick(here, slope * c[job->table[t].cell + SCALE], c[job->table[t].cell + RISE]);
+    c[job->table[t].cell + UPPER] = pick(here, end / c[job->table[t].cell + SCALE], c[job->table[t].cell + UPPER]);
+    c[job->table[t].cell + LOWER] = pick(here, c[job->table[t].cell + INC] + rise, c[job->table[t].cell + LOWER]);
+    c[job->table[t].cell + WAY] = pick(here, c[job->table[t].cell + WAY] + magnitude(rise), c[job->table[t].cell + WAY]);
 }
 
-/* Return the end of a piece in the table's argument, infinity for the last piece. */
-INLINE double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Job *const job = b->job;
-    int last = (int)job->data[t].pieces - 1;
-    int64_t following = (piece + 1) < last ? (piece + 1) : last;
-    return (piece < last) ? break_of(b, lane, t, following) : INFINITY;
-}
-
-/* Return whether a piece ends below an argument, or at it if a break belongs to the piece above. */
-INLINE int ends_by(Batch *b, unsigned lane, int t, int64_t piece, double argument, int included)
-{
-    double end = end_of_piece(b, lane, t, piece);
-    int ends_there = (end == argument) && (end < INFINITY);
-    return (end < argument) || (included && ends_there);
-}
-
-/* Return the piece that contains an argument, searched from a first piece on. */
-INLINE int64_t piece_at(Batch *b, unsigned lane, int t, int64_t first, double argument, int included)
-{
-    int64_t piece = first;
-    while (ends_by(b, lane, t, piece, argument, included)) {
-        piece = piece + 1;
-    }
-    return piece;
-}
-
-/* Compute the end of the piece of a function of time and the increment there, with a single rounding. */
-static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
+/* Enter the piece that contains the current time, without a value that is carried. */
+static void enter_piece(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double end = end_of_piece(b, lane, t, piece);
-    c[job->table[t].cell + UPPER][lane] = end / c[job->table[t].cell + SCALE][lane];
-    double rise = rise_to(b, lane, t, (end < INFINITY) ? (end - now) : 0.0);
-    c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + INC][lane] + rise;
-    c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
+    if (!bits(here)) return;
+    V now = c[TIME] * c[job->table[t].cell + SCALE];
+    V piece = piece_at(b, here, t, c[job->table[t].cell + PIECE], now * (1.0 + (2.0 * EPS)), here);
+    c[SCALE_BEFORE] = pick(here, pick(piece > c[job->table[t].cell + PIECE], broadcast(INFINITY), c[SCALE_BEFORE]), c[SCALE_BEFORE]);
+    c[job->table[t].cell + PIECE] = pick(here, piece, c[job->table[t].cell + PIECE]);
+    c[job->table[t].cell + WAY] = pick(here, broadcast(0.0), c[job->table[t].cell + WAY]);
+    c[job->table[t].cell + VALUE] = pick(here, value_now(b, t), c[job->table[t].cell + VALUE]);
+    find_end_of_piece(b, here, t, since_break(b, t));
 }
 
 /* Begin a phase: increments of a function of time are counted from now. It may jump at the left end of a piece.
  * Within a piece the value and the rise to its end follow from the increment, since on a short ramp the rounding
  * of the time times the slope is large. */
-static void begin_in_time(Batch *b, unsigned lane, int t)
+static void begin_in_time(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[job->table[t].cell + VALUE][lane] = c[job->table[t].cell + VALUE][lane] + c[job->table[t].cell + INC][lane];
-    c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + LOWER][lane] - c[job->table[t].cell + INC][lane];
-    c[job->table[t].cell + INC][lane] = 0.0;
-    c[job->table[t].cell + WAY][lane] = fabs(c[job->table[t].cell + LOWER][lane]);
-    if (c[job->table[t].cell + UPPER][lane] <= c[TIME][lane]) {
-        double now = c[TIME][lane] * c[job->table[t].cell + SCALE][lane];
-        int64_t before = (int64_t)c[job->table[t].cell + PIECE][lane];
-        int64_t piece = piece_at(b, lane, t, before, now * (1.0 + (2.0 * EPS)), 1);
-        if (piece > before) {
-            c[SCALE_BEFORE][lane] = INFINITY;
-        }
-        c[job->table[t].cell + PIECE][lane] = (double)piece;
-        c[job->table[t].cell + WAY][lane] = 0.0;
-        c[job->table[t].cell + VALUE][lane] = value_now(b, lane, t);
-        find_end_of_piece(b, lane, t, now);
-    }
-}
-
-/* Compute the value at the start of a phase and the coefficients about it. */
-static void develop(Batch *b, unsigned lane, int t, double local, double unit)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    double terms[STRIDE];
-    coefficients_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], terms);
-    shift(terms, job->data[t].terms, local);
-    double factor = c[job->table[t].cell + SCALED_BY][lane];
-    c[job->table[t].cell + VALUE][lane] = factor * terms[0];
-    for (int j = 1; j <= job->table[t].degree; j++) {
-        factor = factor * unit;
-        c[job->table[t].cell + Q1 + j - 1][lane] = (j < job->data[t].terms) ? (factor * terms[j]) : 0.0;
-    }
-}
-
-/* Select the piece of a function of the rotation ahead in the direction of travel, which may be either. */
-static void begin_in_rotation(Batch *b, unsigned lane, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    double rotation = c[ROTATION][lane];
-    int up_to = c[DIRECTION][lane] > 0.0;
-    int64_t piece = piece_at(b, lane, t, 0, rotation, up_to);
-    c[job->table[t].cell + PIECE][lane] = (double)piece;
-    double local = rotation - break_of(b, lane, t, piece);
-    double ahead = end_of_piece(b, lane, t, piece) - rotation;
-    double behind = (piece > 0) ? local : INFINITY;
-    c[job->table[t].cell + UPPER][lane] = up_to ? ahead : behind;
-    develop(b, lane, t, local, c[DIRECTION][lane]);
-}
-
-/* Select the piece of a function of slip, which ends ahead even if another function has just passed a break. */
-static void begin_in_slip(Batch *b, unsigned lane, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double edge = break_of(b, lane, t, piece);
-    double local = fmax((c[SLIP][lane] * c[job->table[t].cell + SCALE][lane]) - edge, 0.0);
-    double ahead = (end_of_piece(b, lane, t, piece) - edge) - local;
-    c[job->table[t].cell + UPPER][lane] = fmax(ahead / c[job->table[t].cell + SCALE][lane], EPS * c[SLIP][lane]);
-    develop(b, lane, t, local, c[job->table[t].cell + SCALE][lane]);
-}
-
-/* Select the piece of a polynomial of the logarithm of the speed. Piece 0, below the first speed, is constant. */
-static void begin_in_speed(Batch *b, unsigned lane, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double edge = break_of(b, lane, t, piece);
-    double speed = c[OMEGA][lane] * c[job->table[t].cell + SCALE][lane];
-    int varies = piece > 0;
-    int moves = varies && (speed > 0.0);
-    double ratio = moves ? (speed / (moves ? edge : 1.0)) : 1.0;
-    c[job->table[t].cell + UPPER][lane] = end_of_piece(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
-    c[job->table[t].cell + LOWER][lane] = varies ? (edge / c[job->table[t].cell + SCALE][lane]) : 0.0;
-    develop(b, lane, t, log(ratio), 1.0);
-}
-
-/* Begin a phase: compute the ends of each table's piece, its value, and its coefficients. */
-static void begin_pieces(Batch *b, unsigned lane)
-{
-    const Job *const job = b->job;
-    for (int t = 0; t < job->tables; t++) {
-        if (job->table[t].kind == OF_TIME) {
-            begin_in_time(b, lane, t);
-        }
-        if (job->table[t].kind == OF_ROTATION) {
-            begin_in_rotation(b, lane, t);
-        }
-        if (job->table[t].kind == OF_SLIP) {
-            begin_in_slip(b, lane, t);
-        }
-        if (job->table[t].kind == OF_SPEED) {
-            begin_in_speed(b, lane, t);
-        }
-    }
-}
-
-/* Find the pieces that contain slip and speed. */
-static void find_pieces(Batch *b, unsigned lane)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    for (int t = 0; t < job->tables; t++) {
-        if (job->table[t].kind == OF_SLIP) {
-            c[job->table[t].cell + PIECE][lane] = (double)piece_at(b, lane, t, 0, c[SLIP][lane] * c[job->table[t].cell + SCALE][lane], 1);
-        }
-        if (job->table[t].kind == OF_SPEED) {
-            c[job->table[t].cell + PIECE][lane] = (double)piece_at(b, lane, t, 0, c[OMEGA][lane] * c[job->table[t].cell + SCALE][lane], 1);
-        }
-    }
+    if (!bits(here)) return;
+    c[job->table[t].cell + VALUE] = pick(here, c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC], c[job->table[t].cell + VALUE]);
+    c[job->table[t].cell + LOWER] = pick(here, c[job->table[t].cell + LOWER] - c[job->table[t].cell + INC], c[job->table[t].cell + LOWER]);
+    c[job->table[t].cell + INC] = pick(here, broadcast(0.0), c[job->table[t].cell + INC]);
+    c[job->table[t].cell + WAY] = pick(here, magnitude(c[job->table[t].cell + LOWER]), c[job->table[t].cell + WAY]);
+    enter_piece(b, here & (c[job->table[t].cell + UPPER] <= c[TIME]), t);
 }
 
 /* Enter the next piece of a function of time. If its value jumps, the contact must be checked. Increments
  * accumulate rounding along a record. Beyond some path the difference of two values is more accurate. */
-static void pass_break(Batch *b, unsigned lane, int t)
+INLINE void pass_break(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane] + 1;
-    double jump = jump_of(b, lane, t, piece) * c[job->table[t].cell + SCALED_BY][lane];
-    c[job->table[t].cell + PIECE][lane] = (double)piece;
-    c[job->table[t].cell + INC][lane] = c[job->table[t].cell + LOWER][lane] + jump;
-    c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(jump);
-    if (jump != 0.0) {
-        c[PENDING][lane] = DISCONTINUITY;
-    }
-    double there = value_within(b, lane, t, piece, 0.0);
-    double rounding = fabs(there) + fabs(c[job->table[t].cell + VALUE][lane]);
-    if (c[job->table[t].cell + WAY][lane] > rounding) {
-        c[job->table[t].cell + INC][lane] = there - c[job->table[t].cell + VALUE][lane];
-        c[job->table[t].cell + WAY][lane] = rounding;
-    }
-    find_end_of_piece(b, lane, t, break_of(b, lane, t, piece));
-}
-
-/* Enter the next piece of each function of time that has a break now. */
-static void pass_breaks(Batch *b, unsigned lane)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    for (int t = 0; t < job->tables; t++) {
-        if (job->table[t].kind == OF_TIME) {
-            if (c[job->table[t].cell + UPPER][lane] <= c[TIME][lane]) {
-                pass_break(b, lane, t);
-            }
-        }
-    }
-}
-
-/* Enter the next piece of a piecewise linear function of time, side by side, as `pass_break` does. */
-INLINE void enter_line(Batch *b, M here, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
+    if (!bits(here)) return;
     V last = broadcast((double)((int)job->data[t].pieces - 1));
     V piece = minimum(c[job->table[t].cell + PIECE] + 1.0, last);
-    V edge = breaks_at(b, t, piece);
-    V next_piece = minimum(piece + 1.0, last);
-    V following = breaks_at(b, t, next_piece);
-    V end = pick(piece < last, following, broadcast(INFINITY));
     V jump = jumps_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
-    V slope = slopes_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
-    V there = heights_at(b, t, piece) * c[job->table[t].cell + SCALED_BY];
-    V past = pick(end < INFINITY, end - edge, broadcast(0.0));
-    V rise = slope * past;
+    V there = value_within(b, t, piece, broadcast(0.0));
     V way = c[job->table[t].cell + WAY] + magnitude(jump);
     V rounding = magnitude(there) + magnitude(c[job->table[t].cell + VALUE]);
     M is_long = way > rounding;
     V carried = c[job->table[t].cell + LOWER] + jump;
-    V difference = there - c[job->table[t].cell + VALUE];
-    V inc = pick(is_long, difference, carried);
     c[PENDING] = pick(here, pick(jump != 0.0, broadcast(DISCONTINUITY), c[PENDING]), c[PENDING]);
     c[job->table[t].cell + PIECE] = pick(here, piece, c[job->table[t].cell + PIECE]);
-    c[job->table[t].cell + INC] = pick(here, inc, c[job->table[t].cell + INC]);
-    c[job->table[t].cell + UPPER] = pick(here, end / c[job->table[t].cell + SCALE], c[job->table[t].cell + UPPER]);
-    c[job->table[t].cell + RISE] = pick(here, slope * c[job->table[t].cell + SCALE], c[job->table[t].cell + RISE]);
-    c[job->table[t].cell + LOWER] = pick(here, inc + rise, c[job->table[t].cell + LOWER]);
-    way = pick(is_long, rounding, way);
-    c[job->table[t].cell + WAY] = pick(here, way + magnitude(rise), c[job->table[t].cell + WAY]);
+    c[job->table[t].cell + INC] = pick(here, pick(is_long, there - c[job->table[t].cell + VALUE], carried), c[job->table[t].cell + INC]);
+    c[job->table[t].cell + WAY] = pick(here, pick(is_long, rounding, way), c[job->table[t].cell + WAY]);
+    find_end_of_piece(b, here, t, broadcast(0.0));
 }
 
-/* Enter the next pieces of functions of time that have a break now; return lanes in which a sine has one. */
-INLINE M enter_lines(Batch *b, M here)
+/* Enter the next piece of each function of time that has a break now. */
+INLINE void pass_breaks(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M others = (M){0};
+    if (!bits(here)) return;
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
-            M ends = here & (c[job->table[t].cell + UPPER] <= c[TIME]);
-            if (job->data[t].sine) {
-                others = others | ends;
-            }
-            if (!job->data[t].sine) {
-                enter_line(b, ends, t);
-            }
+            pass_break(b, here & (c[job->table[t].cell + UPPER] <= c[TIME]), t);
         }
     }
-    return others;
 }
 
 /* Return whether a force will still change while lanes rest. */
@@ -1974,6 +1793,107 @@ INLINE V next_break(Batch *b)
         }
     }
     return time;
+}
+
+/* Compute the value at the start of a phase and the coefficients about it. */
+INLINE void develop(Batch *b, M here, int t, V local, V unit)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    V terms[STRIDE];
+    for (int j = 0; j <= job->data[t].terms - 1; j++) {
+        terms[j] = coefficients_at(b, t, c[job->table[t].cell + PIECE], j);
+    }
+    shift(terms, job->data[t].terms - 1, local);
+    V factor = 1.0 * c[job->table[t].cell + SCALED_BY];
+    c[job->table[t].cell + VALUE] = pick(here, factor * terms[0], c[job->table[t].cell + VALUE]);
+    for (int j = 1; j <= job->table[t].degree; j++) {
+        factor = factor * unit;
+        V coefficient = (j < job->data[t].terms) ? factor * terms[j] : broadcast(0.0);
+        c[job->table[t].cell + Q1 + j - 1] = pick(here, coefficient, c[job->table[t].cell + Q1 + j - 1]);
+    }
+}
+
+/* Select the piece of a function of the rotation ahead in the direction of travel, which may be either. */
+static void begin_in_rotation(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    M forward = c[DIRECTION] > 0.0;
+    c[job->table[t].cell + PIECE] = pick(here, piece_at(b, here, t, broadcast(0.0), c[ROTATION], forward), c[job->table[t].cell + PIECE]);
+    V local = c[ROTATION] - breaks_at(b, t, c[job->table[t].cell + PIECE]);
+    V ahead = end_of_piece(b, t, c[job->table[t].cell + PIECE]) - c[ROTATION];
+    V behind = pick(c[job->table[t].cell + PIECE] > 0.0, local, broadcast(INFINITY));
+    c[job->table[t].cell + UPPER] = pick(here, pick(forward, ahead, behind), c[job->table[t].cell + UPPER]);
+    develop(b, here, t, local, c[DIRECTION]);
+}
+
+/* Select the piece of a function of slip, which ends ahead even if another function has just passed a break. */
+INLINE void begin_in_slip(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    V edge = breaks_at(b, t, c[job->table[t].cell + PIECE]);
+    V local = maximum((c[SLIP] * c[job->table[t].cell + SCALE]) - edge, broadcast(0.0));
+    V ahead = (end_of_piece(b, t, c[job->table[t].cell + PIECE]) - edge) - local;
+    c[job->table[t].cell + UPPER] = pick(here, maximum(ahead / c[job->table[t].cell + SCALE], EPS * c[SLIP]), c[job->table[t].cell + UPPER]);
+    develop(b, here, t, local, c[job->table[t].cell + SCALE]);
+}
+
+/* Select the piece of a polynomial of the logarithm of the speed. Piece 0, below the first speed, is constant. */
+INLINE void begin_in_speed(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    V edge = breaks_at(b, t, c[job->table[t].cell + PIECE]);
+    V speed = c[OMEGA] * c[job->table[t].cell + SCALE];
+    M varies = c[job->table[t].cell + PIECE] > 0.0;
+    M moves = varies & (speed > 0.0);
+    V ratio = pick(moves, speed / pick(moves, edge, broadcast(1.0)), broadcast(1.0));
+    c[job->table[t].cell + UPPER] = pick(here, end_of_piece(b, t, c[job->table[t].cell + PIECE]) / c[job->table[t].cell + SCALE], c[job->table[t].cell + UPPER]);
+    c[job->table[t].cell + LOWER] = pick(here, pick(varies, edge / c[job->table[t].cell + SCALE], broadcast(0.0)), c[job->table[t].cell + LOWER]);
+    develop(b, here, t, log_of(ratio), broadcast(1.0));
+}
+
+/* Begin a phase: compute the ends of each table's piece, its value, and its coefficients. */
+static void begin_pieces(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    if (!bits(here)) return;
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_TIME) {
+            begin_in_time(b, here, t);
+        }
+        if (job->table[t].kind == OF_ROTATION) {
+            begin_in_rotation(b, here, t);
+        }
+        if (job->table[t].kind == OF_SLIP) {
+            begin_in_slip(b, here, t);
+        }
+        if (job->table[t].kind == OF_SPEED) {
+            begin_in_speed(b, here, t);
+        }
+    }
+}
+
+/* Find the pieces that contain slip and speed. */
+static void find_pieces(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    for (int t = 0; t < job->tables; t++) {
+        if (job->table[t].kind == OF_SLIP) {
+            c[job->table[t].cell + PIECE] = pick(here, piece_at(b, here, t, broadcast(0.0), c[SLIP] * c[job->table[t].cell + SCALE], here), c[job->table[t].cell + PIECE]);
+        }
+        if (job->table[t].kind == OF_SPEED) {
+            c[job->table[t].cell + PIECE] = pick(here, piece_at(b, here, t, broadcast(0.0), c[OMEGA] * c[job->table[t].cell + SCALE], here), c[job->table[t].cell + PIECE]);
+        }
+    }
 }
 
 /* Set order 0 of the registers that do not result from operations. */
@@ -2059,16 +1979,16 @@ INLINE V normal_force(Batch *b)
 /* Compute the size of the last terms over the largest term of a step that a break cuts short, factor^order. The
  * truncation error is such a term times the step over the radius of convergence, per time the same as in complete
  * steps. */
-static void find_negligible(Batch *b, unsigned lane)
+INLINE void find_negligible(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
-    c[NEGLIGIBLE][lane] = 1.0;
-    double n = c[ORDER][lane];
-    while (n > 0.0) {
-        c[NEGLIGIBLE][lane] = c[NEGLIGIBLE][lane] * c[FACTOR][lane];
-        n = n - 1.0;
+    if (!bits(here)) return;
+    V negligible = broadcast(1.0);
+    for (int n = 1; n <= job->order; n++) {
+        negligible = pick(c[ORDER] >= (double)n, negligible * c[FACTOR], negligible);
     }
-    c[NEGLIGIBLE][lane] = fmax(c[NEGLIGIBLE][lane], ROUNDING);
+    c[NEGLIGIBLE] = pick(here, maximum(negligible, broadcast(ROUNDING)), c[NEGLIGIBLE]);
 }
 
 /* Return whether a term is negligible compared with the largest term. */
@@ -2106,9 +2026,7 @@ INLINE void begin_expansion(Batch *b, M which, int top, int at_rest)
             (b->r + job->table[t].reg)[1] = c[job->table[t].cell + RISE];
         }
         if (job->data[t].sine) {
-            EACH(lane, bits(which)) {
-                expand_sine(b, lane, t, top);
-            }
+            expand_sine(b, t, top);
         }
     }
     c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
@@ -2216,6 +2134,7 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
 INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
     if (bits(faster)) {
         M begins = c[PEAK_TIME] == c[TIME];
@@ -2232,6 +2151,7 @@ INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 INLINE void update_reach(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V rotation = c[ROTATION] + (c[DIRECTION] * c[X]);
     here = here & (magnitude(rotation) > magnitude(c[REACH_ROTATION]));
     c[REACH_ROTATION] = pick(here, rotation, c[REACH_ROTATION]);
@@ -2243,10 +2163,9 @@ INLINE void note_lift_off(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     if (job->notes_room > 0) {
-        EACH(lane, bits(here)) {
-            note(b, lane, NOTE_LIFTS);
-        }
+        note(b, here, NOTE_LIFTS);
     }
     here = here & (c[LIFT_TIME] != c[LIFT_TIME]);
     c[LIFT_TIME] = pick(here, c[TIME], c[LIFT_TIME]);
@@ -2256,6 +2175,7 @@ INLINE void note_lift_off(Batch *b, M here)
 INLINE void advance_origin(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[ROTATION] = pick(here, c[ROTATION] + (c[DIRECTION] * c[X]), c[ROTATION]);
     c[SLIP] = pick(here, c[SLIP] + c[X], c[SLIP]);
     c[X] = pick(here, broadcast(0.0), c[X]);
@@ -2265,6 +2185,7 @@ INLINE void advance_origin(Batch *b, M here)
 INLINE void face(Batch *b, M here, V side)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[X] = pick(here, broadcast(0.0), c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[DIRECTION] = pick(here, side, c[DIRECTION]);
@@ -2272,10 +2193,11 @@ INLINE void face(Batch *b, M here, V side)
 }
 
 /* Start lanes with a velocity or at rest. */
-INLINE void start(Batch *b, M here)
+static void start(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[DIRECTION] = pick(here, pick(c[OMEGA] < 0.0, broadcast(-1.0), broadcast(1.0)), c[DIRECTION]);
     c[OMEGA] = pick(here, magnitude(c[OMEGA]), c[OMEGA]);
     c[X] = pick(here, broadcast(0.0), c[X]);
@@ -2286,13 +2208,9 @@ INLINE void start(Batch *b, M here)
     c[CLOCKED] = pick(here, broadcast(0.0), c[CLOCKED]);
     c[NEGLIGIBLE] = pick(here, broadcast(ROUNDING), c[NEGLIGIBLE]);
     if (job->timed) {
-        EACH(lane, bits(here)) {
-            find_negligible(b, lane);
-        }
+        find_negligible(b, here);
     }
-    EACH(lane, bits(here)) {
-        find_pieces(b, lane);
-    }
+    find_pieces(b, here);
 }
 
 /* Start slip in the current direction. */
@@ -2300,6 +2218,7 @@ INLINE void start_moving(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[STATUS] = pick(here, broadcast(MOVING), c[STATUS]);
     c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
@@ -2307,9 +2226,7 @@ INLINE void start_moving(Batch *b, M here, V rate)
     c[TURNS] = pick(here, c[TURNS] + pick(turns, broadcast(1.0), broadcast(0.0)), c[TURNS]);
     c[LAST_WAY] = pick(here, c[DIRECTION], c[LAST_WAY]);
     if (job->notes_room > 0) {
-        EACH(lane, bits(here)) {
-            note(b, lane, NOTE_BEGINS);
-        }
+        note(b, here, NOTE_BEGINS);
     }
     note_lift_off(b, here & (c[LIFTED] > 0.0));
     keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
@@ -2321,6 +2238,7 @@ INLINE void stay(Batch *b, M here, V status)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[STATUS] = pick(here, status, c[STATUS]);
     c[END_ROTATION] = pick(here, c[ROTATION], c[END_ROTATION]);
     c[END_OMEGA] = pick(here, broadcast(0.0), c[END_OMEGA]);
@@ -2328,10 +2246,9 @@ INLINE void stay(Batch *b, M here, V status)
     c[DIRECTION] = pick(here, broadcast(0.0), c[DIRECTION]);
     c[REST_SINCE] = pick(here, pick(c[REST_SINCE] > c[END_TIME], c[END_TIME], c[REST_SINCE]), c[REST_SINCE]);
     c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
+    V for_ever = broadcast(INFINITY);
     if (job->samples) {
-        EACH(lane, bits(here)) {
-            read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
-        }
+        read_samples(b, here, c[TIME], for_ever, 0, 0);
     }
 }
 
@@ -2363,23 +2280,23 @@ INLINE M never_rests(Batch *b)
 INLINE void stick(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M changes = still_changes(b);
     stay(b, here & ~changes, broadcast(ARRESTED));
     here = here & changes;
-    if (bits(here)) {
-        c[STATUS] = pick(here, broadcast(RESTING), c[STATUS]);
-        c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
-        note_lift_off(b, here & (c[LIFTED] > 0.0));
-        here = here & ~may_start(b);
-        c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
-        c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
-    }
+    c[STATUS] = pick(here, broadcast(RESTING), c[STATUS]);
+    c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
+    here = here & ~may_start(b);
+    c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
+    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
 /* Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start. */
 INLINE void rest_one_way(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M may = may_start(b);
     stick(b, here & may);
     here = here & ~may;
@@ -2392,6 +2309,7 @@ INLINE void resolve_stick_or_slip(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V terms = magnitude(c[job->role->driving]) + c[job->role->resisting];
     V unsure = EPS * (terms + (c[job->role->mu] * magnitude(c[job->role->normal0])));
     M of_weight = (c[job->role->driving] == c[job->role->driving_moment]) & (c[job->role->normal0] == c[job->role->normal_load]);
@@ -2404,19 +2322,18 @@ INLINE void resolve_stick_or_slip(Batch *b, M here)
     M starts = may & (c[job->role->drive] > 0.0);
     start_moving(b, starts, c[job->role->drive]);
     here = here & ~starts;
-    if (bits(here)) {
-        c[FACED] = pick(here, c[FACED] + 1.0, c[FACED]);
-        M stays_down = may & (c[ONE_WAY] > 0.0);
-        M sticks = here & ((c[FACED] > 1.0) | stays_down);
-        stick(b, sticks);
-        face(b, here & ~sticks, -c[DIRECTION]);
-    }
+    c[FACED] = pick(here, c[FACED] + 1.0, c[FACED]);
+    M stays_down = may & (c[ONE_WAY] > 0.0);
+    M sticks = here & ((c[FACED] > 1.0) | stays_down);
+    stick(b, sticks);
+    face(b, here & ~sticks, -c[DIRECTION]);
 }
 
 /* Decide whether masses at a standstill, or at the start, stop, stick or slip. */
 INLINE void resolve_standstill(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M stops = here & (c[FIRST_ONLY] > 0.0) & (c[PHASES] > 0.0);
     if (bits(stops)) {
         stops = stops & never_rests(b);
@@ -2424,11 +2341,8 @@ INLINE void resolve_standstill(Batch *b, M here)
         here = here & ~stops;
     }
     M one_way = here & (c[PENDING] == (double)REST);
-    if (bits(one_way)) {
-        rest_one_way(b, one_way);
-        here = here & ~one_way;
-    }
-    resolve_stick_or_slip(b, here);
+    rest_one_way(b, one_way);
+    resolve_stick_or_slip(b, here & ~one_way);
 }
 
 /* Begin a phase in motion with the drive computed anew or continued, whichever is more accurate. */
@@ -2436,6 +2350,7 @@ INLINE void carry_net_moment(Batch *b, M here, V net)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
     V change = net - c[job->role->drive];
     V terms = (magnitude(c[RATE_BEFORE]) + magnitude(change)) + magnitude(c[DRIVE_BEFORE]);
@@ -2461,25 +2376,21 @@ INLINE void resolve_pending(Batch *b, M waits, V net, V force)
     M lifts = (by_force | by_load) & (c[LIFTED] == 0.0);
     c[LIFTED] = pick(lifts, broadcast(1.0), c[LIFTED]);
     c[PENDING] = pick(begins, broadcast(READY), c[PENDING]);
-    if (bits(enters)) {
-        carry_net_moment(b, enters, net);
-    }
+    carry_net_moment(b, enters, net);
     M starts = (moving | again) & ~lifts;
     if (bits(starts)) {
         M level = again & starts & (c[SUDDEN] <= 0.0);
         c[job->role->drive] = pick(level, broadcast(0.0), c[job->role->drive]);
         start_moving(b, starts, pick(again, c[job->role->drive], net));
     }
-    decides = decides & ~lifts;
-    if (bits(decides)) {
-        resolve_standstill(b, decides);
-    }
+    resolve_standstill(b, decides & ~lifts);
 }
 
 /* Decide about contact after a jump of forces. If contact changes, another phase begins. */
 INLINE void on_discontinuity(Batch *b, M here, V force)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V lifted = pick(force < 0.0, broadcast(1.0), broadcast(0.0));
     M same = c[LIFTED] == lifted;
     note_lift_off(b, here & (lifted > c[LIFTED]));
@@ -2501,9 +2412,7 @@ static void begin_phases(Batch *b)
     }
     M waits = c[PENDING] != (double)READY;
     while (bits(waits)) {
-        EACH(lane, bits(waits)) {
-            begin_pieces(b, lane);
-        }
+        begin_pieces(b, waits);
         IN(prologue)(job->scalar, job->scalar_end, c, waits);
         if (bits((c[PENDING] == (double)START_MOVING) | (c[PENDING] == (double)ENTER_PHASE))) {
             evaluate(b);
@@ -2516,22 +2425,24 @@ static void begin_phases(Batch *b)
 }
 
 /* Begin a phase in the current state. Its prologue follows. */
-static void begin_here(Batch *b, unsigned lane)
+static void begin_here(Batch *b, M here)
 {
     V *const c = b->c;
-    c[X][lane] = 0.0;
-    find_pieces(b, lane);
-    begin_pieces(b, lane);
+    if (!bits(here)) return;
+    c[X] = pick(here, broadcast(0.0), c[X]);
+    find_pieces(b, here);
+    begin_pieces(b, here);
 }
 
-/* Place the lane at the left end of a piece, which it has not entered yet. */
-static void stand_before(Batch *b, unsigned lane, int t, int64_t piece, double now)
+/* Place lanes at the left end of a piece, which they have not entered yet. */
+INLINE void stand_before(Batch *b, M here, int t, V piece, V now)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[TIME][lane] = now;
-    c[job->table[t].cell + PIECE][lane] = (double)(piece - 1);
-    c[job->table[t].cell + WAY][lane] = INFINITY;
+    if (!bits(here)) return;
+    c[TIME] = pick(here, now, c[TIME]);
+    c[job->table[t].cell + PIECE] = pick(here, piece - 1.0, c[job->table[t].cell + PIECE]);
+    c[job->table[t].cell + WAY] = pick(here, broadcast(INFINITY), c[job->table[t].cell + WAY]);
 }
 
 /* Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign. */
@@ -2539,6 +2450,7 @@ INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V now = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
     M level = c[job->table[t].cell + RISE] == 0.0;
     V way = (sign * p[1]) * c[job->table[t].cell + RISE];
@@ -2557,6 +2469,7 @@ INLINE void look_for_quiet(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V terms_of_normal = EPS * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
     for (int t = 0; t < job->tables; t++) {
         if ((job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
@@ -2568,50 +2481,62 @@ INLINE void look_for_quiet(Batch *b, M here)
     }
 }
 
-/* Return whether the mass certainly rests through a piece, as both its end values are in the quiet range. The
- * following piece must end before a place, so that the function cannot jump between both. */
-INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece, double low, double high, double before)
-{
-    const Job *const job = b->job;
-    int last = (int)job->data[t].pieces - 1;
-    int64_t following = (piece + 1) < last ? (piece + 1) : last;
-    double height = constant_of(b, lane, t, following);
-    return (end_of_piece(b, lane, t, following) < before) && (low <= height) && (height <= high);
-}
-
-/* Pass the pieces through which the mass certainly rests. */
-static void rest_through(Batch *b, unsigned lane, int t)
+/* Return the least and the greatest value of a record, without its factor, at which lanes certainly rest. */
+INLINE Pair heights_at_rest(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double one = c[QUIET_FROM][lane] / c[job->table[t].cell + SCALED_BY][lane];
-    double other = c[QUIET_TO][lane] / c[job->table[t].cell + SCALED_BY][lane];
-    double low = fmin(one, other);
-    double high = fmax(one, other);
-    double before = (c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS));
-    while (rests_on(b, lane, t, piece, low, high, before)) {
-        piece = piece + 1;
-    }
-    if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
-        double now = break_of(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
-        if (job->samples) {
-            read_samples(b, lane, c[TIME][lane], now, 0, 0);
-        }
-        stand_before(b, lane, t, piece, now);
-    }
+    V one = c[QUIET_FROM] / c[job->table[t].cell + SCALED_BY];
+    V other = c[QUIET_TO] / c[job->table[t].cell + SCALED_BY];
+    return (Pair){minimum(one, other), maximum(one, other)};
 }
 
-/* Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests. */
-static void enter_pieces(Batch *b, unsigned lane)
+/* Return the place in a record, up to rounding, at which the end time is reached. */
+INLINE V latest_end(Batch *b, int t)
 {
     const Job *const job = b->job;
+    V *const c = b->c;
+    return (c[END_TIME] * c[job->table[t].cell + SCALE]) * (1.0 - (4.0 * EPS));
+}
+
+/* Pass the pieces through which masses certainly rest, as both end values are in the quiet range. The following
+ * piece must end before the end time, so that the function cannot jump between both. */
+static void rest_through(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    V last = broadcast((double)((int)job->data[t].pieces - 1));
+    const Pair low_high = heights_at_rest(b, t);
+    V low = low_high.one, high = low_high.other;
+    V before = latest_end(b, t);
+    V piece = 1.0 * c[job->table[t].cell + PIECE];
+    M rests = here;
+    while (bits(rests)) {
+        V following = minimum(piece + 1.0, last);
+        V height = coefficients_at(b, t, following, 0);
+        rests = rests & (low <= height) & (height <= high) & (end_of_piece(b, t, following) < before);
+        piece = pick(rests, following, piece);
+    }
+    M passes = here & (piece > c[job->table[t].cell + PIECE]);
+    V now = breaks_at(b, t, piece) / c[job->table[t].cell + SCALE];
+    if (job->samples) {
+        read_samples(b, passes, c[TIME], now, 0, 0);
+    }
+    stand_before(b, passes, t, piece, now);
+}
+
+/* Enter the next pieces of functions of time, or those after all pieces in which masses certainly rest. */
+static void enter_pieces(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    if (!bits(here)) return;
     for (int t = 0; t < job->tables; t++) {
         if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
-            rest_through(b, lane, t);
+            rest_through(b, here, t);
         }
     }
-    pass_breaks(b, lane);
+    pass_breaks(b, here);
 }
 
 /* Return the path over the length of a piece after a time at a speed, with a net moment that rises linearly. */
@@ -2636,21 +2561,12 @@ INLINE V standstill(V omega, V net, V rise)
     return over / under;
 }
 
-/* Place a lane at the left end of a piece. */
-static void enter_at(Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    double edge = break_of(b, lane, t, piece);
-    double now = edge / c[job->table[t].cell + SCALE][lane];
-    stand_before(b, lane, t, piece, now);
-    pass_break(b, lane, t);
-}
-
 /* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
 INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[X] = pick(here, x, c[X]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[STEPS] = pick(here, broadcast(0.0), c[STEPS]);
@@ -2660,9 +2576,8 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
     c[TIME] = pick(here, pick(moves, c[TIME], c[REST_SINCE]), c[TIME]);
     update_reach(b, here & ~moves);
     advance_origin(b, here);
-    EACH(lane, bits(here)) {
-        enter_at(b, lane, t, piece);
-    }
+    stand_before(b, here, t, broadcast((double)piece), job->data[t].breaks[piece] / c[job->table[t].cell + SCALE]);
+    pass_break(b, here, t);
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
@@ -2670,6 +2585,7 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 INLINE void count_starts(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M back = c[LAST_WAY] < 0.0;
     c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
     c[TURNS] = pick(here, c[TURNS] + pick(back, broadcast(1.0), broadcast(0.0)), c[TURNS]);
@@ -2763,15 +2679,6 @@ INLINE Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V
     return (Pair){end, way};
 }
 
-/* Return the place in a record, up to rounding, at which the end time is reached. */
-INLINE V latest_end(Batch *b, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V end = (c[END_TIME] * c[job->table[t].cell + SCALE]) * (1.0 - (4.0 * EPS));
-    return minimum(end, broadcast(LATEST));
-}
-
 /* Return the lanes for which a piece ends before a place and not at the last break, where the record may jump. */
 INLINE M passes(Batch *b, int t, int piece, V before)
 {
@@ -2787,25 +2694,14 @@ INLINE M passes(Batch *b, int t, int piece, V before)
 INLINE V end_of(Batch *b, int t, int piece, V per)
 {
     const Job *const job = b->job;
-    double end = job->data[t].breaks[piece + 1];
-    return end * per;
+    return job->data[t].breaks[piece + 1] * per;
 }
 
 /* Return the value of a record, without its factor, at the right end of a piece. */
-INLINE double height_after(Batch *b, int t, int piece)
+INLINE V height_after(Batch *b, int t, int piece)
 {
     const Job *const job = b->job;
-    return job->data[t].coefficients[(2 * piece) + 2];
-}
-
-/* Return the least and the greatest value of a record, without its factor, at which lanes certainly rest. */
-INLINE Pair heights_at_rest(Batch *b, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V one = c[QUIET_FROM] / c[job->table[t].cell + SCALED_BY];
-    V other = c[QUIET_TO] / c[job->table[t].cell + SCALED_BY];
-    return (Pair){minimum(one, other), maximum(one, other)};
+    return broadcast(job->data[t].coefficients[(2 * piece) + 2]);
 }
 
 /* Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
@@ -2813,7 +2709,7 @@ INLINE Pair heights_at_rest(Batch *b, int t)
 INLINE M rests_through(Batch *b, int t, int piece, V before, V low, V high)
 {
     const Job *const job = b->job;
-    double height = height_after(b, t, piece);
+    V height = height_after(b, t, piece);
     return (low <= height) & (height <= high) & (job->data[t].breaks[piece + 2] < before);
 }
 
@@ -2833,9 +2729,7 @@ INLINE M keep_sliding(Batch *b, M on, int t, int piece, V before, V press, V x, 
 {
     M inside = passes(b, t, piece, before) & (press > 0.0);
     M leaves = on & ~inside;
-    if (bits(leaves)) {
-        end_slide(b, leaves, t, piece, x, omega);
-    }
+    end_slide(b, leaves, t, piece, x, omega);
     return on & inside;
 }
 
@@ -2846,6 +2740,7 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V per = 1.0 / c[job->table[t].cell + SCALE];
     const Pair low_high = heights_at_rest(b, t);
     V low = low_high.one, high = low_high.other;
@@ -2921,6 +2816,7 @@ INLINE void enter_phase(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[RATE_BEFORE] = pick(here, rate, c[RATE_BEFORE]);
     c[DRIVE_BEFORE] = pick(here, c[job->role->drive], c[DRIVE_BEFORE]);
     c[SCALE_BEFORE] = pick(here, c[job->role->drive_scale], c[SCALE_BEFORE]);
@@ -2933,13 +2829,12 @@ INLINE void on_standstill(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     advance_origin(b, here);
     update_reach(b, here);
     c[REST_SINCE] = pick(here, c[TIME], c[REST_SINCE]);
     if (job->notes_room > 0) {
-        EACH(lane, bits(here)) {
-            note(b, lane, NOTE_STANDS);
-        }
+        note(b, here, NOTE_STANDS);
     }
     c[FACED] = pick(here, broadcast(1.0), c[FACED]);
     M one_way = c[ONE_WAY] > 0.0;
@@ -2952,41 +2847,39 @@ INLINE void on_contact_change(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
     note_lift_off(b, here & (c[LIFTED] > 0.0));
-    M lands = here & (c[LIFTED] == 0.0);
     if (job->notes_room > 0) {
-        EACH(lane, bits(lands)) {
-            note(b, lane, NOTE_LANDS);
-        }
+        note(b, here & (c[LIFTED] == 0.0), NOTE_LANDS);
     }
     enter_phase(b, here, rate);
     c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
 }
 
-/* Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece. */
-static void on_breakpoint(Batch *b, unsigned lane, int t, int upwards)
+/* Place lanes exactly at an edge of a table of slip, speed or rotation, in the next piece. */
+INLINE void on_breakpoint(Batch *b, M here, int t, M upwards)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     if (job->table[t].kind == OF_ROTATION) {
-        int64_t ahead = (c[DIRECTION][lane] > 0.0) ? 1 : 0;
-        c[ROTATION][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane] + ahead);
+        M forward = c[DIRECTION] > 0.0;
+        c[ROTATION] = pick(here, pick(forward, end_of_piece(b, t, c[job->table[t].cell + PIECE]), breaks_at(b, t, c[job->table[t].cell + PIECE])), c[ROTATION]);
         return;
     }
     if (job->table[t].kind == OF_SPEED) {
-        c[OMEGA][lane] = upwards ? c[job->table[t].cell + UPPER][lane] : c[job->table[t].cell + LOWER][lane];
-        c[PASSED][lane] = upwards ? FASTER : SLOWER;
+        c[OMEGA] = pick(here, pick(upwards, c[job->table[t].cell + UPPER], c[job->table[t].cell + LOWER]), c[OMEGA]);
+        c[PASSED] = pick(here, pick(upwards, broadcast(FASTER), broadcast(SLOWER)), c[PASSED]);
     }
-    c[job->table[t].cell + PIECE][lane] = c[job->table[t].cell + PIECE][lane] + (upwards ? 1.0 : (-1.0));
+    c[job->table[t].cell + PIECE] = pick(here, c[job->table[t].cell + PIECE] + pick(upwards, broadcast(1.0), broadcast(-1.0)), c[job->table[t].cell + PIECE]);
     if (job->table[t].kind == OF_SLIP) {
-        c[SLIP][lane] = break_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane]) / c[job->table[t].cell + SCALE][lane];
+        c[SLIP] = pick(here, breaks_at(b, t, c[job->table[t].cell + PIECE]) / c[job->table[t].cell + SCALE], c[SLIP]);
     }
     if (job->data[t].open) {
-        if (upwards && (c[job->table[t].cell + PIECE][lane] == (double)((int)job->data[t].pieces - 1))) {
-            c[STATUS][lane] = NEED;
-            c[PENDING][lane] = READY;
-        }
+        here = here & upwards & (c[job->table[t].cell + PIECE] == (double)((int)job->data[t].pieces - 1));
+        c[STATUS] = pick(here, broadcast(NEED), c[STATUS]);
+        c[PENDING] = pick(here, broadcast(READY), c[PENDING]);
     }
 }
 
@@ -2995,14 +2888,13 @@ INLINE void on_breakpoints(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     enter_phase(b, here, rate);
     for (int t = 0; t < job->tables; t++) {
         int upper = EVENT_BREAKPOINT + (2 * t);
-        int lower = upper + 1;
-        M passes = here & ((c[EVENT] == (double)upper) | (c[EVENT] == (double)lower));
-        EACH(lane, bits(passes)) {
-            on_breakpoint(b, lane, t, c[EVENT][lane] == upper);
-        }
+        M upwards = c[EVENT] == (double)upper;
+        M downwards = c[EVENT] == (double)(upper + 1);
+        on_breakpoint(b, here & (upwards | downwards), t, upwards);
     }
 }
 
@@ -3010,6 +2902,7 @@ INLINE void on_breakpoints(Batch *b, M here, V rate)
 INLINE void end_motion(Batch *b, M here, V rate, V status)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[STATUS] = pick(here, status, c[STATUS]);
     c[END_ROTATION] = pick(here, c[ROTATION] + (c[DIRECTION] * c[X]), c[END_ROTATION]);
     c[END_OMEGA] = pick(here, c[DIRECTION] * c[OMEGA], c[END_OMEGA]);
@@ -3017,43 +2910,19 @@ INLINE void end_motion(Batch *b, M here, V rate, V status)
     update_reach(b, here);
 }
 
-/* End lanes at their end time, or pass breaks of functions of time. */
-INLINE void on_limit(Batch *b, M here, V rate)
+/* Apply the consequences of the event that ends a step. */
+INLINE void settle(Batch *b, M here, V rate)
 {
     V *const c = b->c;
-    M ends = here & (c[TIME] >= c[END_TIME]);
-    end_motion(b, ends, rate, broadcast(ENDED));
-    M passes = here & ~ends;
-    EACH(lane, bits(passes)) {
-        pass_breaks(b, lane);
-    }
-}
-
-/* Apply the consequences of a step: an event, a break of a function of time, the end time, or another step. */
-INLINE void settle(Batch *b, M here, V rate, M at_limit, M endless)
-{
-    V *const c = b->c;
-    c[STATUS] = pick(here, pick(endless, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
-    M limits = here & at_limit;
-    if (bits(limits)) {
-        on_limit(b, limits, rate);
-    }
-    M stands = here & (c[EVENT] == (double)EVENT_STANDSTILL);
-    if (bits(stands)) {
-        on_standstill(b, stands);
-    }
-    M lifts = here & (c[EVENT] == (double)EVENT_LIFT_OFF);
-    if (bits(lifts)) {
-        on_contact_change(b, lifts, rate);
-    }
-    M upright = here & (c[EVENT] == (double)EVENT_CHORD_UPRIGHT);
-    if (bits(upright)) {
-        end_motion(b, upright, rate, broadcast(UPRIGHT));
-    }
-    M passes = here & (c[EVENT] >= (double)EVENT_BREAKPOINT);
-    if (bits(passes)) {
-        on_breakpoints(b, passes, rate);
-    }
+    if (!bits(here)) return;
+    c[STATUS] = pick(here, pick(c[EVENT] == (double)EVENT_ENDLESS, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
+    M limits = here & (c[EVENT] == (double)EVENT_LIMIT);
+    pass_breaks(b, limits & (c[TIME] < c[END_TIME]));
+    end_motion(b, limits & (c[TIME] >= c[END_TIME]), rate, broadcast(ENDED));
+    on_standstill(b, here & (c[EVENT] == (double)EVENT_STANDSTILL));
+    on_contact_change(b, here & (c[EVENT] == (double)EVENT_LIFT_OFF), rate);
+    end_motion(b, here & (c[EVENT] == (double)EVENT_CHORD_UPRIGHT), rate, broadcast(UPRIGHT));
+    on_breakpoints(b, here & (c[EVENT] >= (double)EVENT_BREAKPOINT), rate);
 }
 
 /* Shorten the step to an event at a time, infinite without an event. Each event is searched in the step that
@@ -3061,15 +2930,17 @@ INLINE void settle(Batch *b, M here, V rate, M at_limit, M endless)
 INLINE void consider(Batch *b, M here, V at, int event)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[EVENT] = pick(here, pick(at <= c[STEP], broadcast((double)event), c[EVENT]), c[EVENT]);
     c[STEP] = pick(here, minimum(at, c[STEP]), c[STEP]);
 }
 
-/* Shorten the step to the time left, and return the lanes that reach its end. */
-INLINE M reach_limit(Batch *b, M here, V room, int top)
+/* Shorten the step to the time left, up to a break of a function of time or the end time. */
+INLINE void reach_limit(Batch *b, M here, V room, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M reaches = here & (room < INFINITY);
     if (bits(reaches)) {
         reaches = reaches & (elapsed(b, top, c[STEP]) >= room);
@@ -3078,7 +2949,7 @@ INLINE M reach_limit(Batch *b, M here, V room, int top)
             c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
         }
     }
-    return reaches;
+    c[EVENT] = pick(here, pick(reaches, broadcast(EVENT_LIMIT), broadcast(EVENT_NONE)), c[EVENT]);
 }
 
 /* Find the time at which the speed becomes zero. It is immediate if the drive from rest points backwards or is
@@ -3087,6 +2958,7 @@ static void find_standstill(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *omega = b->r + job->role->omega;
     V *net = b->r + job->role->net;
     const Pair last_slope = value_and_slope(omega, top, c[STEP]);
@@ -3112,6 +2984,7 @@ static void find_standstill(Batch *b, M here, int top)
 static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M passed, int event)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M asked = here & may_cross(p, n, c[STEP], sign, constant, passed);
     if (bits(asked)) {
         V e[STRIDE];
@@ -3125,6 +2998,7 @@ static void find_edges(Batch *b, M here, int t, int top, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M ends = here & (c[job->table[t].cell + UPPER] < FAR);
     V upper = minimum(c[job->table[t].cell + UPPER], broadcast(FAR));
     int event = EVENT_BREAKPOINT + (2 * t);
@@ -3152,7 +3026,7 @@ static void find_events(Batch *b, M here, int top, int by_rotation)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
+    if (!bits(here)) return;
     find_standstill(b, here, top);
     if (job->role->upright >= 0) {
         find_crossing(b, here, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
@@ -3182,6 +3056,7 @@ INLINE void choose_step(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
         V radius = broadcast(INFINITY);
@@ -3199,6 +3074,7 @@ INLINE void advance_states(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     for (const State *q = job->state; q < job->state + job->states; q++) {
         c[q->cell] = pick(here, c[q->cell] + increment(b->r + q->series, top, c[STEP]), c[q->cell]);
     }
@@ -3209,20 +3085,19 @@ INLINE void advance_states(Batch *b, M here, int top)
     }
 }
 
-/* Return whether a motion continues for ever. If the rate depends on the speed alone and hardly changes it, the
- * rate never becomes negative again. */
-INLINE M is_endless(Batch *b, M here, V room)
+/* End motions that continue for ever. If the rate depends on the speed alone and hardly changes it, the rate never
+ * becomes negative again. */
+INLINE void find_endless(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M endless = (M){0};
-    if (job->autonomous) {
-        V change = (b->r + job->role->net)[0] * c[STEP];
-        M settled = change >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
-        M uneventful = c[EVENT] == (double)EVENT_NONE;
-        endless = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
-    }
-    return endless;
+    if (!bits(here)) return;
+    V change = (b->r + job->role->net)[0] * c[STEP];
+    M settled = change >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
+    M uneventful = c[EVENT] == (double)EVENT_NONE;
+    here = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
+    c[EVENT] = pick(here, broadcast(EVENT_ENDLESS), c[EVENT]);
+    c[STEP] = pick(here, broadcast(0.0), c[STEP]);
 }
 
 /* Record the greatest speed within the step, where the net moment falls through zero. */
@@ -3230,6 +3105,7 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *net = b->r + job->role->net;
     V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
     M peaks = at < INFINITY;
@@ -3243,30 +3119,20 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     }
 }
 
-/* Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane. */
-INLINE void conclude(Batch *b, M here, V rate, M at_limit, M endless)
-{
-    V *const c = b->c;
-    M before_end = c[TIME] < c[END_TIME];
-    M breaks = at_limit & before_end;
-    M others = enter_lines(b, breaks);
-    M simple = (c[EVENT] == (double)EVENT_NONE) & ~endless & ~others;
-    M settled = simple & (before_end | ~at_limit);
-    M acts = here & ~settled;
-    if (bits(acts)) {
-        settle(b, acts, rate, at_limit, endless);
-    }
-}
-
 /* Let a step end at the time ``until``, count it, and apply its consequences. */
-INLINE void arrive(Batch *b, M here, V until, V rate, M steady, M at_limit, M endless)
+INLINE void arrive(Batch *b, M here, V until, V rate)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
-    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast(STIFF_STEP), broadcast(1.0))), c[STEPS]);
+    V change = magnitude((b->r + job->role->net)[0]) * c[STEP];
+    M steady = (change < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & (c[EVENT] == (double)EVENT_NONE);
+    V steps = c[STEPS] + pick(steady, broadcast(STIFF_STEP), broadcast(1.0));
+    c[STEPS] = pick(here, pick(c[EVENT] == (double)EVENT_LIMIT, broadcast(0.0), steps), c[STEPS]);
     c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
-    conclude(b, here, rate, at_limit, endless);
+    settle(b, here & (c[EVENT] != (double)EVENT_NONE), rate);
 }
 
 /* Make one step of moving lanes. */
@@ -3274,33 +3140,29 @@ static void make_step(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V limit = minimum(next_break(b), c[END_TIME]);
     V room = limit - c[TIME];
     int top = expand(b, room, here, 0);
     choose_step(b, here, top);
-    M reaches_limit = reach_limit(b, here, room, top);
+    reach_limit(b, here, room, top);
     find_events(b, here, top, 0);
-    M uneventful = c[EVENT] == (double)EVENT_NONE;
-    M endless = is_endless(b, here, room);
-    c[STEP] = pick(here, pick(endless, broadcast(0.0), c[STEP]), c[STEP]);
+    if (job->autonomous) {
+        find_endless(b, here, room);
+    }
     V step = c[STEP];
     V *net = b->r + job->role->net;
     const Pair rate_slope = value_and_slope(net, top - 1, step);
     V rate = rate_slope.one, slope = rate_slope.other;
     keep_peak(b, here, top, rate, slope);
-    M at_limit = here & reaches_limit & uneventful & ~endless;
     V time = c[TIME] + elapsed(b, top, step);
-    V until = pick(at_limit, limit, time);
+    V until = pick(c[EVENT] == (double)EVENT_LIMIT, limit, time);
     if (job->samples) {
-        EACH(lane, bits(here)) {
-            read_samples(b, lane, c[TIME][lane], until[lane], 1, top);
-        }
+        read_samples(b, here, c[TIME], until, 1, top);
     }
-    V change = magnitude(net[0]) * step;
-    M steady = (change < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
     advance_states(b, here, top);
     rate = per_time(b, rate, c[OMEGA]);
-    arrive(b, here, until, rate, steady, at_limit, endless);
+    arrive(b, here, until, rate);
 }
 
 /* Return a sum with sine and 1 - cosine of the current rotation. */
@@ -3396,17 +3258,13 @@ static V pass_events(Batch *b, M here, V left)
     V loss = left * minimum(net[0], broadcast(0.0));
     V bend = (left * left) * magnitude(omega[2]);
     M slow = here & (omega[0] > 0.0) & ((omega[0] + loss) <= (2.0 * bend));
-    if (bits(slow)) {
-        find_standstill(b, slow, TOP);
-    }
+    find_standstill(b, slow, TOP);
     V step = c[STEP];
     const Pair rate_slope = value_and_slope(net, TOP - 1, step);
     V rate = rate_slope.one, slope = rate_slope.other;
     V most = omega[0] + (step * net[0]);
     M peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > magnitude(c[PEAK_OMEGA]));
-    if (bits(peaks)) {
-        keep_peak(b, peaks, TOP, rate, slope);
-    }
+    keep_peak(b, peaks, TOP, rate, slope);
     return rate;
 }
 
@@ -3415,6 +3273,7 @@ static void move_within(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V factors[STRIDE];
     V rise[STRIDE];
     V sine[STRIDE];
@@ -3458,7 +3317,7 @@ INLINE M fits(Batch *b, int t)
 
 /* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. The
  * net moment is valid in contact. Lanes that may lift within a piece stay at its left end, where they leave. */
-INLINE M wait_for_start(Batch *b, M here, int t)
+static M wait_for_start(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3473,9 +3332,7 @@ INLINE M wait_for_start(Batch *b, M here, int t)
     c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
     c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
     look_for_quiet(b, here);
-    EACH(lane, bits(here)) {
-        enter_pieces(b, lane);
-    }
+    enter_pieces(b, here);
     V now = minimum(net_at_rest(b, c[job->table[t].cell + INC]), broadcast(0.0));
     V then = net_at_rest(b, c[job->table[t].cell + LOWER]);
     M starts = here & (then > (SURELY * c[job->role->drive_scale])) & fits(b, t);
@@ -3489,6 +3346,7 @@ INLINE M wait_for_start(Batch *b, M here, int t)
 INLINE void leave_series(Batch *b, M here, V since)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     M moves = c[OMEGA] > 0.0;
     c[STATUS] = pick(here, pick(moves, broadcast(MOVING), broadcast(RESTING)), c[STATUS]);
     here = here & ~moves & (c[TIME] > since);
@@ -3503,6 +3361,7 @@ static void turn_through(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     c[SINE_X] = pick(here, broadcast(0.0), c[SINE_X]);
     c[VERSINE_X] = pick(here, broadcast(0.0), c[VERSINE_X]);
     V since = c[TIME];
@@ -3514,16 +3373,11 @@ static void turn_through(Batch *b, M here, int t)
             starts = wait_for_start(b, rests, t);
         }
         M goes = starts | (moves & fits(b, t));
-        M leaves = here & ~goes;
-        if (bits(leaves)) {
-            leave_series(b, leaves, since);
-        }
+        leave_series(b, here & ~goes, since);
         count_starts(b, starts & goes);
         here = goes;
-        if (bits(here)) {
-            move_within(b, here, t);
-            enter_line(b, here & (c[TIME] == c[job->table[t].cell + UPPER]), t);
-        }
+        move_within(b, here, t);
+        pass_break(b, here & (c[TIME] == c[job->table[t].cell + UPPER]), t);
     }
 }
 
@@ -3535,7 +3389,7 @@ INLINE int has_recurrence(Batch *b)
 }
 
 /* Compute the series of start + sine sin(x) + vers (1 - cos(x)). */
-INLINE void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
+static void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
 {
     p[0] = start;
     p[1] = sine;
@@ -3563,7 +3417,7 @@ INLINE void complete_net(Batch *b, V *weight, int n)
 }
 
 /* Compute the series of the normal force and of the dip of the chord. */
-INLINE void expand_contact(Batch *b, int top)
+static void expand_contact(Batch *b, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3740,8 +3594,8 @@ INLINE V distance_of_rest(V *p, int n, V side, V far)
     return pick(distance >= 0.0, nearest, far);
 }
 
-/* Compute E as a polynomial of the distance from the end of the step: Taylor's shift by Horner's scheme. It has no
- * rounding error where the mass comes to rest, near which the duration depends on it. */
+/* Compute E as a polynomial of the distance from the end of the step. It has no rounding error where the mass
+ * comes to rest, near which the duration depends on it. */
 INLINE void expand_about_end(Batch *b, V *p, int n)
 {
     const Job *const job = b->job;
@@ -3750,11 +3604,7 @@ INLINE void expand_about_end(Batch *b, V *p, int n)
     for (int k = 0; k <= n; k++) {
         p[k] = e[k];
     }
-    for (int first = 0; first <= n - 1; first++) {
-        for (int j = n - 1; j >= first; j--) {
-            p[j] = p[j] + (c[STEP] * p[j + 1]);
-        }
-    }
+    shift(p, n, c[STEP]);
     M stands = c[EVENT] == (double)EVENT_STANDSTILL;
     p[0] = pick(stands, broadcast(0.0), p[0]);
 }
@@ -3830,6 +3680,7 @@ INLINE void shorten(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *e = b->r + job->role->omega;
     M bends = here & (e[2] > 0.0) & (e[1] >= 0.0);
     V by_slope = e[1] / e[2];
@@ -3855,6 +3706,7 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *net = b->r + job->role->net;
     V *e = b->r + job->role->omega;
     V step = c[STEP];
@@ -3866,16 +3718,12 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
         V slope = value(net, top - 1, there);
         keep_faster(b, peaks, speed, c[TIME] + before, c[X] + there, slope);
     }
-    V change = magnitude(net[0]) * step;
-    M uneventful = c[EVENT] == (double)EVENT_NONE;
-    M steady = (change < ((double)STIFF_CHANGE * e[0])) & uneventful;
     c[X] = pick(here, c[X] + step, c[X]);
     V square = e[0] + increment(e, top, step);
     c[OMEGA] = pick(here, sqrt_of(maximum(square, broadcast(0.0))), c[OMEGA]);
-    M goes_on = (M){0};
-    arrive(b, here, until, rate, steady, goes_on, goes_on);
+    arrive(b, here, until, rate);
     if (has_recurrence(b)) {
-        enter_phase(b, here & uneventful, rate);
+        enter_phase(b, here & (c[EVENT] == (double)EVENT_NONE), rate);
     }
 }
 
@@ -3884,12 +3732,14 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
 static void turn_on(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V omega = 1.0 * c[OMEGA];
     c[OMEGA] = pick(here, omega * omega, c[OMEGA]);
     V room = way_ahead(b);
     int top = expand_in_rotation(b, room, here);
     choose_step(b, here, top);
     shorten(b, here);
+    c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     find_events(b, here, top, 1);
     V peak = broadcast(INFINITY);
     V before = broadcast(0.0);
@@ -3912,9 +3762,7 @@ static void turn_on(Batch *b, M here)
     M fits = here & regular & (until < c[END_TIME]);
     c[OMEGA] = pick(here, omega, c[OMEGA]);
     c[CLOCKED] = pick(here, pick(fits, broadcast(0.0), broadcast(1.0)), c[CLOCKED]);
-    if (bits(fits)) {
-        complete(b, fits, top, peak, before, until);
-    }
+    complete(b, fits, top, peak, before, until);
 }
 
 /* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
@@ -4030,7 +3878,7 @@ INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
 }
 
 /* Replace the functions for q by those for -q. */
-INLINE void reverse(V *f, V q)
+static void reverse(V *f, V q)
 {
     V y = q * f[0];
     V bend = (q * q) * f[1];
@@ -4191,7 +4039,7 @@ INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 }
 
 /* Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``. */
-INLINE void count_from_end(Batch *b, V *back, V *f, V x)
+static void count_from_end(Batch *b, V *back, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4268,7 +4116,7 @@ INLINE void soften(Batch *b, V *e, V *f, V x)
 }
 
 /* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
-INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
+static V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
 {
     const Job *const job = b->job;
     f[5] = broadcast(1.0);
@@ -4285,7 +4133,7 @@ INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
 }
 
 /* Return E and the integrand at a node of `time_of_part`, with its arguments. */
-INLINE Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
+static Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
 {
     V here = unit * (node * node);
     V other = 1.0 + (bend * (1.0 - node));
@@ -4299,7 +4147,7 @@ INLINE Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
  * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node. */
-INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
+static V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
     const Job *const job = b->job;
     V total = broadcast(0.0);
@@ -4326,7 +4174,7 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
  * change the step over the radius of convergence, and with it the rules, which they so compare. */
-INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
+static Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4368,6 +4216,7 @@ INLINE V mean_of(V *both, int pairs, int by)
  * sums of ``odd``. */
 INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
 {
+    if (!bits(here)) return;
     V scale = broadcast(1.0 / (double)pairs);
     w[0] = pick(here, mean_of(both, pairs, by), w[0]);
     for (int j = 1; j <= pairs; j++) {
@@ -4438,6 +4287,7 @@ INLINE M is_uneven(V *w, int n)
  * search begins at the angle u in ``there``, to which it is added together with the slope of the time. */
 static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
 {
+    if (!bits(here)) return;
     V u = there[ANGLE_THERE];
     V slope = broadcast(1.0);
     const Pair lag_versine = turned(2.0 * u);
@@ -4478,6 +4328,7 @@ static void keep_samples(Batch *b, M here, V *e, V *back, V *w, V end, V until)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V there[STRIDE];
     there[ANGLE_THERE] = broadcast(0.0);
     there[SLOPE_THERE] = 2.0 * w[0];
@@ -4565,7 +4416,7 @@ static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
 }
 
 /* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
-INLINE V force_at(V start, V sine, V vers, V *f)
+static V force_at(V start, V sine, V vers, V *f)
 {
     V sine_there = sine * (f[0] - f[3]);
     return start + (sine_there + (vers * f[2]));
@@ -4573,7 +4424,7 @@ INLINE V force_at(V start, V sine, V vers, V *f)
 
 /* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
  * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
-INLINE M stays_positive(V start, V sine, V vers, V *f)
+static M stays_positive(V start, V sine, V vers, V *f)
 {
     V at_end = force_at(start, sine, vers, f);
     V cosine = 1.0 - f[2];
@@ -4583,7 +4434,7 @@ INLINE M stays_positive(V start, V sine, V vers, V *f)
 }
 
 /* Return whether phases up to a rotation have the closed form, from the functions of E there. */
-INLINE M has_closed_form(Batch *b, V *f, V q)
+static M has_closed_form(Batch *b, V *f, V q)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4595,7 +4446,7 @@ INLINE M has_closed_form(Batch *b, V *f, V q)
 }
 
 /* Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end. */
-INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
+static void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 {
     V x = end * SINES[k];
     V f[STRIDE];
@@ -4610,7 +4461,7 @@ INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 }
 
 /* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
-INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
+static V duration_of_swing(V *e, V *back, V end, V *w, M which)
 {
     V both[STRIDE];
     V odd[STRIDE];
@@ -4639,10 +4490,11 @@ INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
 
 /* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
  * ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there. */
-INLINE void rest(Batch *b, M here, V *back, V *f)
+static void rest(Batch *b, M here, V *back, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V force = force_at(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     V resistance = c[job->role->resisting] + (c[job->role->mu] * force);
     V rate = (-0.5) * back[0];
@@ -4662,6 +4514,7 @@ INLINE void rest(Batch *b, M here, V *back, V *f)
 INLINE void pass_peak(Batch *b, M here, V *f, V peak, V before)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V speed = sqrt_of(f[5]);
     V then = c[TIME] + before;
     keep_faster(b, here, speed, then, peak, 0.5 * f[6]);
@@ -4671,6 +4524,7 @@ INLINE void pass_peak(Batch *b, M here, V *f, V peak, V before)
 INLINE void finish(Batch *b, M here, V end, V duration)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
@@ -4683,6 +4537,7 @@ INLINE void finish(Batch *b, M here, V end, V duration)
 static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     V there[STRIDE];
     V time = c[END_TIME] - c[TIME];
     there[ANGLE_THERE] = (0.5 * time) / w[0];
@@ -4718,15 +4573,13 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), at_peak, peak, before);
     finish(b, rests, end, duration);
     rest(b, rests, back, f);
-    if (bits(ends)) {
-        end_within(b, ends, e, back, w, end);
-    }
+    end_within(b, ends, e, back, w, end);
     return rests | ends;
 }
 
 /* Complete phases under softening laws, up to rest before the end time, and return these lanes. Lanes that hardly
  * come to rest before the end time are left at once. */
-INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
+static M complete_softening(Batch *b, M fits, V *e, V end, V peak)
 {
     V *const c = b->c;
     V f[STRIDE];
@@ -4792,6 +4645,7 @@ static void look_for_lift_off(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V *normal = b->r + job->role->normal;
     V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
     M passed = c[PASSED] == (double)LIFT;
@@ -4812,6 +4666,7 @@ static void look_ahead(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     int top = expand(b, room, here, 1);
     V *net = b->r + job->role->net;
     M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
@@ -4847,6 +4702,7 @@ static void look_ahead(Batch *b, M here, V room)
 INLINE void turn_back(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
@@ -4855,6 +4711,7 @@ INLINE void turn_back(Batch *b, M here)
 INLINE void change_contact(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
     c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
@@ -4865,15 +4722,17 @@ INLINE void change_contact(Batch *b, M here)
 INLINE void start_again(Batch *b, M here)
 {
     V *const c = b->c;
+    if (!bits(here)) return;
     face(b, here, c[START_DIRECTION]);
     c[PENDING] = pick(here, broadcast(START_AGAIN), c[PENDING]);
 }
 
 /* Advance to the first change: start of slip, change of contact, break or end. */
-INLINE void leave_rest(Batch *b, M here, V limit, V room)
+static void leave_rest(Batch *b, M here, V limit, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V stretch = c[STRETCH];
     M lifts = c[LIFT_AHEAD] <= stretch;
     M starts = c[START_AHEAD] <= stretch;
@@ -4881,9 +4740,7 @@ INLINE void leave_rest(Batch *b, M here, V limit, V room)
     V until = pick(breaks, limit, c[TIME] + stretch);
     M for_ever = ~starts & ~(until < INFINITY);
     if (job->samples) {
-        EACH(lane, bits(here)) {
-            read_samples(b, lane, c[TIME][lane], fmin(until[lane], c[END_TIME][lane]), 0, 0);
-        }
+        read_samples(b, here, c[TIME], minimum(until, c[END_TIME]), 0, 0);
     }
     V least = TOGETHER * until;
     M rested = starts & (stretch > least);
@@ -4895,10 +4752,7 @@ INLINE void leave_rest(Batch *b, M here, V limit, V room)
     here = here & ~ends;
     start_again(b, here & starts);
     change_contact(b, here & lifts & ~starts);
-    here = here & breaks;
-    EACH(lane, bits(here)) {
-        enter_pieces(b, lane);
-    }
+    enter_pieces(b, here & breaks);
 }
 
 /* Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too. */
@@ -4906,6 +4760,7 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M both = here & (c[ONE_WAY] == 0.0);
     if (bits(both)) {
         turn_back(b, both);
@@ -4929,6 +4784,7 @@ static void rest_on(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     V limit = next_break(b);
     V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
     c[STRETCH] = pick(here, room, c[STRETCH]);
@@ -4962,6 +4818,7 @@ INLINE void stop_endless(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M going = c[STATUS] <= (double)RESTING;
     V most = pick(c[OMEGA] > 0.0, broadcast(MOST_STEPS), broadcast((double)(2 * MOST_STEPS)));
     M too_long = c[STEPS] > most;
@@ -4980,6 +4837,7 @@ static void advance(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    if (!bits(here)) return;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
     int complete = HAS_CLOSED_FORM(job->role) && !(job->samples && SOFTENS(job->role));
@@ -4994,15 +4852,13 @@ static void advance(Batch *b, M here)
         if (has_recurrence(b)) {
             turning = turning & (c[X] == 0.0);
         }
-        if (bits(turning)) {
-            turn_on(b, turning);
-        }
+        turn_on(b, turning);
         moving = moving & ~(turning & (c[CLOCKED] == 0.0));
     }
     if (__builtin_popcount(bits(moving)) > __builtin_popcount(bits(resting))) {
         make_step(b, moving);
     }
-    if (bits(resting) && (__builtin_popcount(bits(resting)) >= __builtin_popcount(bits(moving)))) {
+    if (__builtin_popcount(bits(resting)) >= __builtin_popcount(bits(moving))) {
         rest_on(b, resting);
     }
     begin_phases(b);
@@ -5091,8 +4947,8 @@ static void read_registers(Batch *b)
         for (int64_t k = 0; k < count; k++) {
             for (int i = 0; i < job->cells; i++) b->c[i][k] = job->all[i * job->count + first + k];
             b->column[k] = first + k;
-            if (job->budget) begin_here(b, k);
         }
+        if (job->budget) begin_here(b, lanes((1u << count) - 1));
         if (job->budget) IN(prologue)(job->scalar, job->scalar_end, b->c, lanes(ALL));
         evaluate(b);
         for (int64_t k = 0; k < count; k++) {

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d46602b09cc35272e4d44ede2291709fe2e21adb9c68c49a1a43ebaf98e9d025
+# sha256 of the text below: ee9ae6439f177c82be4b967fc0a21eab97f7e6567adb80b0c0f63daf7aef829c
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -79,7 +79,6 @@ class Lanes:
         for number, (slot, data) in enumerate(zip(program.tables, tables, strict=True)):
             self.tables.append(Table(number, slot, data, self.tables[-1] if number else None))
         self.timed = sum(t.kind == ix.OF_TIME for t in self.tables)
-        self.terms = max([self.highest + 2, *(t.terms for t in self.tables)])
         self.autonomous = program.autonomous
         self.by_rotation = program.by_rotation
         self.samples = samples
@@ -91,12 +90,6 @@ class Lanes:
     def stored(self) -> Floats:
         """Cells of the lanes without working cells."""
         return self.cells[: ix.PENDING]
-
-
-def among(chosen: Mask, *known: Any) -> tuple[Any, ...]:
-    """Return numbers, arrays of numbers and the index of selected lanes."""
-    chosen = np.broadcast_to(chosen, known[0].shape)
-    return tuple(x[..., chosen] if isinstance(x, np.ndarray) and x.ndim else x for x in known)
 
 
 # --- what the text asks of a program, of tables and of records --------------------------------------------------------
@@ -120,11 +113,6 @@ def greatest(x: Floats) -> int:
 def least(x: Floats) -> int:
     """Return the least integer."""
     return int(x.min())
-
-
-def integer(x: Floats) -> Index:
-    """Return whole numbers as integers."""
-    return np.asarray(x, dtype=np.intp)
 
 
 def log2_of(x: Floats) -> Floats:
@@ -161,55 +149,33 @@ def prologue(s: Lanes, which: Mask) -> None:
     s.cells[:, which] = part
 
 
-def break_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Return the left end of a piece in the table's argument."""
-    breaks = t.data.breaks
-    return breaks[piece] if breaks.ndim == 1 else breaks[piece, s.columns[i]]
-
-
-def jump_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Return the jump of a function of time at the left end of a piece."""
-    return t.data.jumps[piece]
-
-
-def constant_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Return the first coefficient of a piece."""
-    every = t.data.coefficients
-    return every[piece, 0] if every.ndim == 2 else every[piece, 0, s.columns[i]]
-
-
-def coefficients_of(s: Lanes, i: Index, t: Table, piece: Index, terms: Floats) -> None:
-    """Copy the coefficients of a piece, in powers of the distance from its left end."""
-    every = t.data.coefficients
-    of_piece = every[piece] if every.ndim == 2 else every[piece, :, s.columns[i]]
-    terms[: t.terms] = of_piece.T
-
-
 def breaks_at(s: Lanes, t: Table, piece: Floats) -> Floats:
     """Return the left end of a piece of each lane in the table's argument."""
-    return break_of(s, np.arange(piece.size), t, piece.astype(int))
+    breaks = t.data.breaks
+    pieces = piece_numbers(s, piece)
+    return breaks[pieces] if breaks.ndim == 1 else breaks[pieces, s.columns]
 
 
-def heights_at(s: Lanes, t: Table, piece: Floats) -> Floats:
-    """Return the first coefficient of a piece of each lane."""
-    return constant_of(s, np.arange(piece.size), t, piece.astype(int))
-
-
-def slopes_at(s: Lanes, t: Table, piece: Floats) -> Floats:
-    """Return the second coefficient of a piece of each lane."""
-    terms = np.zeros((t.terms, piece.size))
-    coefficients_of(s, np.arange(piece.size), t, piece.astype(int), terms)
-    return terms[1]
+def coefficients_at(s: Lanes, t: Table, piece: Floats, number: int) -> Floats:
+    """Return a coefficient of a piece of each lane, in powers of the distance from its left end."""
+    every = t.data.coefficients
+    pieces = piece_numbers(s, piece)
+    return every[pieces, number] if every.ndim == 2 else every[pieces, number, s.columns]
 
 
 def jumps_at(s: Lanes, t: Table, piece: Floats) -> Floats:
     """Return the jump of a function of time at the left end of a piece of each lane."""
-    return jump_of(s, np.arange(piece.size), t, piece.astype(int))
+    return t.data.jumps[piece_numbers(s, piece)]
 
 
-def note(s: Lanes, i: Index, event: int) -> None:
+def piece_numbers(s: Lanes, piece: Floats) -> Index:
+    """Return the number of a piece of each lane as an integer."""
+    return np.broadcast_to(piece, s.columns.shape).astype(np.intp)
+
+
+def note(s: Lanes, here: Mask, event: int) -> None:
     """Log an event of the first lane."""
-    if s.log is None or not np.any(s.columns[i] == 0):
+    if s.log is None or not np.any(s.columns[here] == 0):
         return
     lane = np.flatnonzero(s.columns == 0)
     time, rotation, direction = s.cells[[ix.TIME, ix.ROTATION, ix.DIRECTION], lane].tolist()
@@ -228,12 +194,12 @@ def sampled(s: Lanes, lane: int, begin: float, end: float) -> tuple[Floats, slic
     return times[first:last] - begin, slice(first, max(first, last))
 
 
-def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: int) -> None:
+def read_samples(s: Lanes, here: Mask, begin: Floats, end: Any, moving: int, top: int) -> None:
     """Evaluate the states at the sample times between two times, from series or at rest."""
-    ends = np.broadcast_to(end, i.shape)
+    ends = np.broadcast_to(end, here.shape)
     registers = [q.register for q in s.states]
-    for k, lane in enumerate(i.tolist()):
-        since, which = sampled(s, lane, float(begin[k]), float(ends[k]))
+    for lane in np.flatnonzero(here).tolist():
+        since, which = sampled(s, lane, float(begin[lane]), float(ends[lane]))
         if not since.size:
             continue
         if moving:
@@ -387,7 +353,6 @@ TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
 SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
-LATEST = 1.0715086071862673e+301
 ROUNDINGS = 134217728.0
 FAR = 1e+300
 TOP = 7
@@ -487,6 +452,13 @@ def differentiate(rates: Floats, p: Floats, n: int) -> None:
         rates[k - 1] = p[k] * float(k)
 
 
+def shift(p: Floats, n: int, by: Floats) -> None:
+    """Shift a polynomial to another origin: Taylor's shift by Horner's scheme."""
+    for first in range(n - 1 + 1):
+        for j in range(n - 1, first - 1, -1):
+            p[j] = p[j] + by * p[j + 1]
+
+
 def inside_or_middle(at: Floats, low: Floats, high: Floats) -> Floats:
     """Return a place if it lies between two bounds, otherwise their middle."""
     return np.where((at >= low) & (at <= high), at, 0.5 * (low + high))
@@ -579,299 +551,148 @@ def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here
     return root
 
 
-def shift(terms: Floats, count: int, by: Floats) -> None:
-    """Shift a polynomial to another origin: Taylor's shift by Horner's scheme."""
-    for first in range(count - 2 + 1):
-        for j in range(count - 2, first - 1, -1):
-            terms[j] = terms[j] + by * terms[j + 1]
+def end_of_piece(s: Lanes, t: Table, piece: Floats) -> Floats:
+    """Return the end of a piece in the table's argument, infinity for the last piece."""
+    last: Floats = float(t.pieces - 1)
+    following = breaks_at(s, t, np.minimum(piece + 1.0, last))
+    return np.where(piece < last, following, INFINITY)
 
 
-def value_within(lane: Lanes, i: Index, t: Table, piece: Index, local: Floats) -> Floats:
+def piece_at(s: Lanes, here: Mask, t: Table, first: Floats, argument: Floats, included: Mask) -> Floats:
+    """Return the piece that contains an argument, searched from a first piece on."""
+    piece = 1.0 * first
+    goes_on = here
+    while np.any(goes_on):
+        end = end_of_piece(s, t, piece)
+        ends_there = included & (end == argument)
+        goes_on = goes_on & (end < INFINITY) & ((end < argument) | ends_there)
+        piece = np.where(goes_on, piece + 1.0, piece)
+    return piece
+
+
+def value_within(s: Lanes, t: Table, piece: Floats, local: Floats) -> Floats:
     """Return a function of time, a sine or a straight line, at a distance from the left end of a piece."""
-    c = lane.cells
-    terms = np.zeros((lane.terms, i.size))
-    coefficients_of(lane, i, t, piece, terms)
-    change = terms[1] * local
-    line = terms[0] + change
-    value = terms[0] * np.sin(change + terms[2]) if t.sine else line
-    return c[t.cells + ix.SCALED_BY, i] * value
+    c = s.cells
+    height = coefficients_at(s, t, piece, 0)
+    change = coefficients_at(s, t, piece, 1) * local
+    value = height + change
+    if t.sine:
+        value = height * np.sin(change + coefficients_at(s, t, piece, 2))
+    return c[t.cells + ix.SCALED_BY] * value
 
 
-def since_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Return the distance of the current time from the left end of a piece, in the table's argument."""
-    c = lane.cells
-    return c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)
+def since_break(s: Lanes, t: Table) -> Floats:
+    """Return the distance of the current time from the left end of its piece, in the table's argument."""
+    c = s.cells
+    return c[ix.TIME] * c[t.cells + ix.SCALE] - breaks_at(s, t, c[t.cells + ix.PIECE])
 
 
-def value_now(lane: Lanes, i: Index, t: Table) -> Floats:
+def value_now(s: Lanes, t: Table) -> Floats:
     """Return a function of time at the current time."""
-    c = lane.cells
-    piece = integer(c[t.cells + ix.PIECE, i])
-    local = since_break(lane, i, t, piece)
-    return value_within(lane, i, t, piece, local)
+    c = s.cells
+    local = since_break(s, t)
+    return value_within(s, t, c[t.cells + ix.PIECE], local)
 
 
-def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
+def expand_sine(s: Lanes, t: Table, top: int) -> None:
     """Compute the series of a sine about the current time, as its increment since the phase began."""
-    c = lane.cells
-    piece = integer(c[t.cells + ix.PIECE, i])
-    terms = np.zeros((lane.terms, i.size))
-    coefficients_of(lane, i, t, piece, terms)
-    rate = terms[1].copy()
-    angle = rate * since_break(lane, i, t, piece) + terms[2]
-    size = terms[0] * c[t.cells + ix.SCALED_BY, i]
+    c = s.cells
+    size = coefficients_at(s, t, c[t.cells + ix.PIECE], 0) * c[t.cells + ix.SCALED_BY]
+    rate = coefficients_at(s, t, c[t.cells + ix.PIECE], 1)
+    angle = rate * since_break(s, t) + coefficients_at(s, t, c[t.cells + ix.PIECE], 2)
     now = np.sin(angle)
     slope = np.cos(angle)
     for j in range(1, top + 1):
-        size = size * (rate * c[t.cells + ix.SCALE, i] / float(j))
-        lane.registers[t.register][j, i] = size * slope
+        size = size * (rate * c[t.cells + ix.SCALE] * (1.0 / j))
+        s.registers[t.register][j] = size * slope
         before = now
         now = slope
         slope = -before
 
 
-def rise_to(lane: Lanes, i: Index, t: Table, past: Floats) -> Floats:
-    """Return the rise of a function of time over a distance ahead within its piece, in the table's argument."""
-    c = lane.cells
-    piece = integer(c[t.cells + ix.PIECE, i])
-    terms = np.zeros((lane.terms, i.size))
-    coefficients_of(lane, i, t, piece, terms)
-    slope = c[t.cells + ix.SCALED_BY, i] * terms[1]
-    c[t.cells + ix.RISE, i] = slope * c[t.cells + ix.SCALE, i]
-    if t.sine:
-        half = 0.5 * terms[1] * past
-        angle = terms[1] * since_break(lane, i, t, piece) + terms[2]
-        change = 2.0 * np.sin(half) * np.cos(angle + half)
-        return c[t.cells + ix.SCALED_BY, i] * terms[0] * change
-    return slope * past
-
-
-def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Return the end of a piece in the table's argument, infinity for the last piece."""
-    last = t.pieces - 1
-    following = np.fmin(piece + 1, last)
-    return np.where(piece < last, break_of(lane, i, t, following), INFINITY)
-
-
-def ends_by(lane: Lanes, i: Index, t: Table, piece: Index, argument: Floats, included: Mask) -> Mask:
-    """Return whether a piece ends below an argument, or at it if a break belongs to the piece above."""
-    end = end_of_piece(lane, i, t, piece)
-    ends_there = (end == argument) & (end < INFINITY)
-    return (end < argument) | included & ends_there
-
-
-def piece_at(lane: Lanes, i: Index, t: Table, first: Index, argument: Floats, included: Mask) -> Index:
-    """Return the piece that contains an argument, searched from a first piece on."""
-    piece = first
-    i_1, argument_1, included_1, piece_1 = (i, argument, included, piece.copy())
-    place_1 = np.arange(i.size)
-    while True:
-        i, argument, included, piece, place_1 = among(ends_by(lane, i, t, piece, argument, included), i, argument,
-            included, piece, place_1)
-        if not i.size:
-            break
-        piece = piece + 1
-        piece_1[place_1] = piece
-    i, argument, included, piece = (i_1, argument_1, included_1, piece_1)
-    return piece
-
-
-def find_end_of_piece(lane: Lanes, i: Index, t: Table, now: Floats) -> None:
-    """Compute the end of the piece of a function of time and the increment there, with a single rounding."""
-    c = lane.cells
-    piece = integer(c[t.cells + ix.PIECE, i])
-    end = end_of_piece(lane, i, t, piece)
-    c[t.cells + ix.UPPER, i] = end / c[t.cells + ix.SCALE, i]
-    rise = rise_to(lane, i, t, np.where(end < INFINITY, end - now, 0.0))
-    c[t.cells + ix.LOWER, i] = c[t.cells + ix.INC, i] + rise
-    c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(rise)
-
-
-def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
-    """Begin a phase: increments of a function of time are counted from now. It may jump at the left end of a piece."""
-    c = lane.cells
-    c[t.cells + ix.VALUE, i] = c[t.cells + ix.VALUE, i] + c[t.cells + ix.INC, i]
-    c[t.cells + ix.LOWER, i] = c[t.cells + ix.LOWER, i] - c[t.cells + ix.INC, i]
-    c[t.cells + ix.INC, i] = 0.0
-    c[t.cells + ix.WAY, i] = np.abs(c[t.cells + ix.LOWER, i])
-    holds_1 = c[t.cells + ix.UPPER, i] <= c[ix.TIME, i]
-    i_1 = i
-    i, = among(holds_1, i_1)
-    if i.size:
-        now = c[ix.TIME, i] * c[t.cells + ix.SCALE, i]
-        before = integer(c[t.cells + ix.PIECE, i])
-        piece = piece_at(lane, i, t, before, now * (1.0 + 2.0 * EPS), np.full(i.size, True))
-        holds_2 = piece > before
-        i_2, now_2, before_2, piece_2 = (i, now, before, piece)
-        i, now, before, piece = among(holds_2, i_2, now_2, before_2, piece_2)
-        if i.size:
-            c[ix.SCALE_BEFORE, i] = INFINITY
-        i, now, before, piece = (i_2, now_2, before_2, piece_2)
-        c[t.cells + ix.PIECE, i] = piece
-        c[t.cells + ix.WAY, i] = 0.0
-        c[t.cells + ix.VALUE, i] = value_now(lane, i, t)
-        find_end_of_piece(lane, i, t, now)
-    i = i_1
-
-
-def develop(lane: Lanes, i: Index, t: Table, local: Floats, unit: Floats) -> None:
-    """Compute the value at the start of a phase and the coefficients about it."""
-    c = lane.cells
-    terms = np.zeros((lane.terms, i.size))
-    coefficients_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]), terms)
-    shift(terms, t.terms, local)
-    factor = c[t.cells + ix.SCALED_BY, i]
-    c[t.cells + ix.VALUE, i] = factor * terms[0]
-    for j in range(1, t.degree + 1):
-        factor = factor * unit
-        c[t.cells + ix.Q1 + (j - 1), i] = factor * terms[j] if j < t.terms else 0.0
-
-
-def begin_in_rotation(lane: Lanes, i: Index, t: Table) -> None:
-    """Select the piece of a function of the rotation ahead in the direction of travel, which may be either."""
-    c = lane.cells
-    rotation = c[ix.ROTATION, i]
-    up_to = c[ix.DIRECTION, i] > 0.0
-    piece = piece_at(lane, i, t, np.full(i.size, 0), rotation, up_to)
-    c[t.cells + ix.PIECE, i] = piece
-    local = rotation - break_of(lane, i, t, piece)
-    ahead = end_of_piece(lane, i, t, piece) - rotation
-    behind = np.where(piece > 0, local, INFINITY)
-    c[t.cells + ix.UPPER, i] = np.where(up_to, ahead, behind)
-    develop(lane, i, t, local, c[ix.DIRECTION, i])
-
-
-def begin_in_slip(lane: Lanes, i: Index, t: Table) -> None:
-    """Select the piece of a function of slip, which ends ahead even if another function has just passed a break."""
-    c = lane.cells
-    piece = integer(c[t.cells + ix.PIECE, i])
-    edge = break_of(lane, i, t, piece)
-    local = np.fmax(c[ix.SLIP, i] * c[t.cells + ix.SCALE, i] - edge, 0.0)
-    ahead = end_of_piece(lane, i, t, piece) - edge - local
-    c[t.cells + ix.UPPER, i] = np.fmax(ahead / c[t.cells + ix.SCALE, i], EPS * c[ix.SLIP, i])
-    develop(lane, i, t, local, c[t.cells + ix.SCALE, i])
-
-
-def begin_in_speed(lane: Lanes, i: Index, t: Table) -> None:
-    """Select the piece of a polynomial of the logarithm of the speed. Piece 0, below the first speed, is constant."""
-    c = lane.cells
-    piece = integer(c[t.cells + ix.PIECE, i])
-    edge = break_of(lane, i, t, piece)
-    speed = c[ix.OMEGA, i] * c[t.cells + ix.SCALE, i]
-    varies = piece > 0
-    moves = varies & (speed > 0.0)
-    ratio = np.where(moves, speed / np.where(moves, edge, 1.0), 1.0)
-    c[t.cells + ix.UPPER, i] = end_of_piece(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
-    c[t.cells + ix.LOWER, i] = np.where(varies, edge / c[t.cells + ix.SCALE, i], 0.0)
-    develop(lane, i, t, np.log(ratio), 1.0)
-
-
-def begin_pieces(lane: Lanes, i: Index) -> None:
-    """Begin a phase: compute the ends of each table's piece, its value, and its coefficients."""
-    for t in lane.tables:
-        if t.kind == ix.OF_TIME:
-            begin_in_time(lane, i, t)
-        if t.kind == ix.OF_ROTATION:
-            begin_in_rotation(lane, i, t)
-        if t.kind == ix.OF_SLIP:
-            begin_in_slip(lane, i, t)
-        if t.kind == ix.OF_SPEED:
-            begin_in_speed(lane, i, t)
-
-
-def find_pieces(lane: Lanes, i: Index) -> None:
-    """Find the pieces that contain slip and speed."""
-    c = lane.cells
-    for t in lane.tables:
-        if t.kind == ix.OF_SLIP:
-            c[t.cells + ix.PIECE, i] = piece_at(lane, i, t, np.full(i.size, 0), c[ix.SLIP, i] * c[t.cells + ix.SCALE,
-                i], np.full(i.size, True))
-        if t.kind == ix.OF_SPEED:
-            c[t.cells + ix.PIECE, i] = piece_at(lane, i, t, np.full(i.size, 0), c[ix.OMEGA, i] * c[t.cells + ix.SCALE,
-                i], np.full(i.size, True))
-
-
-def pass_break(lane: Lanes, i: Index, t: Table) -> None:
-    """Enter the next piece of a function of time. If its value jumps, the contact must be checked."""
-    c = lane.cells
-    piece = integer(c[t.cells + ix.PIECE, i]) + 1
-    jump = jump_of(lane, i, t, piece) * c[t.cells + ix.SCALED_BY, i]
-    c[t.cells + ix.PIECE, i] = piece
-    c[t.cells + ix.INC, i] = c[t.cells + ix.LOWER, i] + jump
-    c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(jump)
-    holds_1 = jump != 0.0
-    i_1, piece_1, jump_1 = (i, piece, jump)
-    i, piece, jump = among(holds_1, i_1, piece_1, jump_1)
-    if i.size:
-        c[ix.PENDING, i] = ix.DISCONTINUITY
-    i, piece, jump = (i_1, piece_1, jump_1)
-    there = value_within(lane, i, t, piece, 0.0)
-    rounding = np.abs(there) + np.abs(c[t.cells + ix.VALUE, i])
-    holds_2 = c[t.cells + ix.WAY, i] > rounding
-    i_2, piece_2, there_2, rounding_2 = (i, piece, there, rounding)
-    i, piece, there, rounding = among(holds_2, i_2, piece_2, there_2, rounding_2)
-    if i.size:
-        c[t.cells + ix.INC, i] = there - c[t.cells + ix.VALUE, i]
-        c[t.cells + ix.WAY, i] = rounding
-    i, piece, there, rounding = (i_2, piece_2, there_2, rounding_2)
-    find_end_of_piece(lane, i, t, break_of(lane, i, t, piece))
-
-
-def pass_breaks(lane: Lanes, i: Index) -> None:
-    """Enter the next piece of each function of time that has a break now."""
-    c = lane.cells
-    for t in lane.tables:
-        if t.kind == ix.OF_TIME:
-            holds_1 = c[t.cells + ix.UPPER, i] <= c[ix.TIME, i]
-            i_1 = i
-            i, = among(holds_1, i_1)
-            if i.size:
-                pass_break(lane, i, t)
-            i = i_1
-
-
-def enter_line(s: Lanes, here: Mask, t: Table) -> None:
-    """Enter the next piece of a piecewise linear function of time, side by side, as `pass_break` does."""
+def rise_of_sine(s: Lanes, t: Table, local: Floats, past: Floats) -> Floats:
+    """Return the rise of a sine over a distance ahead of a place in its piece: 2 A sin(r/2) cos(angle + r/2)."""
     c = s.cells
+    rate = coefficients_at(s, t, c[t.cells + ix.PIECE], 1)
+    half = 0.5 * rate * past
+    angle = rate * local + coefficients_at(s, t, c[t.cells + ix.PIECE], 2)
+    change = 2.0 * np.sin(half) * np.cos(angle + half)
+    return c[t.cells + ix.SCALED_BY] * coefficients_at(s, t, c[t.cells + ix.PIECE], 0) * change
+
+
+def find_end_of_piece(s: Lanes, here: Mask, t: Table, local: Floats) -> None:
+    """Compute the end of the piece of a function of time and the increment there, from a distance from its left end."""
+    c = s.cells
+    if not np.any(here):
+        return
+    end = end_of_piece(s, t, c[t.cells + ix.PIECE])
+    now = breaks_at(s, t, c[t.cells + ix.PIECE]) + local
+    past = np.where(end < INFINITY, end - now, 0.0)
+    slope = coefficients_at(s, t, c[t.cells + ix.PIECE], 1) * c[t.cells + ix.SCALED_BY]
+    rise = slope * past
+    if t.sine:
+        rise = rise_of_sine(s, t, local, past)
+    c[t.cells + ix.RISE] = np.where(here, slope * c[t.cells + ix.SCALE], c[t.cells + ix.RISE])
+    c[t.cells + ix.UPPER] = np.where(here, end / c[t.cells + ix.SCALE], c[t.cells + ix.UPPER])
+    c[t.cells + ix.LOWER] = np.where(here, c[t.cells + ix.INC] + rise, c[t.cells + ix.LOWER])
+    c[t.cells + ix.WAY] = np.where(here, c[t.cells + ix.WAY] + np.abs(rise), c[t.cells + ix.WAY])
+
+
+def enter_piece(s: Lanes, here: Mask, t: Table) -> None:
+    """Enter the piece that contains the current time, without a value that is carried."""
+    c = s.cells
+    if not np.any(here):
+        return
+    now = c[ix.TIME] * c[t.cells + ix.SCALE]
+    piece = piece_at(s, here, t, c[t.cells + ix.PIECE], now * (1.0 + 2.0 * EPS), here)
+    c[ix.SCALE_BEFORE] = np.where(here, np.where(piece > c[t.cells + ix.PIECE], INFINITY, c[ix.SCALE_BEFORE]),
+        c[ix.SCALE_BEFORE])
+    c[t.cells + ix.PIECE] = np.where(here, piece, c[t.cells + ix.PIECE])
+    c[t.cells + ix.WAY] = np.where(here, 0.0, c[t.cells + ix.WAY])
+    c[t.cells + ix.VALUE] = np.where(here, value_now(s, t), c[t.cells + ix.VALUE])
+    find_end_of_piece(s, here, t, since_break(s, t))
+
+
+def begin_in_time(s: Lanes, here: Mask, t: Table) -> None:
+    """Begin a phase: increments of a function of time are counted from now. It may jump at the left end of a piece."""
+    c = s.cells
+    if not np.any(here):
+        return
+    c[t.cells + ix.VALUE] = np.where(here, c[t.cells + ix.VALUE] + c[t.cells + ix.INC], c[t.cells + ix.VALUE])
+    c[t.cells + ix.LOWER] = np.where(here, c[t.cells + ix.LOWER] - c[t.cells + ix.INC], c[t.cells + ix.LOWER])
+    c[t.cells + ix.INC] = np.where(here, 0.0, c[t.cells + ix.INC])
+    c[t.cells + ix.WAY] = np.where(here, np.abs(c[t.cells + ix.LOWER]), c[t.cells + ix.WAY])
+    enter_piece(s, here & (c[t.cells + ix.UPPER] <= c[ix.TIME]), t)
+
+
+def pass_break(s: Lanes, here: Mask, t: Table) -> None:
+    """Enter the next piece of a function of time. If its value jumps, the contact must be checked."""
+    c = s.cells
+    if not np.any(here):
+        return
     last: Floats = float(t.pieces - 1)
     piece = np.minimum(c[t.cells + ix.PIECE] + 1.0, last)
-    edge = breaks_at(s, t, piece)
-    next_piece = np.minimum(piece + 1.0, last)
-    following = breaks_at(s, t, next_piece)
-    end = np.where(piece < last, following, INFINITY)
     jump = jumps_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
-    slope = slopes_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
-    there = heights_at(s, t, piece) * c[t.cells + ix.SCALED_BY]
-    past = np.where(end < INFINITY, end - edge, 0.0)
-    rise = slope * past
+    there = value_within(s, t, piece, 0.0)
     way = c[t.cells + ix.WAY] + np.abs(jump)
     rounding = np.abs(there) + np.abs(c[t.cells + ix.VALUE])
     is_long = way > rounding
     carried = c[t.cells + ix.LOWER] + jump
-    difference = there - c[t.cells + ix.VALUE]
-    inc = np.where(is_long, difference, carried)
     c[ix.PENDING] = np.where(here, np.where(jump != 0.0, ix.DISCONTINUITY, c[ix.PENDING]), c[ix.PENDING])
     c[t.cells + ix.PIECE] = np.where(here, piece, c[t.cells + ix.PIECE])
-    c[t.cells + ix.INC] = np.where(here, inc, c[t.cells + ix.INC])
-    c[t.cells + ix.UPPER] = np.where(here, end / c[t.cells + ix.SCALE], c[t.cells + ix.UPPER])
-    c[t.cells + ix.RISE] = np.where(here, slope * c[t.cells + ix.SCALE], c[t.cells + ix.RISE])
-    c[t.cells + ix.LOWER] = np.where(here, inc + rise, c[t.cells + ix.LOWER])
-    way = np.where(is_long, rounding, way)
-    c[t.cells + ix.WAY] = np.where(here, way + np.abs(rise), c[t.cells + ix.WAY])
+    c[t.cells + ix.INC] = np.where(here, np.where(is_long, there - c[t.cells + ix.VALUE], carried), c[t.cells + ix.INC])
+    c[t.cells + ix.WAY] = np.where(here, np.where(is_long, rounding, way), c[t.cells + ix.WAY])
+    find_end_of_piece(s, here, t, 0.0)
 
 
-def enter_lines(s: Lanes, here: Mask) -> Mask:
-    """Enter the next pieces of functions of time that have a break now; return lanes in which a sine has one."""
+def pass_breaks(s: Lanes, here: Mask) -> None:
+    """Enter the next piece of each function of time that has a break now."""
     c = s.cells
-    others = none_of(s)
+    if not np.any(here):
+        return
     for t in s.tables:
         if t.kind == ix.OF_TIME:
-            ends = here & (c[t.cells + ix.UPPER] <= c[ix.TIME])
-            if t.sine:
-                others = others | ends
-            if not t.sine:
-                enter_line(s, ends, t)
-    return others
+            pass_break(s, here & (c[t.cells + ix.UPPER] <= c[ix.TIME]), t)
 
 
 def still_changes(s: Lanes) -> Mask:
@@ -892,6 +713,95 @@ def next_break(s: Lanes) -> Floats:
         if t.kind == ix.OF_TIME:
             time = np.minimum(c[t.cells + ix.UPPER], time)
     return time
+
+
+def develop(s: Lanes, here: Mask, t: Table, local: Floats, unit: Floats) -> None:
+    """Compute the value at the start of a phase and the coefficients about it."""
+    c = s.cells
+    if not np.any(here):
+        return
+    terms = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    for j in range(t.terms - 1 + 1):
+        terms[j] = coefficients_at(s, t, c[t.cells + ix.PIECE], j)
+    shift(terms, t.terms - 1, local)
+    factor = 1.0 * c[t.cells + ix.SCALED_BY]
+    c[t.cells + ix.VALUE] = np.where(here, factor * terms[0], c[t.cells + ix.VALUE])
+    for j in range(1, t.degree + 1):
+        factor = factor * unit
+        coefficient = factor * terms[j] if j < t.terms else 0.0
+        c[t.cells + ix.Q1 + (j - 1)] = np.where(here, coefficient, c[t.cells + ix.Q1 + (j - 1)])
+
+
+def begin_in_rotation(s: Lanes, here: Mask, t: Table) -> None:
+    """Select the piece of a function of the rotation ahead in the direction of travel, which may be either."""
+    c = s.cells
+    if not np.any(here):
+        return
+    forward = c[ix.DIRECTION] > 0.0
+    c[t.cells + ix.PIECE] = np.where(here, piece_at(s, here, t, 0.0, c[ix.ROTATION], forward), c[t.cells + ix.PIECE])
+    local = c[ix.ROTATION] - breaks_at(s, t, c[t.cells + ix.PIECE])
+    ahead = end_of_piece(s, t, c[t.cells + ix.PIECE]) - c[ix.ROTATION]
+    behind = np.where(c[t.cells + ix.PIECE] > 0.0, local, INFINITY)
+    c[t.cells + ix.UPPER] = np.where(here, np.where(forward, ahead, behind), c[t.cells + ix.UPPER])
+    develop(s, here, t, local, c[ix.DIRECTION])
+
+
+def begin_in_slip(s: Lanes, here: Mask, t: Table) -> None:
+    """Select the piece of a function of slip, which ends ahead even if another function has just passed a break."""
+    c = s.cells
+    if not np.any(here):
+        return
+    edge = breaks_at(s, t, c[t.cells + ix.PIECE])
+    local = np.maximum(c[ix.SLIP] * c[t.cells + ix.SCALE] - edge, 0.0)
+    ahead = end_of_piece(s, t, c[t.cells + ix.PIECE]) - edge - local
+    c[t.cells + ix.UPPER] = np.where(here, np.maximum(ahead / c[t.cells + ix.SCALE], EPS * c[ix.SLIP]),
+        c[t.cells + ix.UPPER])
+    develop(s, here, t, local, c[t.cells + ix.SCALE])
+
+
+def begin_in_speed(s: Lanes, here: Mask, t: Table) -> None:
+    """Select the piece of a polynomial of the logarithm of the speed. Piece 0, below the first speed, is constant."""
+    c = s.cells
+    if not np.any(here):
+        return
+    edge = breaks_at(s, t, c[t.cells + ix.PIECE])
+    speed = c[ix.OMEGA] * c[t.cells + ix.SCALE]
+    varies = c[t.cells + ix.PIECE] > 0.0
+    moves = varies & (speed > 0.0)
+    ratio = np.where(moves, speed / np.where(moves, edge, 1.0), 1.0)
+    c[t.cells + ix.UPPER] = np.where(here, end_of_piece(s, t, c[t.cells + ix.PIECE]) / c[t.cells + ix.SCALE],
+        c[t.cells + ix.UPPER])
+    c[t.cells + ix.LOWER] = np.where(here, np.where(varies, edge / c[t.cells + ix.SCALE], 0.0), c[t.cells + ix.LOWER])
+    develop(s, here, t, np.log(ratio), 1.0)
+
+
+def begin_pieces(s: Lanes, here: Mask) -> None:
+    """Begin a phase: compute the ends of each table's piece, its value, and its coefficients."""
+    if not np.any(here):
+        return
+    for t in s.tables:
+        if t.kind == ix.OF_TIME:
+            begin_in_time(s, here, t)
+        if t.kind == ix.OF_ROTATION:
+            begin_in_rotation(s, here, t)
+        if t.kind == ix.OF_SLIP:
+            begin_in_slip(s, here, t)
+        if t.kind == ix.OF_SPEED:
+            begin_in_speed(s, here, t)
+
+
+def find_pieces(s: Lanes, here: Mask) -> None:
+    """Find the pieces that contain slip and speed."""
+    c = s.cells
+    if not np.any(here):
+        return
+    for t in s.tables:
+        if t.kind == ix.OF_SLIP:
+            c[t.cells + ix.PIECE] = np.where(here, piece_at(s, here, t, 0.0, c[ix.SLIP] * c[t.cells + ix.SCALE], here),
+                c[t.cells + ix.PIECE])
+        if t.kind == ix.OF_SPEED:
+            c[t.cells + ix.PIECE] = np.where(here, piece_at(s, here, t, 0.0, c[ix.OMEGA] * c[t.cells + ix.SCALE], here),
+                c[t.cells + ix.PIECE])
 
 
 def begin_series(s: Lanes) -> None:
@@ -953,22 +863,15 @@ def normal_force(s: Lanes) -> Floats:
     return force
 
 
-def find_negligible(lane: Lanes, i: Index) -> None:
+def find_negligible(s: Lanes, here: Mask) -> None:
     """Compute the size of the last terms over the largest term of a step that a break cuts short, factor^order."""
-    c = lane.cells
-    c[ix.NEGLIGIBLE, i] = 1.0
-    n = c[ix.ORDER, i]
-    i_1, n_1 = (i, n.copy())
-    place_1 = np.arange(i.size)
-    while True:
-        i, n, place_1 = among(n > 0.0, i, n, place_1)
-        if not i.size:
-            break
-        c[ix.NEGLIGIBLE, i] = c[ix.NEGLIGIBLE, i] * c[ix.FACTOR, i]
-        n = n - 1.0
-        n_1[place_1] = n
-    i, n = (i_1, n_1)
-    c[ix.NEGLIGIBLE, i] = np.fmax(c[ix.NEGLIGIBLE, i], ROUNDING)
+    c = s.cells
+    if not np.any(here):
+        return
+    negligible: Floats = 1.0
+    for n in range(1, s.highest + 1):
+        negligible = np.where(c[ix.ORDER] >= float(n), negligible * c[ix.FACTOR], negligible)
+    c[ix.NEGLIGIBLE] = np.where(here, np.maximum(negligible, ROUNDING), c[ix.NEGLIGIBLE])
 
 
 def is_negligible(s: Lanes, term: Floats, largest: Floats) -> Mask:
@@ -997,9 +900,7 @@ def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int) -> None:
         if t.kind == ix.OF_TIME:
             s.registers[t.register][1] = c[t.cells + ix.RISE]
         if t.sine:
-            i = np.flatnonzero(which)
-            if i.size:
-                expand_sine(s, i, t, top)
+            expand_sine(s, t, top)
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
 
 
@@ -1078,6 +979,8 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
     """Record a candidate for the greatest speed in the current step if it exceeds the record."""
     c = s.cells
+    if not np.any(here):
+        return
     faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(faster):
         begins = c[ix.PEAK_TIME] == c[ix.TIME]
@@ -1093,6 +996,8 @@ def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, ra
 def update_reach(s: Lanes, here: Mask) -> None:
     """Record the current rotation if it is the greatest from the start."""
     c = s.cells
+    if not np.any(here):
+        return
     rotation = c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X]
     here = here & (np.abs(rotation) > np.abs(c[ix.REACH_ROTATION]))
     c[ix.REACH_ROTATION] = np.where(here, rotation, c[ix.REACH_ROTATION])
@@ -1102,10 +1007,10 @@ def update_reach(s: Lanes, here: Mask) -> None:
 def note_lift_off(s: Lanes, here: Mask) -> None:
     """Log the loss of contact with the slip surface."""
     c = s.cells
+    if not np.any(here):
+        return
     if s.logged:
-        i = np.flatnonzero(here)
-        if i.size:
-            note(s, i, ix.NOTE_LIFTS)
+        note(s, here, ix.NOTE_LIFTS)
     here = here & (c[ix.LIFT_TIME] != c[ix.LIFT_TIME])
     c[ix.LIFT_TIME] = np.where(here, c[ix.TIME], c[ix.LIFT_TIME])
 
@@ -1113,6 +1018,8 @@ def note_lift_off(s: Lanes, here: Mask) -> None:
 def advance_origin(s: Lanes, here: Mask) -> None:
     """Reset the origin of rotation and slip to the current position, where another phase begins."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.ROTATION] = np.where(here, c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X], c[ix.ROTATION])
     c[ix.SLIP] = np.where(here, c[ix.SLIP] + c[ix.X], c[ix.SLIP])
     c[ix.X] = np.where(here, 0.0, c[ix.X])
@@ -1121,6 +1028,8 @@ def advance_origin(s: Lanes, here: Mask) -> None:
 def face(s: Lanes, here: Mask, side: Floats) -> None:
     """Set the direction of travel at a standstill."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.X] = np.where(here, 0.0, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.DIRECTION] = np.where(here, side, c[ix.DIRECTION])
@@ -1130,6 +1039,8 @@ def face(s: Lanes, here: Mask, side: Floats) -> None:
 def start(s: Lanes, here: Mask) -> None:
     """Start lanes with a velocity or at rest."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.DIRECTION] = np.where(here, np.where(c[ix.OMEGA] < 0.0, -1.0, 1.0), c[ix.DIRECTION])
     c[ix.OMEGA] = np.where(here, np.abs(c[ix.OMEGA]), c[ix.OMEGA])
     c[ix.X] = np.where(here, 0.0, c[ix.X])
@@ -1140,17 +1051,15 @@ def start(s: Lanes, here: Mask) -> None:
     c[ix.CLOCKED] = np.where(here, 0.0, c[ix.CLOCKED])
     c[ix.NEGLIGIBLE] = np.where(here, ROUNDING, c[ix.NEGLIGIBLE])
     if s.timed:
-        i = np.flatnonzero(here)
-        if i.size:
-            find_negligible(s, i)
-    i = np.flatnonzero(here)
-    if i.size:
-        find_pieces(s, i)
+        find_negligible(s, here)
+    find_pieces(s, here)
 
 
 def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
     """Start slip in the current direction."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.STATUS] = np.where(here, ix.MOVING, c[ix.STATUS])
     c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
@@ -1158,9 +1067,7 @@ def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
     c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(turns, 1.0, 0.0), c[ix.TURNS])
     c[ix.LAST_WAY] = np.where(here, c[ix.DIRECTION], c[ix.LAST_WAY])
     if s.logged:
-        i = np.flatnonzero(here)
-        if i.size:
-            note(s, i, ix.NOTE_BEGINS)
+        note(s, here, ix.NOTE_BEGINS)
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
     keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
     c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
@@ -1169,6 +1076,8 @@ def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
 def stay(s: Lanes, here: Mask, status: Floats) -> None:
     """Keep lanes at rest until their end."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.STATUS] = np.where(here, status, c[ix.STATUS])
     c[ix.END_ROTATION] = np.where(here, c[ix.ROTATION], c[ix.END_ROTATION])
     c[ix.END_OMEGA] = np.where(here, 0.0, c[ix.END_OMEGA])
@@ -1177,10 +1086,9 @@ def stay(s: Lanes, here: Mask, status: Floats) -> None:
     c[ix.REST_SINCE] = np.where(here, np.where(c[ix.REST_SINCE] > c[ix.END_TIME], c[ix.END_TIME], c[ix.REST_SINCE]),
         c[ix.REST_SINCE])
     c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
+    for_ever: Floats = INFINITY
     if s.sample_count:
-        i = np.flatnonzero(here)
-        if i.size:
-            read_samples(s, i, c[ix.TIME, i], INFINITY, 0, 0)
+        read_samples(s, here, c[ix.TIME], for_ever, 0, 0)
 
 
 def may_start(s: Lanes) -> Mask:
@@ -1206,21 +1114,24 @@ def never_rests(s: Lanes) -> Mask:
 def stick(s: Lanes, here: Mask) -> None:
     """Keep masses at rest, until a force changes or for good."""
     c = s.cells
+    if not np.any(here):
+        return
     changes = still_changes(s)
     stay(s, here & np.logical_not(changes), ix.ARRESTED)
     here = here & changes
-    if np.any(here):
-        c[ix.STATUS] = np.where(here, ix.RESTING, c[ix.STATUS])
-        c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
-        note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
-        here = here & np.logical_not(may_start(s))
-        c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
-        c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
+    c[ix.STATUS] = np.where(here, ix.RESTING, c[ix.STATUS])
+    c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
+    here = here & np.logical_not(may_start(s))
+    c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
+    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
 def rest_one_way(s: Lanes, here: Mask) -> None:
     """Let masses that moved down-slope stick, since they do not turn back, in the direction in which they may start."""
     c = s.cells
+    if not np.any(here):
+        return
     may = may_start(s)
     stick(s, here & may)
     here = here & np.logical_not(may)
@@ -1231,6 +1142,8 @@ def rest_one_way(s: Lanes, here: Mask) -> None:
 def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
     """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
     c = s.cells
+    if not np.any(here):
+        return
     terms = np.abs(c[s.roles.driving]) + c[s.roles.resisting]
     unsure = EPS * (terms + c[s.roles.mu] * np.abs(c[s.roles.normal0]))
     of_weight = (c[s.roles.driving] == c[s.roles.driving_moment]) & (c[s.roles.normal0] == c[s.roles.normal_load])
@@ -1243,32 +1156,33 @@ def resolve_stick_or_slip(s: Lanes, here: Mask) -> None:
     starts = may & (c[s.roles.drive] > 0.0)
     start_moving(s, starts, c[s.roles.drive])
     here = here & np.logical_not(starts)
-    if np.any(here):
-        c[ix.FACED] = np.where(here, c[ix.FACED] + 1.0, c[ix.FACED])
-        stays_down = may & (c[ix.ONE_WAY] > 0.0)
-        sticks = here & ((c[ix.FACED] > 1.0) | stays_down)
-        stick(s, sticks)
-        face(s, here & np.logical_not(sticks), -c[ix.DIRECTION])
+    c[ix.FACED] = np.where(here, c[ix.FACED] + 1.0, c[ix.FACED])
+    stays_down = may & (c[ix.ONE_WAY] > 0.0)
+    sticks = here & ((c[ix.FACED] > 1.0) | stays_down)
+    stick(s, sticks)
+    face(s, here & np.logical_not(sticks), -c[ix.DIRECTION])
 
 
 def resolve_standstill(s: Lanes, here: Mask) -> None:
     """Decide whether masses at a standstill, or at the start, stop, stick or slip."""
     c = s.cells
+    if not np.any(here):
+        return
     stops = here & (c[ix.FIRST_ONLY] > 0.0) & (c[ix.PHASES] > 0.0)
     if np.any(stops):
         stops = stops & never_rests(s)
         stay(s, stops, ix.STOPPED)
         here = here & np.logical_not(stops)
     one_way = here & (c[ix.PENDING] == ix.REST)
-    if np.any(one_way):
-        rest_one_way(s, one_way)
-        here = here & np.logical_not(one_way)
-    resolve_stick_or_slip(s, here)
+    rest_one_way(s, one_way)
+    resolve_stick_or_slip(s, here & np.logical_not(one_way))
 
 
 def carry_net_moment(s: Lanes, here: Mask, net: Floats) -> None:
     """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
     change = net - c[s.roles.drive]
     terms = np.abs(c[ix.RATE_BEFORE]) + np.abs(change) + np.abs(c[ix.DRIVE_BEFORE])
@@ -1292,21 +1206,20 @@ def resolve_pending(s: Lanes, waits: Mask, net: Floats, force: Floats) -> None:
     lifts = (by_force | by_load) & (c[ix.LIFTED] == 0.0)
     c[ix.LIFTED] = np.where(lifts, 1.0, c[ix.LIFTED])
     c[ix.PENDING] = np.where(begins, ix.READY, c[ix.PENDING])
-    if np.any(enters):
-        carry_net_moment(s, enters, net)
+    carry_net_moment(s, enters, net)
     starts = (moving | again) & np.logical_not(lifts)
     if np.any(starts):
         level = again & starts & (c[ix.SUDDEN] <= 0.0)
         c[s.roles.drive] = np.where(level, 0.0, c[s.roles.drive])
         start_moving(s, starts, np.where(again, c[s.roles.drive], net))
-    decides = decides & np.logical_not(lifts)
-    if np.any(decides):
-        resolve_standstill(s, decides)
+    resolve_standstill(s, decides & np.logical_not(lifts))
 
 
 def on_discontinuity(s: Lanes, here: Mask, force: Floats) -> None:
     """Decide about contact after a jump of forces. If contact changes, another phase begins."""
     c = s.cells
+    if not np.any(here):
+        return
     lifted = np.where(force < 0.0, 1.0, 0.0)
     same = c[ix.LIFTED] == lifted
     note_lift_off(s, here & (lifted > c[ix.LIFTED]))
@@ -1325,9 +1238,7 @@ def begin_phases(s: Lanes) -> None:
         on_discontinuity(s, sudden, force)
     waits = c[ix.PENDING] != ix.READY
     while np.any(waits):
-        i = np.flatnonzero(waits)
-        if i.size:
-            begin_pieces(s, i)
+        begin_pieces(s, waits)
         prologue(s, waits)
         if np.any((c[ix.PENDING] == ix.START_MOVING) | (c[ix.PENDING] == ix.ENTER_PHASE)):
             evaluate(s)
@@ -1337,25 +1248,31 @@ def begin_phases(s: Lanes) -> None:
         waits = c[ix.PENDING] != ix.READY
 
 
-def begin_here(lane: Lanes, i: Index) -> None:
+def begin_here(s: Lanes, here: Mask) -> None:
     """Begin a phase in the current state. Its prologue follows."""
-    c = lane.cells
-    c[ix.X, i] = 0.0
-    find_pieces(lane, i)
-    begin_pieces(lane, i)
+    c = s.cells
+    if not np.any(here):
+        return
+    c[ix.X] = np.where(here, 0.0, c[ix.X])
+    find_pieces(s, here)
+    begin_pieces(s, here)
 
 
-def stand_before(lane: Lanes, i: Index, t: Table, piece: Index, now: Floats) -> None:
-    """Place the lane at the left end of a piece, which it has not entered yet."""
-    c = lane.cells
-    c[ix.TIME, i] = now
-    c[t.cells + ix.PIECE, i] = piece - 1
-    c[t.cells + ix.WAY, i] = INFINITY
+def stand_before(s: Lanes, here: Mask, t: Table, piece: Floats, now: Floats) -> None:
+    """Place lanes at the left end of a piece, which they have not entered yet."""
+    c = s.cells
+    if not np.any(here):
+        return
+    c[ix.TIME] = np.where(here, now, c[ix.TIME])
+    c[t.cells + ix.PIECE] = np.where(here, piece - 1.0, c[t.cells + ix.PIECE])
+    c[t.cells + ix.WAY] = np.where(here, INFINITY, c[t.cells + ix.WAY])
 
 
 def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: Floats) -> None:
     """Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign."""
     c = s.cells
+    if not np.any(here):
+        return
     now = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
     level = c[t.cells + ix.RISE] == 0.0
     way = sign * p[1] * c[t.cells + ix.RISE]
@@ -1374,6 +1291,8 @@ def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: F
 def look_for_quiet(s: Lanes, here: Mask) -> None:
     """Find the range of one function of time in which the mass certainly stays at rest in its direction."""
     c = s.cells
+    if not np.any(here):
+        return
     terms_of_normal = EPS * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
     for t in s.tables:
         if t.kind == ix.OF_TIME and t.terms == 2:
@@ -1382,50 +1301,50 @@ def look_for_quiet(s: Lanes, here: Mask) -> None:
                 keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
 
 
-def rests_on(lane: Lanes, i: Index, t: Table, piece: Index, low: Floats, high: Floats, before: Floats) -> Mask:
-    """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range."""
-    last = t.pieces - 1
-    following = np.fmin(piece + 1, last)
-    height = constant_of(lane, i, t, following)
-    return (end_of_piece(lane, i, t, following) < before) & (low <= height) & (height <= high)
+def heights_at_rest(s: Lanes, t: Table) -> tuple[Floats, Floats]:
+    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
+    c = s.cells
+    one = c[ix.QUIET_FROM] / c[t.cells + ix.SCALED_BY]
+    other = c[ix.QUIET_TO] / c[t.cells + ix.SCALED_BY]
+    return (np.minimum(one, other), np.maximum(one, other))
 
 
-def rest_through(lane: Lanes, i: Index, t: Table) -> None:
-    """Pass the pieces through which the mass certainly rests."""
-    c = lane.cells
-    piece = integer(c[t.cells + ix.PIECE, i])
-    one = c[ix.QUIET_FROM, i] / c[t.cells + ix.SCALED_BY, i]
-    other = c[ix.QUIET_TO, i] / c[t.cells + ix.SCALED_BY, i]
-    low = np.fmin(one, other)
-    high = np.fmax(one, other)
-    before = c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS)
-    i_1, piece_1, low_1, high_1, before_1 = (i, piece.copy(), low, high, before)
-    place_1 = np.arange(i.size)
-    while True:
-        i, piece, low, high, before, place_1 = among(rests_on(lane, i, t, piece, low, high, before), i, piece, low,
-            high, before, place_1)
-        if not i.size:
-            break
-        piece = piece + 1
-        piece_1[place_1] = piece
-    i, piece, low, high, before = (i_1, piece_1, low_1, high_1, before_1)
-    holds_2 = piece > integer(c[t.cells + ix.PIECE, i])
-    i_2, piece_2 = (i, piece)
-    i, piece = among(holds_2, i_2, piece_2)
-    if i.size:
-        now = break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
-        if lane.sample_count:
-            read_samples(lane, i, c[ix.TIME, i], now, 0, 0)
-        stand_before(lane, i, t, piece, now)
-    i, piece = (i_2, piece_2)
+def latest_end(s: Lanes, t: Table) -> Floats:
+    """Return the place in a record, up to rounding, at which the end time is reached."""
+    c = s.cells
+    return c[ix.END_TIME] * c[t.cells + ix.SCALE] * (1.0 - 4.0 * EPS)
 
 
-def enter_pieces(lane: Lanes, i: Index) -> None:
-    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
-    for t in lane.tables:
-        if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
-            rest_through(lane, i, t)
-    pass_breaks(lane, i)
+def rest_through(s: Lanes, here: Mask, t: Table) -> None:
+    """Pass the pieces through which masses certainly rest, as both end values are in the quiet range."""
+    c = s.cells
+    if not np.any(here):
+        return
+    last: Floats = float(t.pieces - 1)
+    low, high = heights_at_rest(s, t)
+    before = latest_end(s, t)
+    piece = 1.0 * c[t.cells + ix.PIECE]
+    rests = here
+    while np.any(rests):
+        following = np.minimum(piece + 1.0, last)
+        height = coefficients_at(s, t, following, 0)
+        rests = rests & (low <= height) & (height <= high) & (end_of_piece(s, t, following) < before)
+        piece = np.where(rests, following, piece)
+    passes = here & (piece > c[t.cells + ix.PIECE])
+    now = breaks_at(s, t, piece) / c[t.cells + ix.SCALE]
+    if s.sample_count:
+        read_samples(s, passes, c[ix.TIME], now, 0, 0)
+    stand_before(s, passes, t, piece, now)
+
+
+def enter_pieces(s: Lanes, here: Mask) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which masses certainly rest."""
+    if not np.any(here):
+        return
+    for t in s.tables:
+        if s.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+            rest_through(s, here, t)
+    pass_breaks(s, here)
 
 
 def path(time: Floats, omega: Floats, net: Floats, rise: Floats) -> Floats:
@@ -1448,18 +1367,11 @@ def standstill(omega: Floats, net: Floats, rise: Floats) -> Floats:
     return over / under
 
 
-def enter_at(lane: Lanes, i: Index, t: Table, piece: Index) -> None:
-    """Place a lane at the left end of a piece."""
-    c = lane.cells
-    edge = break_of(lane, i, t, piece)
-    now = edge / c[t.cells + ix.SCALE, i]
-    stand_before(lane, i, t, piece, now)
-    pass_break(lane, i, t)
-
-
 def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floats) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.X] = np.where(here, x, c[ix.X])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
     c[ix.STEPS] = np.where(here, 0.0, c[ix.STEPS])
@@ -1469,15 +1381,16 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floa
     c[ix.TIME] = np.where(here, np.where(moves, c[ix.TIME], c[ix.REST_SINCE]), c[ix.TIME])
     update_reach(s, here & np.logical_not(moves))
     advance_origin(s, here)
-    i = np.flatnonzero(here)
-    if i.size:
-        enter_at(s, i, t, np.full(i.size, piece))
+    stand_before(s, here, t, float(piece), t.places[piece] / c[t.cells + ix.SCALE])
+    pass_break(s, here, t)
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
 def count_starts(s: Lanes, here: Mask) -> None:
     """Count phases that begin down-slope."""
     c = s.cells
+    if not np.any(here):
+        return
     back = c[ix.LAST_WAY] < 0.0
     c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
     c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(back, 1.0, 0.0), c[ix.TURNS])
@@ -1563,13 +1476,6 @@ def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, ome
     return (end, way)
 
 
-def latest_end(s: Lanes, t: Table) -> Floats:
-    """Return the place in a record, up to rounding, at which the end time is reached."""
-    c = s.cells
-    end = c[ix.END_TIME] * c[t.cells + ix.SCALE] * (1.0 - 4.0 * EPS)
-    return np.minimum(end, LATEST)
-
-
 def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
     """Return the lanes for which a piece ends before a place and not at the last break, where the record may jump."""
     inside = none_of(s)
@@ -1580,21 +1486,12 @@ def passes(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
 
 def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
     """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
-    end = t.places[piece + 1]
-    return end * per
+    return t.places[piece + 1] * per
 
 
 def height_after(s: Lanes, t: Table, piece: int) -> Floats:
     """Return the value of a record, without its factor, at the right end of a piece."""
     return t.heights[2 * piece + 2]
-
-
-def heights_at_rest(s: Lanes, t: Table) -> tuple[Floats, Floats]:
-    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
-    c = s.cells
-    one = c[ix.QUIET_FROM] / c[t.cells + ix.SCALED_BY]
-    other = c[ix.QUIET_TO] / c[t.cells + ix.SCALED_BY]
-    return (np.minimum(one, other), np.maximum(one, other))
 
 
 def rests_through(s: Lanes, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> Mask:
@@ -1616,8 +1513,7 @@ def keep_sliding(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, press
     """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
     inside = passes(s, t, piece, before) & (press > 0.0)
     leaves = on & np.logical_not(inside)
-    if np.any(leaves):
-        end_slide(s, leaves, t, piece, x, omega)
+    end_slide(s, leaves, t, piece, x, omega)
     return on & inside
 
 
@@ -1625,6 +1521,8 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
         weight: Floats) -> None:
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
     c = s.cells
+    if not np.any(here):
+        return
     per = 1.0 / c[t.cells + ix.SCALE]
     low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
@@ -1688,6 +1586,8 @@ def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
 def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
     """Begin another phase in motion: lanes enter another piece of a table, are lifted or land."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.RATE_BEFORE] = np.where(here, rate, c[ix.RATE_BEFORE])
     c[ix.DRIVE_BEFORE] = np.where(here, c[s.roles.drive], c[ix.DRIVE_BEFORE])
     c[ix.SCALE_BEFORE] = np.where(here, c[s.roles.drive_scale], c[ix.SCALE_BEFORE])
@@ -1698,13 +1598,13 @@ def enter_phase(s: Lanes, here: Mask, rate: Floats) -> None:
 def on_standstill(s: Lanes, here: Mask) -> None:
     """Bring lanes to a standstill, reversed unless they are one-way, so that rounding cannot continue their motion."""
     c = s.cells
+    if not np.any(here):
+        return
     advance_origin(s, here)
     update_reach(s, here)
     c[ix.REST_SINCE] = np.where(here, c[ix.TIME], c[ix.REST_SINCE])
     if s.logged:
-        i = np.flatnonzero(here)
-        if i.size:
-            note(s, i, ix.NOTE_STANDS)
+        note(s, here, ix.NOTE_STANDS)
     c[ix.FACED] = np.where(here, 1.0, c[ix.FACED])
     one_way = c[ix.ONE_WAY] > 0.0
     face(s, here, np.where(one_way, c[ix.DIRECTION], -c[ix.DIRECTION]))
@@ -1714,56 +1614,56 @@ def on_standstill(s: Lanes, here: Mask) -> None:
 def on_contact_change(s: Lanes, here: Mask, rate: Floats) -> None:
     """Change contact with the slip surface."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
-    lands = here & (c[ix.LIFTED] == 0.0)
     if s.logged:
-        i = np.flatnonzero(lands)
-        if i.size:
-            note(s, i, ix.NOTE_LANDS)
+        note(s, here & (c[ix.LIFTED] == 0.0), ix.NOTE_LANDS)
     enter_phase(s, here, rate)
     c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
 
 
-def on_breakpoint(lane: Lanes, i: Index, t: Table, upwards: Mask) -> None:
-    """Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece."""
-    c = lane.cells
+def on_breakpoint(s: Lanes, here: Mask, t: Table, upwards: Mask) -> None:
+    """Place lanes exactly at an edge of a table of slip, speed or rotation, in the next piece."""
+    c = s.cells
+    if not np.any(here):
+        return
     if t.kind == ix.OF_ROTATION:
-        ahead = np.where(c[ix.DIRECTION, i] > 0.0, 1, 0)
-        c[ix.ROTATION, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]) + ahead)
+        forward = c[ix.DIRECTION] > 0.0
+        c[ix.ROTATION] = np.where(here, np.where(forward, end_of_piece(s, t, c[t.cells + ix.PIECE]), breaks_at(s, t,
+            c[t.cells + ix.PIECE])), c[ix.ROTATION])
         return
     if t.kind == ix.OF_SPEED:
-        c[ix.OMEGA, i] = np.where(upwards, c[t.cells + ix.UPPER, i], c[t.cells + ix.LOWER, i])
-        c[ix.PASSED, i] = np.where(upwards, ix.FASTER, ix.SLOWER)
-    c[t.cells + ix.PIECE, i] = c[t.cells + ix.PIECE, i] + np.where(upwards, 1.0, -1.0)
+        c[ix.OMEGA] = np.where(here, np.where(upwards, c[t.cells + ix.UPPER], c[t.cells + ix.LOWER]), c[ix.OMEGA])
+        c[ix.PASSED] = np.where(here, np.where(upwards, ix.FASTER, ix.SLOWER), c[ix.PASSED])
+    c[t.cells + ix.PIECE] = np.where(here, c[t.cells + ix.PIECE] + np.where(upwards, 1.0, -1.0), c[t.cells + ix.PIECE])
     if t.kind == ix.OF_SLIP:
-        c[ix.SLIP, i] = break_of(lane, i, t, integer(c[t.cells + ix.PIECE, i])) / c[t.cells + ix.SCALE, i]
+        c[ix.SLIP] = np.where(here, breaks_at(s, t, c[t.cells + ix.PIECE]) / c[t.cells + ix.SCALE], c[ix.SLIP])
     if t.open:
-        holds_1 = upwards & (c[t.cells + ix.PIECE, i] == float(t.pieces - 1))
-        i_1, upwards_1 = (i, upwards)
-        i, upwards = among(holds_1, i_1, upwards_1)
-        if i.size:
-            c[ix.STATUS, i] = ix.NEED
-            c[ix.PENDING, i] = ix.READY
-        i, upwards = (i_1, upwards_1)
+        here = here & upwards & (c[t.cells + ix.PIECE] == float(t.pieces - 1))
+        c[ix.STATUS] = np.where(here, ix.NEED, c[ix.STATUS])
+        c[ix.PENDING] = np.where(here, ix.READY, c[ix.PENDING])
 
 
 def on_breakpoints(s: Lanes, here: Mask, rate: Floats) -> None:
     """Pass edges of tables of slip, speed or rotation."""
     c = s.cells
+    if not np.any(here):
+        return
     enter_phase(s, here, rate)
     for t in s.tables:
         upper = ix.EVENT_BREAKPOINT + 2 * t.number
-        lower = upper + 1
-        passes = here & ((c[ix.EVENT] == float(upper)) | (c[ix.EVENT] == float(lower)))
-        i = np.flatnonzero(passes)
-        if i.size:
-            on_breakpoint(s, i, t, c[ix.EVENT, i] == upper)
+        upwards = c[ix.EVENT] == float(upper)
+        downwards = c[ix.EVENT] == float(upper + 1)
+        on_breakpoint(s, here & (upwards | downwards), t, upwards)
 
 
 def end_motion(s: Lanes, here: Mask, rate: Floats, status: Floats) -> None:
     """End moving lanes at their end time or with an upright chord."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.STATUS] = np.where(here, status, c[ix.STATUS])
     c[ix.END_ROTATION] = np.where(here, c[ix.ROTATION] + c[ix.DIRECTION] * c[ix.X], c[ix.END_ROTATION])
     c[ix.END_OMEGA] = np.where(here, c[ix.DIRECTION] * c[ix.OMEGA], c[ix.END_OMEGA])
@@ -1771,60 +1671,49 @@ def end_motion(s: Lanes, here: Mask, rate: Floats, status: Floats) -> None:
     update_reach(s, here)
 
 
-def on_limit(s: Lanes, here: Mask, rate: Floats) -> None:
-    """End lanes at their end time, or pass breaks of functions of time."""
+def settle(s: Lanes, here: Mask, rate: Floats) -> None:
+    """Apply the consequences of the event that ends a step."""
     c = s.cells
-    ends = here & (c[ix.TIME] >= c[ix.END_TIME])
-    end_motion(s, ends, rate, ix.ENDED)
-    passes = here & np.logical_not(ends)
-    i = np.flatnonzero(passes)
-    if i.size:
-        pass_breaks(s, i)
-
-
-def settle(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
-    """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
-    c = s.cells
-    c[ix.STATUS] = np.where(here, np.where(endless, ix.TOO_LONG, c[ix.STATUS]), c[ix.STATUS])
-    limits = here & at_limit
-    if np.any(limits):
-        on_limit(s, limits, rate)
-    stands = here & (c[ix.EVENT] == ix.EVENT_STANDSTILL)
-    if np.any(stands):
-        on_standstill(s, stands)
-    lifts = here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF)
-    if np.any(lifts):
-        on_contact_change(s, lifts, rate)
-    upright = here & (c[ix.EVENT] == ix.EVENT_CHORD_UPRIGHT)
-    if np.any(upright):
-        end_motion(s, upright, rate, ix.UPRIGHT)
-    passes = here & (c[ix.EVENT] >= ix.EVENT_BREAKPOINT)
-    if np.any(passes):
-        on_breakpoints(s, passes, rate)
+    if not np.any(here):
+        return
+    c[ix.STATUS] = np.where(here, np.where(c[ix.EVENT] == ix.EVENT_ENDLESS, ix.TOO_LONG, c[ix.STATUS]), c[ix.STATUS])
+    limits = here & (c[ix.EVENT] == ix.EVENT_LIMIT)
+    pass_breaks(s, limits & (c[ix.TIME] < c[ix.END_TIME]))
+    end_motion(s, limits & (c[ix.TIME] >= c[ix.END_TIME]), rate, ix.ENDED)
+    on_standstill(s, here & (c[ix.EVENT] == ix.EVENT_STANDSTILL))
+    on_contact_change(s, here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF), rate)
+    end_motion(s, here & (c[ix.EVENT] == ix.EVENT_CHORD_UPRIGHT), rate, ix.UPRIGHT)
+    on_breakpoints(s, here & (c[ix.EVENT] >= ix.EVENT_BREAKPOINT), rate)
 
 
 def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
     """Shorten the step to an event at a time, infinite without an event."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.EVENT] = np.where(here, np.where(at <= c[ix.STEP], float(event), c[ix.EVENT]), c[ix.EVENT])
     c[ix.STEP] = np.where(here, np.minimum(at, c[ix.STEP]), c[ix.STEP])
 
 
-def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> Mask:
-    """Shorten the step to the time left, and return the lanes that reach its end."""
+def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> None:
+    """Shorten the step to the time left, up to a break of a function of time or the end time."""
     c = s.cells
+    if not np.any(here):
+        return
     reaches = here & (room < INFINITY)
     if np.any(reaches):
         reaches = reaches & (elapsed(s, top, c[ix.STEP]) >= room)
         if s.roles.pace >= 0 and np.any(reaches):
             at = variable_at(s, top, room)
             c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
-    return reaches
+    c[ix.EVENT] = np.where(here, np.where(reaches, ix.EVENT_LIMIT, ix.EVENT_NONE), c[ix.EVENT])
 
 
 def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which the speed becomes zero."""
     c = s.cells
+    if not np.any(here):
+        return
     omega = s.registers[s.roles.omega]
     net = s.registers[s.roles.net]
     last, slope = value_and_slope(omega, top, c[ix.STEP])
@@ -1848,6 +1737,8 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
         event: int) -> None:
     """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
     c = s.cells
+    if not np.any(here):
+        return
     asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, p.shape[1]))
@@ -1858,6 +1749,8 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
 def find_edges(s: Lanes, here: Mask, t: Table, top: int, by_rotation: int) -> None:
     """Find the time at which an edge of a table's piece is passed. The last piece may have no upper edge."""
     c = s.cells
+    if not np.any(here):
+        return
     ends = here & (c[t.cells + ix.UPPER] < FAR)
     upper = np.minimum(c[t.cells + ix.UPPER], FAR)
     event = ix.EVENT_BREAKPOINT + 2 * t.number
@@ -1879,7 +1772,8 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int, by_rotation: int) -> No
 def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
     """Find the first event of the step. Of simultaneous events the last one in the order of the search is used."""
     c = s.cells
-    c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
+    if not np.any(here):
+        return
     find_standstill(s, here, top)
     if s.roles.upright >= 0:
         find_crossing(s, here, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
@@ -1900,6 +1794,8 @@ def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
     """Shorten the step to a fraction of the least radius of convergence, except where series end early."""
     c = s.cells
+    if not np.any(here):
+        return
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
         radius: Floats = INFINITY
@@ -1913,6 +1809,8 @@ def choose_step(s: Lanes, here: Mask, top: int) -> None:
 def advance_states(s: Lanes, here: Mask, top: int) -> None:
     """Advance the states and the functions of time by the step."""
     c = s.cells
+    if not np.any(here):
+        return
     for q in s.states:
         c[q.cell] = np.where(here, c[q.cell] + increment(s.registers[q.register], top, c[ix.STEP]), c[q.cell])
     for t in s.tables:
@@ -1921,21 +1819,24 @@ def advance_states(s: Lanes, here: Mask, top: int) -> None:
                 c[ix.STEP]), c[t.cells + ix.INC])
 
 
-def is_endless(s: Lanes, here: Mask, room: Floats) -> Mask:
-    """Return whether a motion continues for ever."""
+def find_endless(s: Lanes, here: Mask, room: Floats) -> None:
+    """End motions that continue for ever."""
     c = s.cells
-    endless = none_of(s)
-    if s.autonomous:
-        change = s.registers[s.roles.net][0] * c[ix.STEP]
-        settled = change >= -ix.SETTLED * s.registers[s.roles.omega][0]
-        uneventful = c[ix.EVENT] == ix.EVENT_NONE
-        endless = here & uneventful & settled & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
-    return endless
+    if not np.any(here):
+        return
+    change = s.registers[s.roles.net][0] * c[ix.STEP]
+    settled = change >= -ix.SETTLED * s.registers[s.roles.omega][0]
+    uneventful = c[ix.EVENT] == ix.EVENT_NONE
+    here = here & uneventful & settled & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
+    c[ix.EVENT] = np.where(here, ix.EVENT_ENDLESS, c[ix.EVENT])
+    c[ix.STEP] = np.where(here, 0.0, c[ix.STEP])
 
 
 def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> None:
     """Record the greatest speed within the step, where the net moment falls through zero."""
     c = s.cells
+    if not np.any(here):
+        return
     net = s.registers[s.roles.net]
     at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
     peaks = at < INFINITY
@@ -1948,58 +1849,45 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
         keep_faster(s, peaks, speed, time, x, rate_there)
 
 
-def conclude(s: Lanes, here: Mask, rate: Floats, at_limit: Mask, endless: Mask) -> None:
-    """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
-    c = s.cells
-    before_end = c[ix.TIME] < c[ix.END_TIME]
-    breaks = at_limit & before_end
-    others = enter_lines(s, breaks)
-    simple = (c[ix.EVENT] == ix.EVENT_NONE) & np.logical_not(endless) & np.logical_not(others)
-    settled = simple & (before_end | np.logical_not(at_limit))
-    acts = here & np.logical_not(settled)
-    if np.any(acts):
-        settle(s, acts, rate, at_limit, endless)
-
-
-def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats, steady: Mask, at_limit: Mask, endless: Mask) -> None:
+def arrive(s: Lanes, here: Mask, until: Floats, rate: Floats) -> None:
     """Let a step end at the time ``until``, count it, and apply its consequences."""
     c = s.cells
+    if not np.any(here):
+        return
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
-    c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, ix.STIFF_STEP, 1.0)),
-        c[ix.STEPS])
+    change = np.abs(s.registers[s.roles.net][0]) * c[ix.STEP]
+    steady = (change < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & (c[ix.EVENT] == ix.EVENT_NONE)
+    steps = c[ix.STEPS] + np.where(steady, ix.STIFF_STEP, 1.0)
+    c[ix.STEPS] = np.where(here, np.where(c[ix.EVENT] == ix.EVENT_LIMIT, 0.0, steps), c[ix.STEPS])
     c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
-    conclude(s, here, rate, at_limit, endless)
+    settle(s, here & (c[ix.EVENT] != ix.EVENT_NONE), rate)
 
 
 def make_step(s: Lanes, here: Mask) -> None:
     """Make one step of moving lanes."""
     c = s.cells
+    if not np.any(here):
+        return
     limit = np.minimum(next_break(s), c[ix.END_TIME])
     room = limit - c[ix.TIME]
     top = expand(s, room, here, 0)
     choose_step(s, here, top)
-    reaches_limit = reach_limit(s, here, room, top)
+    reach_limit(s, here, room, top)
     find_events(s, here, top, False)
-    uneventful = c[ix.EVENT] == ix.EVENT_NONE
-    endless = is_endless(s, here, room)
-    c[ix.STEP] = np.where(here, np.where(endless, 0.0, c[ix.STEP]), c[ix.STEP])
+    if s.autonomous:
+        find_endless(s, here, room)
     step = c[ix.STEP].copy()
     net = s.registers[s.roles.net]
     rate, slope = value_and_slope(net, top - 1, step)
     keep_peak(s, here, top, rate, slope)
-    at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
     time = c[ix.TIME] + elapsed(s, top, step)
-    until = np.where(at_limit, limit, time)
+    until = np.where(c[ix.EVENT] == ix.EVENT_LIMIT, limit, time)
     if s.sample_count:
-        i = np.flatnonzero(here)
-        if i.size:
-            read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
-    change = np.abs(net[0]) * step
-    steady = (change < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
+        read_samples(s, here, c[ix.TIME], until, 1, top)
     advance_states(s, here, top)
     rate = per_time(s, rate, c[ix.OMEGA])
-    arrive(s, here, until, rate, steady, at_limit, endless)
+    arrive(s, here, until, rate)
 
 
 def at_rotation(s: Lanes, constant: Floats, sine: Floats, versine: Floats) -> Floats:
@@ -2080,20 +1968,20 @@ def pass_events(s: Lanes, here: Mask, left: Floats) -> Floats:
     loss = left * np.minimum(net[0], 0.0)
     bend = left * left * np.abs(omega[2])
     slow = here & (omega[0] > 0.0) & (omega[0] + loss <= 2.0 * bend)
-    if np.any(slow):
-        find_standstill(s, slow, TOP)
+    find_standstill(s, slow, TOP)
     step = c[ix.STEP].copy()
     rate, slope = value_and_slope(net, TOP - 1, step)
     most = omega[0] + step * net[0]
     peaks = here & (rate <= 0.0) & (net[0] > 0.0) & (most > np.abs(c[ix.PEAK_OMEGA]))
-    if np.any(peaks):
-        keep_peak(s, peaks, TOP, rate, slope)
+    keep_peak(s, peaks, TOP, rate, slope)
     return rate
 
 
 def move_within(s: Lanes, here: Mask, t: Table) -> None:
     """Move lanes to the end of a piece, or to a standstill within it."""
     c = s.cells
+    if not np.any(here):
+        return
     factors = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     rise = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     sine = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
@@ -2146,9 +2034,7 @@ def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
     c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
     c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
     look_for_quiet(s, here)
-    i = np.flatnonzero(here)
-    if i.size:
-        enter_pieces(s, i)
+    enter_pieces(s, here)
     now = np.minimum(net_at_rest(s, c[t.cells + ix.INC]), 0.0)
     then = net_at_rest(s, c[t.cells + ix.LOWER])
     starts = here & (then > SURELY * c[s.roles.drive_scale]) & fits(s, t)
@@ -2162,6 +2048,8 @@ def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
 def leave_series(s: Lanes, here: Mask, since: Floats) -> None:
     """Leave moving lanes to the integration in time, and begin another phase for lanes that rest after a motion."""
     c = s.cells
+    if not np.any(here):
+        return
     moves = c[ix.OMEGA] > 0.0
     c[ix.STATUS] = np.where(here, np.where(moves, ix.MOVING, ix.RESTING), c[ix.STATUS])
     here = here & np.logical_not(moves) & (c[ix.TIME] > since)
@@ -2174,6 +2062,8 @@ def leave_series(s: Lanes, here: Mask, since: Floats) -> None:
 def turn_through(s: Lanes, here: Mask, t: Table) -> None:
     """Move lanes at rest through the pieces of a record, down-slope, as far as the series of a piece fit."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.SINE_X] = np.where(here, 0.0, c[ix.SINE_X])
     c[ix.VERSINE_X] = np.where(here, 0.0, c[ix.VERSINE_X])
     since = c[ix.TIME].copy()
@@ -2184,14 +2074,11 @@ def turn_through(s: Lanes, here: Mask, t: Table) -> None:
         if np.any(rests):
             starts = wait_for_start(s, rests, t)
         goes = starts | moves & fits(s, t)
-        leaves = here & np.logical_not(goes)
-        if np.any(leaves):
-            leave_series(s, leaves, since)
+        leave_series(s, here & np.logical_not(goes), since)
         count_starts(s, starts & goes)
         here = goes
-        if np.any(here):
-            move_within(s, here, t)
-            enter_line(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
+        move_within(s, here, t)
+        pass_break(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
 
 
 def has_recurrence(s: Lanes) -> int:
@@ -2363,14 +2250,12 @@ def distance_of_rest(p: Floats, n: int, side: Floats, far: Floats) -> Floats:
 
 
 def expand_about_end(s: Lanes, p: Floats, n: int) -> None:
-    """Compute E as a polynomial of the distance from the end of the step: Taylor's shift by Horner's scheme."""
+    """Compute E as a polynomial of the distance from the end of the step."""
     c = s.cells
     e = s.registers[s.roles.omega]
     for k in range(n + 1):
         p[k] = e[k]
-    for first in range(n - 1 + 1):
-        for j in range(n - 1, first - 1, -1):
-            p[j] = p[j] + c[ix.STEP] * p[j + 1]
+    shift(p, n, c[ix.STEP])
     stands = c[ix.EVENT] == ix.EVENT_STANDSTILL
     p[0] = np.where(stands, 0.0, p[0])
 
@@ -2432,6 +2317,8 @@ def way_ahead(s: Lanes) -> Floats:
 def shorten(s: Lanes, here: Mask) -> None:
     """Shorten a step where the square of the speed bends upwards, so that a second rest behind is not too near."""
     c = s.cells
+    if not np.any(here):
+        return
     e = s.registers[s.roles.omega]
     bends = here & (e[2] > 0.0) & (e[1] >= 0.0)
     by_slope = e[1] / e[2]
@@ -2452,6 +2339,8 @@ def greatest_speed(s: Lanes, here: Mask, top: int) -> Floats:
 def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until: Floats) -> None:
     """Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``."""
     c = s.cells
+    if not np.any(here):
+        return
     net = s.registers[s.roles.net]
     e = s.registers[s.roles.omega]
     step = c[ix.STEP].copy()
@@ -2462,27 +2351,26 @@ def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until
         speed = np.sqrt(value(e, top, there))
         slope = value(net, top - 1, there)
         keep_faster(s, peaks, speed, c[ix.TIME] + before, c[ix.X] + there, slope)
-    change = np.abs(net[0]) * step
-    uneventful = c[ix.EVENT] == ix.EVENT_NONE
-    steady = (change < ix.STIFF_CHANGE * e[0]) & uneventful
     c[ix.X] = np.where(here, c[ix.X] + step, c[ix.X])
     square = e[0] + increment(e, top, step)
     c[ix.OMEGA] = np.where(here, np.sqrt(np.maximum(square, 0.0)), c[ix.OMEGA])
-    goes_on = none_of(s)
-    arrive(s, here, until, rate, steady, goes_on, goes_on)
+    arrive(s, here, until, rate)
     if has_recurrence(s):
-        enter_phase(s, here & uneventful, rate)
+        enter_phase(s, here & (c[ix.EVENT] == ix.EVENT_NONE), rate)
 
 
 def turn_on(s: Lanes, here: Mask) -> None:
     """Make one step of moving lanes in powers of the rotation."""
     c = s.cells
+    if not np.any(here):
+        return
     omega = 1.0 * c[ix.OMEGA]
     c[ix.OMEGA] = np.where(here, omega * omega, c[ix.OMEGA])
     room = way_ahead(s)
     top = expand_in_rotation(s, room, here)
     choose_step(s, here, top)
     shorten(s, here)
+    c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     find_events(s, here, top, True)
     peak: Floats = INFINITY
     before: Floats = 0.0
@@ -2503,8 +2391,7 @@ def turn_on(s: Lanes, here: Mask) -> None:
     fits = here & regular & (until < c[ix.END_TIME])
     c[ix.OMEGA] = np.where(here, omega, c[ix.OMEGA])
     c[ix.CLOCKED] = np.where(here, np.where(fits, 0.0, 1.0), c[ix.CLOCKED])
-    if np.any(fits):
-        complete(s, fits, top, peak, before, until)
+    complete(s, fits, top, peak, before, until)
 
 
 def turned(x: Floats) -> tuple[Floats, Floats]:
@@ -2890,6 +2777,8 @@ def mean_of(both: Floats, pairs: int, by: int) -> Floats:
 
 def find_waves(w: Floats, here: Mask, both: Floats, odd: Floats, pairs: int, by: int) -> None:
     """Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule."""
+    if not np.any(here):
+        return
     scale: Floats = 1.0 / float(pairs)
     w[0] = np.where(here, mean_of(both, pairs, by), w[0])
     for j in range(1, pairs + 1):
@@ -2949,6 +2838,8 @@ def is_uneven(w: Floats, n: int) -> Mask:
 
 def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, time: Floats) -> None:
     """Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move."""
+    if not np.any(here):
+        return
     u = there[ANGLE_THERE]
     slope: Floats = 1.0
     lag, versine = turned(2.0 * u)
@@ -2981,6 +2872,8 @@ def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, en
 def keep_samples(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, until: Floats) -> None:
     """Store the states at the output times within a phase, which ends at the time ``until``."""
     c = s.cells
+    if not np.any(here):
+        return
     there = np.zeros((ix.STRIDE, e.shape[1]))
     there[ANGLE_THERE] = 0.0
     there[SLOPE_THERE] = 2.0 * w[0]
@@ -3122,6 +3015,8 @@ def duration_of_swing(e: Floats, back: Floats, end: Floats, w: Floats, which: Ma
 def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back."""
     c = s.cells
+    if not np.any(here):
+        return
     force = force_at(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     resistance = c[s.roles.resisting] + c[s.roles.mu] * force
     rate = -0.5 * back[0]
@@ -3139,6 +3034,8 @@ def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
 def pass_peak(s: Lanes, here: Mask, f: Floats, peak: Floats, before: Floats) -> None:
     """Record the greatest speed, which lanes reach after the time ``before``."""
     c = s.cells
+    if not np.any(here):
+        return
     speed = np.sqrt(f[5])
     then = c[ix.TIME] + before
     keep_faster(s, here, speed, then, peak, 0.5 * f[6])
@@ -3147,6 +3044,8 @@ def pass_peak(s: Lanes, here: Mask, f: Floats, peak: Floats, before: Floats) -> 
 def finish(s: Lanes, here: Mask, end: Floats, duration: Floats) -> None:
     """Bring lanes to rest at the end of their phase."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
@@ -3158,6 +3057,8 @@ def finish(s: Lanes, here: Mask, end: Floats, duration: Floats) -> None:
 def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats) -> None:
     """End lanes at their end time within a phase."""
     c = s.cells
+    if not np.any(here):
+        return
     there = np.zeros((ix.STRIDE, e.shape[1]))
     time = c[ix.END_TIME] - c[ix.TIME]
     there[ANGLE_THERE] = 0.5 * time / w[0]
@@ -3189,8 +3090,7 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), at_peak, peak, before)
     finish(s, rests, end, duration)
     rest(s, rests, back, f)
-    if np.any(ends):
-        end_within(s, ends, e, back, w, end)
+    end_within(s, ends, e, back, w, end)
     return rests | ends
 
 
@@ -3248,6 +3148,8 @@ def swing(s: Lanes, which: Mask) -> Mask:
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead."""
     c = s.cells
+    if not np.any(here):
+        return
     normal = s.registers[s.roles.normal]
     sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
     passed = c[ix.PASSED] == ix.LIFT
@@ -3263,6 +3165,8 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
+    if not np.any(here):
+        return
     top = expand(s, room, here, 1)
     net = s.registers[s.roles.net]
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
@@ -3295,6 +3199,8 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
 def turn_back(s: Lanes, here: Mask) -> None:
     """Reverse the direction at rest."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.DIRECTION] = np.where(here, -c[ix.DIRECTION], c[ix.DIRECTION])
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
@@ -3302,6 +3208,8 @@ def turn_back(s: Lanes, here: Mask) -> None:
 def change_contact(s: Lanes, here: Mask) -> None:
     """Lift masses at rest, or let them land."""
     c = s.cells
+    if not np.any(here):
+        return
     c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
     c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
@@ -3311,6 +3219,8 @@ def change_contact(s: Lanes, here: Mask) -> None:
 def start_again(s: Lanes, here: Mask) -> None:
     """Start slip from rest."""
     c = s.cells
+    if not np.any(here):
+        return
     face(s, here, c[ix.START_DIRECTION])
     c[ix.PENDING] = np.where(here, ix.START_AGAIN, c[ix.PENDING])
 
@@ -3318,6 +3228,8 @@ def start_again(s: Lanes, here: Mask) -> None:
 def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
     c = s.cells
+    if not np.any(here):
+        return
     stretch = c[ix.STRETCH].copy()
     lifts = c[ix.LIFT_AHEAD] <= stretch
     starts = c[ix.START_AHEAD] <= stretch
@@ -3325,9 +3237,7 @@ def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     until = np.where(breaks, limit, c[ix.TIME] + stretch)
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
     if s.sample_count:
-        i = np.flatnonzero(here)
-        if i.size:
-            read_samples(s, i, c[ix.TIME, i], np.fmin(until[i], c[ix.END_TIME, i]), 0, 0)
+        read_samples(s, here, c[ix.TIME], np.minimum(until, c[ix.END_TIME]), 0, 0)
     least = TOGETHER * until
     rested = starts & (stretch > least)
     c[ix.STEPS] = np.where(here, np.where(breaks | rested, 0.0, c[ix.STEPS] + 1.0), c[ix.STEPS])
@@ -3338,15 +3248,14 @@ def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     here = here & np.logical_not(ends)
     start_again(s, here & starts)
     change_contact(s, here & lifts & np.logical_not(starts))
-    here = here & breaks
-    i = np.flatnonzero(here)
-    if i.size:
-        enter_pieces(s, i)
+    enter_pieces(s, here & breaks)
 
 
 def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     """Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too."""
     c = s.cells
+    if not np.any(here):
+        return
     both = here & (c[ix.ONE_WAY] == 0.0)
     if np.any(both):
         turn_back(s, both)
@@ -3366,6 +3275,8 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
 def rest_on(s: Lanes, here: Mask) -> None:
     """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
     c = s.cells
+    if not np.any(here):
+        return
     limit = next_break(s)
     room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
     c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
@@ -3393,6 +3304,8 @@ def rest_on(s: Lanes, here: Mask) -> None:
 def stop_endless(s: Lanes, here: Mask) -> None:
     """Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow."""
     c = s.cells
+    if not np.any(here):
+        return
     going = c[ix.STATUS] <= ix.RESTING
     most = np.where(c[ix.OMEGA] > 0.0, ix.MOST_STEPS, float(2 * ix.MOST_STEPS))
     too_long = c[ix.STEPS] > most
@@ -3407,6 +3320,8 @@ def stop_endless(s: Lanes, here: Mask) -> None:
 def advance(s: Lanes, here: Mask) -> None:
     """Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest."""
     c = s.cells
+    if not np.any(here):
+        return
     moving = here & (c[ix.STATUS] == ix.MOVING)
     resting = here & (c[ix.STATUS] == ix.RESTING)
     complete = s.roles.net_sine >= 0 and (not (s.sample_count and s.roles.loss_rate >= 0))
@@ -3418,12 +3333,11 @@ def advance(s: Lanes, here: Mask) -> None:
         turning = moving & (c[ix.CLOCKED] == 0.0)
         if has_recurrence(s):
             turning = turning & (c[ix.X] == 0.0)
-        if np.any(turning):
-            turn_on(s, turning)
+        turn_on(s, turning)
         moving = moving & np.logical_not(turning & (c[ix.CLOCKED] == 0.0))
     if np.count_nonzero(moving) > np.count_nonzero(resting):
         make_step(s, moving)
-    if np.any(resting) and np.count_nonzero(resting) >= np.count_nonzero(moving):
+    if np.count_nonzero(resting) >= np.count_nonzero(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)
@@ -3550,8 +3464,9 @@ def begin_phase(program: Program, tables: Sequence[Any], cells: Floats) -> Float
     """
     s = Lanes(program, tables, cells)
     with np.errstate(all="ignore"):
-        begin_here(s, np.arange(cells.shape[1]))
-        prologue(s, np.ones(cells.shape[1], dtype=bool))
+        every = np.ones(cells.shape[1], dtype=bool)
+        begin_here(s, every)
+        prologue(s, every)
         evaluate(s)
     cells[:] = s.stored
     return s.registers[:, 0]

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bb9c2d180cd44d7b0de1450241cc736c062402aadc1f5b858ad2cec916362dc6
+# sha256 of the text below: 034e9b73d2ccbbd773d96895ba1b7dcda5a1090280193673a3f05614e766ed68
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -110,7 +110,9 @@ EVENT_NONE = -1  # the step has its full length
 EVENT_STANDSTILL = 0  # the speed falls to zero
 EVENT_LIFT_OFF = 1  # the normal force on the slip surface changes its sign: lift-off or landing
 EVENT_CHORD_UPRIGHT = 2  # the chord stands upright
-EVENT_BREAKPOINT = 3  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
+EVENT_LIMIT = 3  # a function of time has a break, or the end time is reached
+EVENT_ENDLESS = 4  # the motion continues for ever
+EVENT_BREAKPOINT = 5  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
 
 # Logged events of the first lane.
 NOTE_BEGINS = 1  # a phase

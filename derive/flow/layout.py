@@ -77,6 +77,8 @@ EVENTS = {
     "STANDSTILL": "the speed falls to zero",
     "LIFT_OFF": "the normal force on the slip surface changes its sign: lift-off or landing",
     "CHORD_UPRIGHT": "the chord stands upright",
+    "LIMIT": "a function of time has a break, or the end time is reached",
+    "ENDLESS": "the motion continues for ever",
     "BREAKPOINT": "the upper edge of the first table's piece; then its lower edge, and those of the next tables",
 }
 # Cells of a lane during its integration, before the other cells: they begin at -len(WORKING).

@@ -17,12 +17,9 @@ from derive.kinds import TextMap, ValueDict, Values
 
 FOLDER = Path(one_lane.__file__).parent
 
-# Kinds of values. Vectors: V a number and M a truth value of each lane, S the coefficients of a series. One lane: F a
-# number, I an integer, B a truth value, A an array of numbers. All lanes: K a number, N an integer or a truth value, T
-# a table, Q a state.
-ANNOTATIONS = {x: x for x in "VMSATN"} | {"float": "F", "int": "I", "bool": "B", "Lanes": "LANES", "Lane": "LANE"}
-OF_ONE_LANE = {"V": "F", "M": "B"}
-SHARED = {"K", "N"}
+# Kinds of values. Vectors: V a number and M a truth value of each lane, S the coefficients of a series. All lanes: K a
+# number, A an array of numbers, N an integer or a truth value, T a table, Q a state.
+ANNOTATIONS = {x: x for x in "VMSTN"} | {"Lanes": "LANES"}
 SIGNS = {
     ast.Add: "+",
     ast.Sub: "-",
@@ -39,7 +36,7 @@ CODES: dict[str, tuple[str, Values]] = {x: (row.prefix, row.members) for x, row 
     "Limit": ("", layout.LIMITS),
     "Share": ("", layout.SHARES),
 }
-# Entries of lanes, of one lane, of tables and of states, by the kind of their owner: category and kind of each.
+# Entries of lanes, of tables and of states, by the kind of their owner: category and kind of each.
 _OF_LANES = {
     **{x.lower(): ("CELL", "V") for x in (*layout.CELLS, *layout.WORKING)},
     **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
@@ -53,7 +50,7 @@ _OF_TABLE = {
     "series": ("TABLE", "S"),
     **dict.fromkeys(("places", "heights"), ("TABLE", "A")),
 }
-ENTRIES = {(kind, x): entry for kind in ("LANES", "LANE") for x, entry in _OF_LANES.items()}
+ENTRIES = {("LANES", x): entry for x, entry in _OF_LANES.items()}
 ENTRIES |= {("T", before + x): entry for before in ("", "before.") for x, entry in _OF_TABLE.items()}
 ENTRIES |= {
     ("Q", "has_own_radius"): ("HAS_OWN_RADIUS", "N"),
@@ -61,24 +58,16 @@ ENTRIES |= {
     ("Q", "series"): ("STATE", "S"),
     ("Q", "rate"): ("STATE", "S"),
 }
-COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
+COMPARED = {"V": "M", "M": "M", "K": "N", "N": "N"}
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
-    **dict.fromkeys(
-        ("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt", "number"), ""
-    ),
+    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt"), ""),
+    "number": "K",
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
-    **dict.fromkeys(
-        ("log2_of", "power_of_two", "breaks_at", "heights_at", "slopes_at", "jumps_at", "sample_time"), "V"
-    ),
-    **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
-    "integer": "I",
-    **dict.fromkeys(
-        ("coefficients_of", "operate", "operate_later", "prologue", "note", "read_samples", "keep_sample"), "NONE"
-    ),
+    **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "coefficients_at", "jumps_at", "sample_time"), "V"),
+    **dict.fromkeys(("operate", "operate_later", "prologue", "note", "read_samples", "keep_sample"), "NONE"),
     "new_series": "S",
     "tail": "S",
-    "numbers": "A",
     "none_of": "M",
 }
 
@@ -105,7 +94,7 @@ class GrammarError(Exception):
 
 @dataclass(frozen=True)
 class RestrictedFunction:
-    """Function of the text; ``of`` is LANES, LANE, or empty for functions of numbers alone."""
+    """Function of the text."""
 
     name: str
     path: str
@@ -114,10 +103,9 @@ class RestrictedFunction:
     returns: str
 
     @property
-    def of(self) -> str:
-        """Kind of the first parameter if it is a lane or lanes."""
-        first = next(iter(self.parameters.values()), "")
-        return first if first in ("LANES", "LANE") else ""
+    def of_lanes(self) -> bool:
+        """Whether the first parameter is the lanes, not the case for functions of numbers alone."""
+        return "LANES" in self.parameters.values()
 
     @property
     def words(self) -> str:

@@ -1,4 +1,4 @@
-"""Restricted Python written as C: vectors of lanes in numerics, lane by lane in phases."""
+"""Restricted Python written as C: vectors of lanes."""
 
 import textwrap
 from collections.abc import Iterator
@@ -6,29 +6,15 @@ from collections.abc import Iterator
 from derive.flow.restricted import Text
 from derive.flow.writer import TypedExpression, Writer
 
-TYPES = {
-    "V": "V",
-    "M": "M",
-    "S": "V *",
-    "F": "double",
-    "I": "int64_t",
-    "B": "int",
-    "A": "double *",
-    "N": "int",
-    "T": "int",
-    "NONE": "void",
-    "PAIR": "Pair",
-}
+TYPES = {"V": "V", "M": "M", "S": "V *", "N": "int", "T": "int", "NONE": "void", "PAIR": "Pair"}
 FORMS = {
     "False": "0",
     "True": "1",
     # Entries.
-    "at": "[lane]",
-    "of_lane": "{x}[lane]",
     "before": "{x} - 1",
     "CODE": "{x}",
-    "CELL": "c[{X}]{at}",
-    "ROLE": "c[job->role->{x}]{at}",
+    "CELL": "c[{X}]",
+    "ROLE": "c[job->role->{x}]",
     "SERIES": "(b->r + job->role->{x})",
     "HAS": "(job->role->{x} >= 0)",
     "HAS.net_sine": "HAS_CLOSED_FORM(job->role)",
@@ -36,7 +22,7 @@ FORMS = {
     "SHARED": "job->{x}",
     "SHARED.logged": "(job->notes_room > 0)",
     "SHARED.highest": "job->order",
-    "PART": "c[job->table[{of}].cell + {X}]{at}",
+    "PART": "c[job->table[{of}].cell + {X}]",
     "TABLE": "job->data[{of}].{x}",
     "TABLE.number": "{of}",
     "TABLE.series": "(b->r + job->table[{of}].reg)",
@@ -45,16 +31,14 @@ FORMS = {
     "TABLE.heights": "job->data[{of}].coefficients",
     "TABLE.kind": "job->table[{of}].kind",
     "TABLE.degree": "job->table[{of}].degree",
-    "NOW": "c[{of}->cell]{at}",
+    "NOW": "c[{of}->cell]",
     "HAS_OWN_RADIUS": "({of}->series != job->role->x)",
     "STATE": "(b->r + {of}->{x})",
     "inverse": "b->inverse[{x}]",
-    "coefficients": "c[job->table[{of}].cell + Q1 + {x}]{at}",
-    "element": "{of}[{x}]{at}",
+    "coefficients": "c[job->table[{of}].cell + Q1 + {x}]",
+    "element": "{of}[{x}]",
     # Expressions.
-    "broadcast.V": "broadcast({x})",
-    "broadcast.I": "{x}",
-    "broadcast.B": "{x}",
+    "broadcast": "broadcast({x})",
     "cast": "(double){x}",
     "not": "!{a}",
     "not.M": "~{a}",
@@ -65,31 +49,19 @@ FORMS = {
     "choice": "({a} ? {b} : {c})",
     # Functions.
     "LANES": "b",
-    "LANE": "b, lane",
-    "where": "({a} ? {b} : {c})",
-    "where.V": "pick",
-    "where.M": "pick",
-    "abs": "fabs",
-    "abs.V": "magnitude",
-    "sqrt.V": "sqrt_of",
-    "expm1.V": "expm1_of",
-    "log1p.V": "log1p_of",
-    "minimum": "fmin",
-    "minimum.V": "minimum",
-    "minimum.I": "({a} < {b} ? {a} : {b})",
+    "where": "pick",
+    "abs": "magnitude",
+    **{x: f"{x}_of" for x in ("sin", "cos", "log", "log1p", "expm1", "sqrt")},
     "minimum.N": "({a} < {b} ? {a} : {b})",
-    "maximum": "fmax",
-    "maximum.V": "maximum",
-    "maximum.I": "({a} > {b} ? {a} : {b})",
     "maximum.N": "({a} > {b} ? {a} : {b})",
     "any_lane": "bits",
     "lanes_in": "__builtin_popcount(bits({a}))",
     "number": "(double){a}",
-    "integer": "(int64_t){a}",
     "none_of": "(M){{0}}",
     "tail": "({0} + 1)",
     "prologue": "IN(prologue)(job->scalar, job->scalar_end, c, {1})",
     # Statements.
+    "skip": "if (!bits(here)) return;",
     "end": ";",
     "open": " {",
     "close": "}",
@@ -103,7 +75,6 @@ FORMS = {
     "let_pair": "const Pair {a}_{b} = {x};\nV {a} = {a}_{b}.one, {b} = {a}_{b}.other;",
     "set_pair": "const Pair {a}_{b} = {x};\n{a} = {a}_{b}.one, {b} = {a}_{b}.other;",
     "masked": "pick",
-    "of_mask": "EACH(lane, bits({x}))",
 }
 
 
@@ -114,25 +85,25 @@ class C(Writer):
 
     def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
-        if value.text in ("new_series()", "numbers()"):
-            return f"V {name}[STRIDE];" if kind == "S" else f"double {name}[STRIDE];"
+        if value.text == "new_series()":
+            return f"V {name}[STRIDE];"
         declared = f"{TYPES[kind]} ".replace("* ", "*") if new else ""
         return f"{declared}{name} = {self.as_kind(value, kind)};"
 
     def lines(self) -> Iterator[str]:
         """Yield the lines of the function."""
         f = self.function
-        body = list(self.body(f.node.body))
-        first = {"LANES": ["Batch *b"], "LANE": ["Batch *b, unsigned lane"], "": []}[f.of]
+        body = list(self.statements())
+        first = ["Batch *b"] if f.of_lanes else []
         others = {x: TYPES[kind] for x, kind in f.parameters.items() if kind in TYPES}
         rest = [f"{kind} {x}".replace("* ", "*") for x, kind in others.items()]
-        inline = "static" if (f.of == "LANE" and f.returns == "NONE") or self.all.iterates(f.name) else "INLINE"
+        inline = "static" if self.all.iterates(f.name) else "INLINE"
         words = textwrap.wrap(" ".join(f.words.split()), 112)
         yield "/* " + "\n * ".join(words) + " */"
         yield f"{inline} {TYPES[f.returns]} {f.name}({', '.join([*first, *rest])})"
         yield "{"
         text = "\n".join(body)
-        if f.of:
+        if f.of_lanes:
             if "job->" in text:
                 yield "    const Job *const job = b->job;"
             if "c[" in text or ", c, " in text:

@@ -9,7 +9,6 @@ from derive.flow.restricted import (
     CODES,
     COMPARED,
     ENTRIES,
-    OF_ONE_LANE,
     PRIMITIVES,
     SIGNS,
     RestrictedFunction,
@@ -29,11 +28,10 @@ class TypedExpression:
 
 
 class Writer:
-    """Common part of the writers, which differ in their ``forms``, in declarations, and in an ``if`` by lane.
+    """Common part of the writers, which differ in their ``forms`` and in declarations.
 
-    A form has a name, possibly followed by the name of its object, ``where.V``. `x` is the object, `X` the same in
-    capitals, `s` the state, and `at` the index of one lane. ``lane`` is true while the text concerns one lane, in a
-    function of a `Lane` or in the body of an ``if`` on a mask.
+    A form has a name, possibly followed by the name of its object, ``minimum.N``. `x` is the object, `X` the same in
+    capitals, and `s` the state.
     """
 
     forms: TextMap
@@ -41,29 +39,23 @@ class Writer:
     def __init__(self, text: Text, function: RestrictedFunction) -> None:
         self.all = text
         self.function = function
-        self.lane = function.of == "LANE"
         self.kinds = dict(function.parameters)
-        self.state = next((x for x, kind in function.parameters.items() if kind in ("LANES", "LANE")), "")
+        self.state = next((x for x, kind in function.parameters.items() if kind == "LANES"), "")
 
     def say(self, what: str, name: str = "", **parts: str) -> str:
         """Return the form ``what.name``, or else ``what``, with ``name`` and the other parts in place of its marks."""
         form = self.forms.get(f"{what}.{name}") or self.forms[what]
-        at = self.forms["at"] if self.lane else ""
-        return form.format(x=name, X=name.upper(), s=self.state, at=at, **parts)
+        return form.format(x=name, X=name.upper(), s=self.state, **parts)
 
     def refuse(self, node: ast.AST, why: str) -> NoReturn:
         """Raise an error that names the file and the line of a construct outside the grammar."""
         refuse_node(self.function.path, node, why)
 
-    def _here(self, kind: str) -> str:
-        """Return a kind, or while the text concerns one lane the kind of one of its elements: F for V, B for M."""
-        return OF_ONE_LANE.get(kind, kind) if self.lane else kind
-
     def as_kind(self, value: TypedExpression, kind: str) -> str:
-        """Return the text of a value where ``kind`` is expected. Numbers of all lanes are broadcast to V, I or B."""
+        """Return the text of a value where ``kind`` is expected. Numbers of all lanes are broadcast to V."""
         text = bare(value.text)
-        if kind in "VIB" and value.kind in ("K", "N"):
-            return self.say(f"broadcast.{kind}", text)
+        if kind == "V" and value.kind in ("K", "N"):
+            return self.say("broadcast", text)
         return text
 
     # Expressions.
@@ -88,7 +80,7 @@ class Writer:
                 chosen, *ends = map(self.value, (test, a, b))
                 if chosen.kind != "N":
                     self.refuse(e, "a choice by lane is `where`")
-                kind = joined(ends, "SVFIKN")
+                kind = joined(ends, "SVKN")
                 one, other = (self.as_kind(x, kind) if kind == "V" else x.text for x in ends)
                 return TypedExpression(self.say("choice", a=chosen.text, b=one, c=other), kind)
         return self._operation(e)
@@ -107,10 +99,10 @@ class Writer:
                 return TypedExpression(self.say("not", one.kind, a=one.text), one.kind)
             case ast.Compare(left=a, ops=[op], comparators=[b]) if type(op) in SIGNS:
                 values = self.value(a), self.value(b)
-                return TypedExpression(self._joined(SIGNS[type(op)], values), COMPARED[joined(values, "VMFIBKN")])
+                return TypedExpression(self._joined(SIGNS[type(op)], values), COMPARED[joined(values, "VMKN")])
             case ast.BoolOp(op=op, values=parts):
                 several = [self.value(x) for x in parts]
-                kind = joined(several, "MBN")
+                kind = joined(several, "MN")
                 if kind == "M" and any(v.kind != "M" for v in several):
                     self.refuse(e, "a mask is joined with masks only")
                 sign = self.say("and" if isinstance(op, ast.And) else "or", kind)
@@ -129,8 +121,7 @@ class Writer:
     def _name(self, name: str, e: ast.expr) -> TypedExpression:
         """Return the text and the kind of a variable or constant. ``e`` is its place in error messages."""
         if kind := self.kinds.get(name):
-            here = self._here(kind)
-            return TypedExpression(name if here == kind else self.say("of_lane", name), here)
+            return TypedExpression(name, kind)
         if name not in self.all.constants:
             self.refuse(e, f"{name} has no value here")
         return TypedExpression(name, "N" if isinstance(self.all.constants[name], int) else "K")
@@ -146,7 +137,7 @@ class Writer:
             self.refuse(e, f"lanes, tables and states have no entry {entry}")
         middle, _, name = entry.rpartition(".")
         of = self.say("before", holder) if middle == "before" else holder
-        return TypedExpression(self.say(what, name, of=of), self._here(kind))
+        return TypedExpression(self.say(what, name, of=of), kind)
 
     def _element(self, e: ast.Subscript) -> TypedExpression:
         """Return the text and the kind of an element of a constant, a series or an array."""
@@ -157,11 +148,11 @@ class Writer:
             case ast.Attribute(value=ast.Name(id=holder), attr="inverse") if holder == self.state:
                 return TypedExpression(self.say("inverse", index), "K")
             case ast.Attribute(value=ast.Name(id=holder), attr="coefficients") if self.kinds.get(holder) == "T":
-                return TypedExpression(self.say("coefficients", index, of=holder), self._here("V"))
+                return TypedExpression(self.say("coefficients", index, of=holder), "V")
         series = self.value(e.value)
         if series.kind == "S":
-            return TypedExpression(self.say("element", index, of=series.text), self._here("V"))
-        return TypedExpression(f"{series.text}[{index}]", "F")
+            return TypedExpression(self.say("element", index, of=series.text), "V")
+        return TypedExpression(f"{series.text}[{index}]", "K")
 
     def _call(self, name: str, values: Sequence[TypedExpression], e: ast.Call) -> TypedExpression:
         """Return the text and the kind of a call of a function or primitive. ``e`` is its place in error messages."""
@@ -172,9 +163,8 @@ class Writer:
         cast = "V" if kind == "V" and not PRIMITIVES.get(name) else "NONE"
         expected = function.parameters.values() if function else [cast] * len(values)
         texts = [self.as_kind(v, k) for v, k in zip(values, expected, strict=True)]
-        if values and values[0].kind in ("LANES", "LANE"):
-            one = function.of == "LANE" if function else self.lane
-            texts[0] = self.say("LANE" if one else "LANES")
+        if values and values[0].kind == "LANES":
+            texts[0] = self.say("LANES")
         form = name if function else self.forms.get(f"{name}.{kind}") or self.forms.get(name, name)
         if "{" not in form:
             return TypedExpression(f"{form}({', '.join(texts)})", kind)
@@ -185,23 +175,19 @@ class Writer:
     def _kind_of_call(self, name: str, values: Sequence[TypedExpression]) -> str:
         """Return the kind of the result of calling the function or primitive ``name`` with these values."""
         if name in self.all.functions:
-            kind = self.all.functions[name].returns
-        elif name == "where":
-            kind = joined(values[1:], "VMFIBKN")
-            if values[0].kind == "M":
-                return "M" if values[1].kind == "M" else "V"
-            if values[1].kind == "B":
-                return "B"
-            if kind in ("F", "I"):
-                return kind
-            return "F" if kind == "K" else "I"
-        elif name == "number":
-            kind = "F" if values[0].kind == "I" else "K"
-        else:
-            kind = PRIMITIVES[name] or joined(values)
-        return self._here(kind)
+            return self.all.functions[name].returns
+        if name == "where":
+            return "M" if values[1].kind == "M" else "V"
+        return PRIMITIVES[name] or joined(values)
 
     # Statements.
+
+    def statements(self) -> Iterator[str]:
+        """Yield the lines of the function's body, which is skipped where its mask ``here`` is true in no lane."""
+        f = self.function
+        if f.returns == "NONE" and f.parameters.get("here") == "M":
+            yield from self.forms["skip"].split("\n")
+        yield from self.body(f.node.body)
 
     def body(self, statements: Sequence[ast.stmt]) -> Iterator[str]:
         """Yield the lines of a block of statements in the target language."""
@@ -219,10 +205,8 @@ class Writer:
                 case ast.For(target=ast.Name(id=name), iter=ast.Attribute(attr="tables" | "states" as what)):
                     self.kinds[name] = "T" if what == "tables" else "Q"
                     yield from self.block(self.say(what, name), s.body)
-                case ast.While(test=test):
-                    yield from self.repeat(self.value(test), s)
-                case ast.If(orelse=[]):
-                    yield from self._if(s)
+                case ast.While(test=test) | ast.If(test=test, orelse=[]):
+                    yield from self._on_condition(self.value(test), s)
                 case ast.Return(value=None):
                     yield f"return{end}"
                 case ast.Return(value=ast.Tuple(elts=[a, b])):
@@ -259,7 +243,7 @@ class Writer:
             case ast.Assign(targets=[ast.Attribute() | ast.Subscript() as target], value=value):
                 place = self.value(target)
                 new = self.value(value)
-                masked = isinstance(target, ast.Attribute) and not self.lane and "here" in self.kinds
+                masked = isinstance(target, ast.Attribute) and "here" in self.kinds
                 stored = self.as_kind(new, place.kind)
                 if masked:
                     stored = f"{self.forms['masked']}(here, {stored}, {place.text})"
@@ -288,66 +272,19 @@ class Writer:
         self.kinds[name] = "N"
         yield from self.block(self.say(way, bare(first.text), of=name, to=bare(last.text)), s.body)
 
-    def _if(self, s: ast.If) -> Iterator[str]:
-        """Yield the lines of an ``if`` that is shared by all lanes, or decided by each."""
-        if isinstance(s.test, ast.BoolOp) and isinstance(s.test.op, ast.And):
-            first, *others = s.test.values
-            shared = self.value(first)
-            rest = others[0] if len(others) == 1 else ast.BoolOp(ast.And(), others)
-            if shared.kind == "N" and self.value(rest).kind != "N":  # the first condition is the same for all lanes
-                inner = ast.If(rest, s.body, [])
-                ast.copy_location(inner, s)
-                ast.fix_missing_locations(inner)
-                yield from self.choose(shared, [inner])
-                return
-        test = self.value(s.test)
-        if test.kind not in ("N", "M", "B"):
-            self.refuse(s, "an `if` is on a truth value")
-        yield from self.choose(test, s.body) if test.kind == "N" else self._by_lane(test, s)
-
-    def choose(self, test: TypedExpression, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """Yield the lines of an ``if`` with these statements on ``test``, a truth value in the target language."""
-        yield from self.block(self.say("if", bare(test.text)), body)
-
-    def repeat(self, test: TypedExpression, s: ast.While) -> Iterator[str]:
-        """Yield the lines of the loop ``s``, which continues in the lanes where ``test`` is true."""
-        yield from self.block(self.say("while", bare(test.text)), s.body)
-
-    def _by_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
-        """Yield the lines of an ``if`` that lanes decide separately."""
-        outside = set(self.kinds)
-        assigned = stored_in(s)
-        if shared := outside & assigned:
-            names = ", ".join(sorted(shared))
-            self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
-        if isinstance(s.body[-1], ast.Return):
-            self.refuse(s, "lanes return together")
-        if test.kind == "M":
-            *before, head = self.say("of_mask", bare(test.text)).split("\n")
-            yield from before
-            self.lane = True
-            yield from self.block(head, s.body)
-            self.lane = False
-            return
-        yield from self.of_lane(test, s)
-        for name in assigned:
-            self.kinds.pop(name, None)
-
-    def of_lane(self, test: TypedExpression, s: ast.If) -> Iterator[str]:
-        """Yield the lines of the ``if`` statement ``s`` on ``test``, a truth value of one lane."""
-        yield from self.choose(test, s.body)
+    def _on_condition(self, test: TypedExpression, s: ast.If | ast.While) -> Iterator[str]:
+        """Yield the lines of an ``if`` or of a loop on a truth value that all lanes share."""
+        if test.kind != "N":
+            self.refuse(s, "lanes decide by `where`, `any_lane` or a mask `here`")
+        what = "if" if isinstance(s, ast.If) else "while"
+        yield from self.block(self.say(what, bare(test.text)), s.body)
 
     def let(self, name: str, kind: str, value: TypedExpression, new: bool) -> str:
         """Return the statement that assigns a value to a name of this kind. It declares the name if ``new``."""
         raise NotImplementedError
 
 
-def stored_in(s: ast.stmt) -> set[str]:
-    """Return the names to which a statement assigns values."""
-    return {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
-
-
-def joined(values: Sequence[TypedExpression], order: str = "VFIKN") -> str:
+def joined(values: Sequence[TypedExpression], order: str = "VKN") -> str:
     """Return the kind of a combination of values: the first letter of ``order`` that is the kind of one of them."""
     return next(k for k in order if any(v.kind == k for v in values))
 

@@ -125,11 +125,9 @@ class _Implicit(integrator.Lanes):
         if uneventful and now.time < self.limit:
             self.cells[ix.STATUS] = ix.TOO_LONG
             return
-        self.cells[ix.EVENT] = event
+        self.cells[ix.EVENT] = ix.EVENT_LIMIT if uneventful else event
         self.cells[ix.PASSED] = ix.NOTHING
-        at_limit = np.array([uneventful])
-        endless = np.array([False])
-        integrator.settle(self, _HERE, rate, at_limit, endless)
+        integrator.settle(self, _HERE, rate)
 
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""
@@ -231,11 +229,10 @@ class _Implicit(integrator.Lanes):
         if not self.timed:
             return cells
         there = integrator.Lanes(self.program, self._tables(times.size), cells)
-        every = np.arange(times.size)
         for table in there.tables:
             if table.kind == ix.OF_TIME:
                 value_before = cells[table.cells + ix.VALUE]  # at the beginning of the phase
-                cells[table.cells + ix.INC] = integrator.value_now(there, every, table) - value_before
+                cells[table.cells + ix.INC] = integrator.value_now(there, table) - value_before
         return cells
 
     def _registers_at(self, times: Floats, states: Floats) -> Floats:

@@ -758,73 +758,48 @@ INLINE V power_of_two(V y)
     return (V)((M)(y + (0x1p52 + 1023 * FIXED)) << 12);
 }
 
-/* The coefficients of a lane's piece, in powers of what is beyond its break. */
-INLINE const double *polynomial_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Data *const d = b->job->data + t;
-    return d->across ? d->coefficients + piece * d->terms * d->across + b->column[lane] : d->coefficients + piece * d->terms;
-}
-INLINE double constant_of(const Batch *b, unsigned lane, int t, int64_t piece) { return *polynomial_of(b, lane, t, piece); }
-INLINE void coefficients_of(const Batch *b, unsigned lane, int t, int64_t piece, double *terms)
-{
-    const Data *const d = b->job->data + t;
-    const int64_t across = d->across ? d->across : 1;
-    const double *from = polynomial_of(b, lane, t, piece);
-    for (int j = 0; j < d->terms; j++) terms[j] = from[j * across];
-}
-
-/* Where a piece begins, and by how much a function of time jumps there. */
-INLINE double break_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    const Data *const d = b->job->data + t;
-    return d->breaks[d->apart ? piece * d->apart + b->column[lane] : piece];
-}
-INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
-{
-    (void)lane;
-    return b->job->data[t].jumps[piece];
-}
-
-/* The same of a piece in each lane, and the coefficients of a straight line there. */
+/* Where the piece of each lane begins, by how much a function of time jumps there, and a coefficient of the piece, in
+ * powers of the distance from there. */
 INLINE V breaks_at(const Batch *b, int t, V piece)
 {
+    const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = break_of(b, k, t, (int64_t)piece[k]);
+    for (unsigned k = 0; k < LANES; k++) x[k] = d->breaks[d->apart ? (int64_t)piece[k] * d->apart + b->column[k] : (int64_t)piece[k]];
     return x;
 }
 INLINE V jumps_at(const Batch *b, int t, V piece)
 {
+    const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = jump_of(b, k, t, (int64_t)piece[k]);
+    for (unsigned k = 0; k < LANES; k++) x[k] = d->jumps[(int64_t)piece[k]];
     return x;
 }
-INLINE V heights_at(const Batch *b, int t, V piece)
-{
-    V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = constant_of(b, k, t, (int64_t)piece[k]);
-    return x;
-}
-INLINE V slopes_at(const Batch *b, int t, V piece)
+INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
 {
     const Data *const d = b->job->data + t;
     V x;
-    for (unsigned k = 0; k < LANES; k++) x[k] = polynomial_of(b, k, t, (int64_t)piece[k])[d->across ? d->across : 1];
+    for (unsigned k = 0; k < LANES; k++) {
+        const int64_t row = (int64_t)piece[k] * d->terms + j;
+        x[k] = d->coefficients[d->across ? row * d->across + b->column[k] : row];
+    }
     return x;
 }
 
 /* Record an event of the first lane. */
-static void note(const Batch *b, unsigned k, int kind)
+static void note(const Batch *b, M here, int kind)
 {
     Job *const job = b->job;
-    if (b->column[k] != 0 || job->noted == job->notes_room) return;
-    double *const row = job->notes + 4 * job->noted++;
-    row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
+    EACH(k, bits(here)) {
+        if (b->column[k] != 0 || job->noted == job->notes_room) continue;
+        double *const row = job->notes + 4 * job->noted++;
+        row[0] = kind, row[1] = b->c[TIME][k], row[2] = b->c[ROTATION][k], row[3] = b->c[DIRECTION][k];
+    }
 }
 
 INLINE V variable_at(Batch *b, int top, V time);
 
-/* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
-static void read_samples(Batch *b, unsigned k, double begin, double end, int moving, int top)
+/* States of a lane at sample times from `begin` up to, and without, `end`; it moves along series in r, or rests. */
+static void read_samples_of(Batch *b, unsigned k, double begin, double end, int moving, int top)
 {
     const Job *const job = b->job;
     const V *const c = b->c;
@@ -855,6 +830,11 @@ static void read_samples(Batch *b, unsigned k, double begin, double end, int mov
         states[1] *= c[DIRECTION][k], states[2] *= c[DIRECTION][k];
         for (int j = 0; j < job->states + 2; j++) job->outputs[(j * job->samples + i) * job->count + column] = states[j];
     }
+}
+
+static void read_samples(Batch *b, M here, V begin, V end, int moving, int top)
+{
+    EACH(k, bits(here)) read_samples_of(b, k, begin[k], end[k], moving, top);
 }
 
 /* A sample time of each lane, and the states of lanes that move then. */
@@ -960,8 +940,8 @@ static void read_registers(Batch *b)
         for (int64_t k = 0; k < count; k++) {
             for (int i = 0; i < job->cells; i++) b->c[i][k] = job->all[i * job->count + first + k];
             b->column[k] = first + k;
-            if (job->budget) begin_here(b, k);
         }
+        if (job->budget) begin_here(b, lanes((1u << count) - 1));
         if (job->budget) IN(prologue)(job->scalar, job->scalar_end, b->c, lanes(ALL));
         evaluate(b);
         for (int64_t k = 0; k < count; k++) {

@@ -35,9 +35,8 @@ roots      polynomials of many lanes: values and roots
 one_lane   definitions that execute the text for one lane, as plain Python with numbers of any kind
 
 `derive.flow.restricted` writes the integrators in C and in NumPy from this text, statement by statement. Functions of
-`Lanes` work on all lanes of a batch, with vectors V of numbers and masks M, and functions of a `Lane` on one. An `if`
-on a mask executes its body for each lane where the mask is true. If a function of lanes has a mask `here`, assignments
-to cells apply to these lanes.
+`Lanes` work on all lanes of a batch side by side, with vectors V of numbers and masks M. If a function has a mask
+`here`, assignments to cells apply to these lanes. Without such a lane, a function that returns nothing does nothing.
 """
 
 # Modules, each uses only earlier modules.

@@ -15,10 +15,8 @@ from derive.flow import layout
 V = Any  # a number of each lane
 M = Any  # a truth value of each lane
 S = Any  # a series: coefficients, each a number of each lane
-A = Any  # numbers of one lane
 T = Any  # a table
 Lanes = Any
-Lane = Any
 N = int  # a number that all lanes share
 
 EPS = 2.0**-52
@@ -109,12 +107,11 @@ number: Any = float
 minimum: Any = min
 maximum: Any = max
 log1p = math.log1p
-numbers = tail = generated
-greatest = least = integer = generated
+tail = generated
+greatest = least = generated
 all_lanes = none_of = lanes_in = generated
 log2_of = power_of_two = generated
 sin = cos = log = generated
-break_of = jump_of = constant_of = coefficients_of = generated
-breaks_at = heights_at = slopes_at = jumps_at = generated
+breaks_at = coefficients_at = jumps_at = generated
 prologue = operate = operate_later = generated
 note = read_samples = sample_time = keep_sample = generated

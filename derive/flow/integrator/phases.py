@@ -6,7 +6,6 @@ The cell `pending` contains the action that a lane needs before its next step, s
 from derive.flow.integrator.one_lane import (
     EPS,
     INFINITY,
-    Lane,
     Lanes,
     M,
     Note,
@@ -57,8 +56,8 @@ def update_reach(s: Lanes, here: M) -> None:
 
 def note_lift_off(s: Lanes, here: M) -> None:
     """Log the loss of contact with the slip surface."""
-    if s.logged and here:
-        note(s, Note.LIFTS)
+    if s.logged:
+        note(s, here, Note.LIFTS)
     here = here and s.lift_time != s.lift_time  # not yet a number
     s.lift_time = s.time
 
@@ -89,10 +88,9 @@ def start(s: Lanes, here: M) -> None:
     s.pending = where(moves, Pending.START_MOVING, Pending.RESOLVE)
     s.clocked = 0.0
     s.negligible = ROUNDING  # of series in the rotation, since all runs of an estimate would lack equal terms
-    if s.timed and here:
-        find_negligible(s)
-    if here:
-        find_pieces(s)
+    if s.timed:
+        find_negligible(s, here)
+    find_pieces(s, here)
 
 
 def start_moving(s: Lanes, here: M, rate: V) -> None:
@@ -103,8 +101,8 @@ def start_moving(s: Lanes, here: M, rate: V) -> None:
     turns = s.last_way * s.direction < 0.0
     s.turns = s.turns + where(turns, 1.0, 0.0)
     s.last_way = s.direction
-    if s.logged and here:
-        note(s, Note.BEGINS)
+    if s.logged:
+        note(s, here, Note.BEGINS)
     note_lift_off(s, here and s.lifted > 0.0)
     keep_faster(s, here, s.omega, s.time, s.x, rate)
     s.pending = Pending.READY
@@ -119,8 +117,9 @@ def stay(s: Lanes, here: M, status: V) -> None:
     s.direction = 0.0
     s.rest_since = where(s.rest_since > s.end_time, s.end_time, s.rest_since)  # by rounding at most
     s.pending = Pending.READY
-    if s.samples and here:
-        read_samples(s, s.time, INFINITY, 0, 0)
+    for_ever: V = INFINITY
+    if s.samples:
+        read_samples(s, here, s.time, for_ever, 0, 0)
 
 
 def may_start(s: Lanes) -> M:
@@ -146,13 +145,12 @@ def stick(s: Lanes, here: M) -> None:
     changes = still_changes(s)
     stay(s, here and not changes, Status.ARRESTED)
     here = here and changes
-    if any_lane(here):
-        s.status = Status.RESTING
-        s.pending = Pending.READY
-        note_lift_off(s, here and s.lifted > 0.0)
-        here = here and not may_start(s)
-        s.direction = -s.direction
-        s.pending = Pending.BEGIN_PHASE
+    s.status = Status.RESTING
+    s.pending = Pending.READY
+    note_lift_off(s, here and s.lifted > 0.0)
+    here = here and not may_start(s)
+    s.direction = -s.direction
+    s.pending = Pending.BEGIN_PHASE
 
 
 def rest_one_way(s: Lanes, here: M) -> None:
@@ -178,12 +176,11 @@ def resolve_stick_or_slip(s: Lanes, here: M) -> None:
     starts = may and s.drive > 0.0
     start_moving(s, starts, s.drive)
     here = here and not starts
-    if any_lane(here):
-        s.faced = s.faced + 1.0
-        stays_down = may and s.one_way > 0.0
-        sticks = here and (s.faced > 1.0 or stays_down)
-        stick(s, sticks)
-        face(s, here and not sticks, -s.direction)
+    s.faced = s.faced + 1.0
+    stays_down = may and s.one_way > 0.0
+    sticks = here and (s.faced > 1.0 or stays_down)
+    stick(s, sticks)
+    face(s, here and not sticks, -s.direction)
 
 
 def resolve_standstill(s: Lanes, here: M) -> None:
@@ -194,10 +191,8 @@ def resolve_standstill(s: Lanes, here: M) -> None:
         stay(s, stops, Status.STOPPED)
         here = here and not stops
     one_way = here and s.pending == Pending.REST
-    if any_lane(one_way):
-        rest_one_way(s, one_way)
-        here = here and not one_way
-    resolve_stick_or_slip(s, here)
+    rest_one_way(s, one_way)
+    resolve_stick_or_slip(s, here and not one_way)
 
 
 def carry_net_moment(s: Lanes, here: M, net: V) -> None:
@@ -224,16 +219,13 @@ def resolve_pending(s: Lanes, waits: M, net: V, force: V) -> None:
     lifts = (by_force or by_load) and s.lifted == 0.0
     s.lifted = where(lifts, 1.0, s.lifted)  # the phase begins again as a lifted mass
     s.pending = where(begins, Pending.READY, s.pending)
-    if any_lane(enters):
-        carry_net_moment(s, enters, net)
+    carry_net_moment(s, enters, net)
     starts = (moving or again) and not lifts
     if any_lane(starts):
         level = again and starts and s.sudden <= 0.0
         s.drive = where(level, 0.0, s.drive)
         start_moving(s, starts, where(again, s.drive, net))
-    decides = decides and not lifts
-    if any_lane(decides):
-        resolve_standstill(s, decides)
+    resolve_standstill(s, decides and not lifts)
 
 
 def on_discontinuity(s: Lanes, here: M, force: V) -> None:
@@ -255,8 +247,7 @@ def begin_phases(s: Lanes) -> None:
         on_discontinuity(s, sudden, force)
     waits = s.pending != Pending.READY
     while any_lane(waits):
-        if waits:
-            begin_pieces(s)
+        begin_pieces(s, waits)
         prologue(s, waits)
         if any_lane(s.pending == Pending.START_MOVING or s.pending == Pending.ENTER_PHASE):
             evaluate(s)
@@ -266,8 +257,8 @@ def begin_phases(s: Lanes) -> None:
         waits = s.pending != Pending.READY
 
 
-def begin_here(lane: Lane) -> None:
+def begin_here(s: Lanes, here: M) -> None:
     """Begin a phase in the current state. Its prologue follows."""
-    lane.x = 0.0
-    find_pieces(lane)
-    begin_pieces(lane)
+    s.x = 0.0
+    find_pieces(s, here)
+    begin_pieces(s, here)

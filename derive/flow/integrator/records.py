@@ -8,7 +8,6 @@ from derive.flow.integrator.one_lane import (
     EPS,
     INFINITY,
     Kind,
-    Lane,
     Lanes,
     M,
     N,
@@ -19,10 +18,9 @@ from derive.flow.integrator.one_lane import (
     T,
     V,
     any_lane,
-    break_of,
-    constant_of,
+    breaks_at,
+    coefficients_at,
     greatest,
-    integer,
     maximum,
     minimum,
     none_of,
@@ -37,14 +35,13 @@ from derive.flow.integrator.tables import end_of_piece, pass_break, pass_breaks
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
 SIXTH = 1.0 / 6.0
-LATEST = 2.0**1000  # place beyond which a record does not end
 ROUNDINGS = 2.0**27  # least margin, in roundings of its terms
 
 
-def stand_before(lane: Lane, t: T, piece: int, now: float) -> None:
-    """Place the lane at the left end of a piece, which it has not entered yet."""
-    lane.time = now
-    t.piece = number(piece - 1)
+def stand_before(s: Lanes, here: M, t: T, piece: V, now: V) -> None:
+    """Place lanes at the left end of a piece, which they have not entered yet."""
+    s.time = now
+    t.piece = piece - 1.0
     t.way = INFINITY
 
 
@@ -76,40 +73,46 @@ def look_for_quiet(s: Lanes, here: M) -> None:
                 keep_quiet(s, here, t, s.series.normal, 1.0, terms_of_normal)
 
 
-def rests_on(lane: Lane, t: T, piece: int, low: float, high: float, before: float) -> bool:
-    """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range.
+def heights_at_rest(s: Lanes, t: T) -> tuple[V, V]:
+    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
+    one = s.quiet_from / t.scaled_by
+    other = s.quiet_to / t.scaled_by
+    return minimum(one, other), maximum(one, other)
 
-    The following piece must end before a place, so that the function cannot jump between both.
+
+def latest_end(s: Lanes, t: T) -> V:
+    """Return the place in a record, up to rounding, at which the end time is reached."""
+    return s.end_time * t.scale * (1.0 - 4.0 * EPS)
+
+
+def rest_through(s: Lanes, here: M, t: T) -> None:
+    """Pass the pieces through which masses certainly rest, as both end values are in the quiet range.
+
+    The following piece must end before the end time, so that the function cannot jump between both.
     """
-    last: N = t.pieces - 1
-    following = minimum(piece + 1, last)
-    height = constant_of(lane, t, following)
-    return end_of_piece(lane, t, following) < before and low <= height and height <= high
+    last: V = number(t.pieces - 1)
+    low, high = heights_at_rest(s, t)
+    before = latest_end(s, t)
+    piece = 1.0 * t.piece
+    rests = here
+    while any_lane(rests):
+        following = minimum(piece + 1.0, last)
+        height = coefficients_at(s, t, following, 0)
+        rests = rests and low <= height and height <= high and end_of_piece(s, t, following) < before
+        piece = where(rests, following, piece)
+    passes = here and piece > t.piece
+    now = breaks_at(s, t, piece) / t.scale
+    if s.samples:
+        read_samples(s, passes, s.time, now, 0, 0)
+    stand_before(s, passes, t, piece, now)
 
 
-def rest_through(lane: Lane, t: T) -> None:
-    """Pass the pieces through which the mass certainly rests."""
-    piece = integer(t.piece)
-    one = lane.quiet_from / t.scaled_by
-    other = lane.quiet_to / t.scaled_by
-    low = minimum(one, other)
-    high = maximum(one, other)
-    before = lane.end_time * t.scale * (1.0 - 4.0 * EPS)
-    while rests_on(lane, t, piece, low, high, before):
-        piece = piece + 1
-    if piece > integer(t.piece):
-        now = break_of(lane, t, piece) / t.scale
-        if lane.samples:
-            read_samples(lane, lane.time, now, 0, 0)
-        stand_before(lane, t, piece, now)
-
-
-def enter_pieces(lane: Lane) -> None:
-    """Enter the next pieces of functions of time, or those after all pieces in which the mass certainly rests."""
-    for t in lane.tables:
-        if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
-            rest_through(lane, t)
-    pass_breaks(lane)
+def enter_pieces(s: Lanes, here: M) -> None:
+    """Enter the next pieces of functions of time, or those after all pieces in which masses certainly rest."""
+    for t in s.tables:
+        if s.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
+            rest_through(s, here, t)
+    pass_breaks(s, here)
 
 
 # --- side by side ----------------------------------------------------------------------------------------------------
@@ -138,14 +141,6 @@ def standstill(omega: V, net: V, rise: V) -> V:
     return over / under
 
 
-def enter_at(lane: Lane, t: T, piece: int) -> None:
-    """Place a lane at the left end of a piece."""
-    edge = break_of(lane, t, piece)
-    now = edge / t.scale
-    stand_before(lane, t, piece, now)
-    pass_break(lane, t)
-
-
 def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
     """Place lanes at the left end of a piece, at rest or in motion. Another phase begins there."""
     s.x = x
@@ -157,8 +152,8 @@ def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
     s.time = where(moves, s.time, s.rest_since)
     update_reach(s, here and not moves)
     advance_origin(s, here)
-    if here:
-        enter_at(s, t, piece)
+    stand_before(s, here, t, number(piece), t.places[piece] / t.scale)
+    pass_break(s, here, t)
     s.pending = Pending.BEGIN_PHASE
 
 
@@ -252,12 +247,6 @@ def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, aft
     return end, way
 
 
-def latest_end(s: Lanes, t: T) -> V:
-    """Return the place in a record, up to rounding, at which the end time is reached."""
-    end = s.end_time * t.scale * (1.0 - 4.0 * EPS)
-    return minimum(end, LATEST)
-
-
 def passes(s: Lanes, t: T, piece: N, before: V) -> M:
     """Return the lanes for which a piece ends before a place and not at the last break, where the record may jump."""
     inside = none_of(s)
@@ -268,20 +257,12 @@ def passes(s: Lanes, t: T, piece: N, before: V) -> M:
 
 def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
     """Return the time at which a piece ends, where ``per`` is 1 over the scale."""
-    end = t.places[piece + 1]
-    return end * per
+    return t.places[piece + 1] * per
 
 
-def height_after(s: Lanes, t: T, piece: N) -> float:
+def height_after(s: Lanes, t: T, piece: N) -> V:
     """Return the value of a record, without its factor, at the right end of a piece."""
     return t.heights[2 * piece + 2]
-
-
-def heights_at_rest(s: Lanes, t: T) -> tuple[V, V]:
-    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
-    one = s.quiet_from / t.scaled_by
-    other = s.quiet_to / t.scaled_by
-    return minimum(one, other), maximum(one, other)
 
 
 def rests_through(s: Lanes, t: T, piece: N, before: V, low: V, high: V) -> M:
@@ -305,8 +286,7 @@ def keep_sliding(s: Lanes, on: M, t: T, piece: N, before: V, press: V, x: V, ome
     """End the slide of lanes that may lift or end in the next piece, and return the other lanes."""
     inside = passes(s, t, piece, before) and press > 0.0
     leaves = on and not inside
-    if any_lane(leaves):
-        end_slide(s, leaves, t, piece, x, omega)
+    end_slide(s, leaves, t, piece, x, omega)
     return on and inside
 
 

@@ -111,8 +111,8 @@ def leave_rest(s: Lanes, here: M, limit: V, room: V) -> None:
     breaks = stretch >= room and not starts and not lifts
     until = where(breaks, limit, s.time + stretch)
     for_ever = not starts and not (until < INFINITY)
-    if s.samples and here:
-        read_samples(s, s.time, minimum(until, s.end_time), 0, 0)
+    if s.samples:
+        read_samples(s, here, s.time, minimum(until, s.end_time), 0, 0)
     # An immediate start after an arrest counts as a step: it may tremble.
     least = TOGETHER * until
     rested = starts and stretch > least
@@ -124,9 +124,7 @@ def leave_rest(s: Lanes, here: M, limit: V, room: V) -> None:
     here = here and not ends
     start_again(s, here and starts)
     change_contact(s, here and lifts and not starts)
-    here = here and breaks
-    if here:
-        enter_pieces(s)
+    enter_pieces(s, here and breaks)
 
 
 def rest_to_change(s: Lanes, here: M, limit: V, room: V) -> None:
@@ -204,12 +202,11 @@ def advance(s: Lanes, here: M) -> None:
         turning = moving and s.clocked == 0.0
         if has_recurrence(s):
             turning = turning and s.x == 0.0
-        if any_lane(turning):
-            turn_on(s, turning)
+        turn_on(s, turning)
         moving = moving and not (turning and s.clocked == 0.0)
     if lanes_in(moving) > lanes_in(resting):
         make_step(s, moving)
-    if any_lane(resting) and lanes_in(resting) >= lanes_in(moving):
+    if lanes_in(resting) >= lanes_in(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)

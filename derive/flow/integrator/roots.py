@@ -49,6 +49,13 @@ def differentiate(rates: S, p: S, n: N) -> None:
         rates[k - 1] = p[k] * number(k)
 
 
+def shift(p: S, n: N, by: V) -> None:
+    """Shift a polynomial to another origin: Taylor's shift by Horner's scheme."""
+    for first in up(0, n - 1):
+        for j in down(n - 1, first):
+            p[j] = p[j] + by * p[j + 1]
+
+
 def inside_or_middle(at: V, low: V, high: V) -> V:
     """Return a place if it lies between two bounds, otherwise their middle."""
     return where(at >= low and at <= high, at, 0.5 * (low + high))

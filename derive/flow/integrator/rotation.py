@@ -21,10 +21,8 @@ from derive.flow.integrator.one_lane import (
     M,
     N,
     S,
-    Share,
     V,
     any_lane,
-    down,
     maximum,
     minimum,
     new_series,
@@ -35,7 +33,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import keep_faster
 from derive.flow.integrator.recurrence import expand_in_rotation, has_recurrence
-from derive.flow.integrator.roots import falling_root, increment, value, value_and_slope
+from derive.flow.integrator.roots import falling_root, increment, shift, value, value_and_slope
 from derive.flow.integrator.step import arrive, choose_step, enter_phase, find_events
 
 LONGEST = 1.0  # of a step
@@ -120,16 +118,14 @@ def distance_of_rest(p: S, n: N, side: V, far: V) -> V:
 
 
 def expand_about_end(s: Lanes, p: S, n: N) -> None:
-    """Compute E as a polynomial of the distance from the end of the step: Taylor's shift by Horner's scheme.
+    """Compute E as a polynomial of the distance from the end of the step.
 
     It has no rounding error where the mass comes to rest, near which the duration depends on it.
     """
     e = s.series.omega
     for k in up(0, n):
         p[k] = e[k]
-    for first in up(0, n - 1):
-        for j in down(n - 1, first):
-            p[j] = p[j] + s.step * p[j + 1]
+    shift(p, n, s.step)
     stands = s.event == Event.STANDSTILL
     p[0] = where(stands, 0.0, p[0])
 
@@ -218,16 +214,12 @@ def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
         speed = sqrt(value(e, top, there))
         slope = value(net, top - 1, there)
         keep_faster(s, peaks, speed, s.time + before, s.x + there, slope)
-    change = abs(net[0]) * step
-    uneventful = s.event == Event.NONE
-    steady = change < Share.STIFF_CHANGE * e[0] and uneventful
     s.x = s.x + step
     square = e[0] + increment(e, top, step)
     s.omega = sqrt(maximum(square, 0.0))
-    goes_on = none_of(s)
-    arrive(s, here, until, rate, steady, goes_on, goes_on)
+    arrive(s, here, until, rate)
     if has_recurrence(s):
-        enter_phase(s, here and uneventful, rate)
+        enter_phase(s, here and s.event == Event.NONE, rate)
 
 
 def turn_on(s: Lanes, here: M) -> None:
@@ -242,6 +234,7 @@ def turn_on(s: Lanes, here: M) -> None:
     top: N = expand_in_rotation(s, room, here)
     choose_step(s, here, top)
     shorten(s, here)
+    s.event = Event.NONE
     find_events(s, here, top, True)
     peak: V = INFINITY
     before: V = 0.0
@@ -262,5 +255,4 @@ def turn_on(s: Lanes, here: M) -> None:
     fits = here and regular and until < s.end_time
     s.omega = omega
     s.clocked = where(fits, 0.0, 1.0)
-    if any_lane(fits):
-        complete(s, fits, top, peak, before, until)
+    complete(s, fits, top, peak, before, until)

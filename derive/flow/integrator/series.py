@@ -3,7 +3,6 @@
 from derive.flow.integrator.one_lane import (
     INFINITY,
     Kind,
-    Lane,
     Lanes,
     M,
     N,
@@ -85,18 +84,16 @@ def normal_force(s: Lanes) -> V:
     return force
 
 
-def find_negligible(lane: Lane) -> None:
+def find_negligible(s: Lanes, here: M) -> None:
     """Compute the size of the last terms over the largest term of a step that a break cuts short, factor^order.
 
     The truncation error is such a term times the step over the radius of convergence, per time the same as in complete
     steps.
     """
-    lane.negligible = 1.0
-    n = lane.order
-    while n > 0.0:
-        lane.negligible = lane.negligible * lane.factor
-        n = n - 1.0
-    lane.negligible = maximum(lane.negligible, ROUNDING)
+    negligible: V = 1.0
+    for n in up(1, s.highest):
+        negligible = where(s.order >= number(n), negligible * s.factor, negligible)
+    s.negligible = maximum(negligible, ROUNDING)
 
 
 def is_negligible(s: Lanes, term: V, largest: V) -> M:
@@ -122,7 +119,7 @@ def begin_expansion(s: Lanes, which: M, top: N, at_rest: N) -> None:
     for t in s.tables:
         if t.kind == Kind.TIME:
             t.series[1] = t.rise
-        if t.sine and which:
+        if t.sine:
             expand_sine(s, t, top)
     s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
 

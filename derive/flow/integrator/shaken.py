@@ -29,7 +29,7 @@ from derive.flow.integrator.phases import advance_origin, keep_faster, update_re
 from derive.flow.integrator.records import count_starts, enter_pieces, look_for_quiet
 from derive.flow.integrator.roots import increment, value_and_slope
 from derive.flow.integrator.step import find_standstill, keep_peak
-from derive.flow.integrator.tables import enter_line
+from derive.flow.integrator.tables import pass_break
 
 TOP = 7  # order of the speed in a piece
 SHORT = 2.0**-7  # path in a piece, and 32 times the change of its moments, up to which this order suffices
@@ -107,14 +107,12 @@ def pass_events(s: Lanes, here: M, left: V) -> V:
     loss = left * minimum(net[0], 0.0)
     bend = left * left * abs(omega[2])
     slow = here and omega[0] > 0.0 and omega[0] + loss <= 2.0 * bend
-    if any_lane(slow):
-        find_standstill(s, slow, TOP)
+    find_standstill(s, slow, TOP)
     step = s.step
     rate, slope = value_and_slope(net, TOP - 1, step)
     most = omega[0] + step * net[0]
     peaks = here and rate <= 0.0 and net[0] > 0.0 and most > abs(s.peak_omega)
-    if any_lane(peaks):
-        keep_peak(s, peaks, TOP, rate, slope)
+    keep_peak(s, peaks, TOP, rate, slope)
     return rate
 
 
@@ -176,8 +174,7 @@ def wait_for_start(s: Lanes, here: M, t: T) -> M:
     s.quiet_from = -INFINITY
     s.quiet_to = INFINITY
     look_for_quiet(s, here)
-    if here:
-        enter_pieces(s)
+    enter_pieces(s, here)
     now = minimum(net_at_rest(s, t.inc), 0.0)
     then = net_at_rest(s, t.lower)
     starts = here and then > SURELY * s.drive_scale and fits(s, t)
@@ -210,11 +207,8 @@ def turn_through(s: Lanes, here: M, t: T) -> None:
         if any_lane(rests):
             starts = wait_for_start(s, rests, t)
         goes = starts or (moves and fits(s, t))
-        leaves = here and not goes
-        if any_lane(leaves):
-            leave_series(s, leaves, since)
+        leave_series(s, here and not goes, since)
         count_starts(s, starts and goes)
         here = goes
-        if any_lane(here):
-            move_within(s, here, t)
-            enter_line(s, here and s.time == t.upper, t)
+        move_within(s, here, t)
+        pass_break(s, here and s.time == t.upper, t)

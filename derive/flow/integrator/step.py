@@ -4,7 +4,6 @@ from derive.flow.integrator.one_lane import (
     INFINITY,
     Event,
     Kind,
-    Lane,
     Lanes,
     Limit,
     M,
@@ -18,8 +17,7 @@ from derive.flow.integrator.one_lane import (
     T,
     V,
     any_lane,
-    break_of,
-    integer,
+    breaks_at,
     minimum,
     new_series,
     none_of,
@@ -39,7 +37,7 @@ from derive.flow.integrator.roots import (
     value_and_slope,
 )
 from derive.flow.integrator.series import elapsed, expand, per_time, radius_of_convergence, variable_at
-from derive.flow.integrator.tables import enter_lines, next_break, pass_breaks
+from derive.flow.integrator.tables import end_of_piece, next_break, pass_breaks
 
 FAR = 1e300  # unreachable bound
 
@@ -61,8 +59,8 @@ def on_standstill(s: Lanes, here: M) -> None:
     advance_origin(s, here)
     update_reach(s, here)
     s.rest_since = s.time
-    if s.logged and here:
-        note(s, Note.STANDS)
+    if s.logged:
+        note(s, here, Note.STANDS)
     s.faced = 1.0
     one_way = s.one_way > 0.0
     face(s, here, where(one_way, s.direction, -s.direction))
@@ -73,28 +71,28 @@ def on_contact_change(s: Lanes, here: M, rate: V) -> None:
     """Change contact with the slip surface."""
     s.lifted = 1.0 - s.lifted
     note_lift_off(s, here and s.lifted > 0.0)
-    lands = here and s.lifted == 0.0
-    if s.logged and lands:
-        note(s, Note.LANDS)
+    if s.logged:
+        note(s, here and s.lifted == 0.0, Note.LANDS)
     enter_phase(s, here, rate)
     s.passed = Passed.LIFT
 
 
-def on_breakpoint(lane: Lane, t: T, upwards: bool) -> None:
-    """Place a lane exactly at an edge of a table of slip, speed or rotation, in the next piece."""
+def on_breakpoint(s: Lanes, here: M, t: T, upwards: M) -> None:
+    """Place lanes exactly at an edge of a table of slip, speed or rotation, in the next piece."""
     if t.kind == Kind.ROTATION:
-        ahead = where(lane.direction > 0.0, 1, 0)
-        lane.rotation = break_of(lane, t, integer(t.piece) + ahead)
+        forward = s.direction > 0.0
+        s.rotation = where(forward, end_of_piece(s, t, t.piece), breaks_at(s, t, t.piece))
         return
     if t.kind == Kind.SPEED:
-        lane.omega = where(upwards, t.upper, t.lower)
-        lane.passed = where(upwards, Passed.FASTER, Passed.SLOWER)
+        s.omega = where(upwards, t.upper, t.lower)
+        s.passed = where(upwards, Passed.FASTER, Passed.SLOWER)
     t.piece = t.piece + where(upwards, 1.0, -1.0)
     if t.kind == Kind.SLIP:
-        lane.slip = break_of(lane, t, integer(t.piece)) / t.scale
-    if t.open and upwards and t.piece == number(t.pieces - 1):
-        lane.status = Status.NEED
-        lane.pending = Pending.READY
+        s.slip = breaks_at(s, t, t.piece) / t.scale
+    if t.open:
+        here = here and upwards and t.piece == number(t.pieces - 1)
+        s.status = Status.NEED
+        s.pending = Pending.READY
 
 
 def on_breakpoints(s: Lanes, here: M, rate: V) -> None:
@@ -102,10 +100,9 @@ def on_breakpoints(s: Lanes, here: M, rate: V) -> None:
     enter_phase(s, here, rate)
     for t in s.tables:
         upper: N = Event.BREAKPOINT + 2 * t.number
-        lower: N = upper + 1
-        passes = here and (s.event == number(upper) or s.event == number(lower))
-        if passes:
-            on_breakpoint(s, t, s.event == upper)
+        upwards = s.event == number(upper)
+        downwards = s.event == number(upper + 1)
+        on_breakpoint(s, here and (upwards or downwards), t, upwards)
 
 
 def end_motion(s: Lanes, here: M, rate: V, status: V) -> None:
@@ -117,33 +114,16 @@ def end_motion(s: Lanes, here: M, rate: V, status: V) -> None:
     update_reach(s, here)
 
 
-def on_limit(s: Lanes, here: M, rate: V) -> None:
-    """End lanes at their end time, or pass breaks of functions of time."""
-    ends = here and s.time >= s.end_time
-    end_motion(s, ends, rate, Status.ENDED)
-    passes = here and not ends
-    if passes:
-        pass_breaks(s)
-
-
-def settle(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
-    """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
-    s.status = where(endless, Status.TOO_LONG, s.status)
-    limits = here and at_limit
-    if any_lane(limits):
-        on_limit(s, limits, rate)
-    stands = here and s.event == Event.STANDSTILL
-    if any_lane(stands):
-        on_standstill(s, stands)
-    lifts = here and s.event == Event.LIFT_OFF
-    if any_lane(lifts):
-        on_contact_change(s, lifts, rate)
-    upright = here and s.event == Event.CHORD_UPRIGHT
-    if any_lane(upright):
-        end_motion(s, upright, rate, Status.UPRIGHT)
-    passes = here and s.event >= Event.BREAKPOINT
-    if any_lane(passes):
-        on_breakpoints(s, passes, rate)
+def settle(s: Lanes, here: M, rate: V) -> None:
+    """Apply the consequences of the event that ends a step."""
+    s.status = where(s.event == Event.ENDLESS, Status.TOO_LONG, s.status)
+    limits = here and s.event == Event.LIMIT
+    pass_breaks(s, limits and s.time < s.end_time)
+    end_motion(s, limits and s.time >= s.end_time, rate, Status.ENDED)
+    on_standstill(s, here and s.event == Event.STANDSTILL)
+    on_contact_change(s, here and s.event == Event.LIFT_OFF, rate)
+    end_motion(s, here and s.event == Event.CHORD_UPRIGHT, rate, Status.UPRIGHT)
+    on_breakpoints(s, here and s.event >= Event.BREAKPOINT, rate)
 
 
 # --- one step ---------------------------------------------------------------------------------------------------------
@@ -158,15 +138,15 @@ def consider(s: Lanes, here: M, at: V, event: N) -> None:
     s.step = minimum(at, s.step)
 
 
-def reach_limit(s: Lanes, here: M, room: V, top: N) -> M:
-    """Shorten the step to the time left, and return the lanes that reach its end."""
+def reach_limit(s: Lanes, here: M, room: V, top: N) -> None:
+    """Shorten the step to the time left, up to a break of a function of time or the end time."""
     reaches = here and room < INFINITY
     if any_lane(reaches):
         reaches = reaches and elapsed(s, top, s.step) >= room
         if s.has.pace and any_lane(reaches):
             at = variable_at(s, top, room)
             s.step = where(reaches, at, s.step)
-    return reaches
+    s.event = where(reaches, Event.LIMIT, Event.NONE)
 
 
 def find_standstill(s: Lanes, here: M, top: N) -> None:
@@ -228,7 +208,6 @@ def find_events(s: Lanes, here: M, top: N, by_rotation: N) -> None:
     Water over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
     only until the first other event, beyond which it may pass zero twice.
     """
-    s.event = Event.NONE
     find_standstill(s, here, top)
     if s.has.upright:
         find_crossing(s, here, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
@@ -269,18 +248,17 @@ def advance_states(s: Lanes, here: M, top: N) -> None:
             t.inc = t.inc + increment(t.series, top, s.step)
 
 
-def is_endless(s: Lanes, here: M, room: V) -> M:
-    """Return whether a motion continues for ever.
+def find_endless(s: Lanes, here: M, room: V) -> None:
+    """End motions that continue for ever.
 
     If the rate depends on the speed alone and hardly changes it, the rate never becomes negative again.
     """
-    endless = none_of(s)
-    if s.autonomous:
-        change = s.series.net[0] * s.step
-        settled = change >= -Share.SETTLED * s.series.omega[0]
-        uneventful = s.event == Event.NONE
-        endless = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
-    return endless
+    change = s.series.net[0] * s.step
+    settled = change >= -Share.SETTLED * s.series.omega[0]
+    uneventful = s.event == Event.NONE
+    here = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
+    s.event = Event.ENDLESS
+    s.step = 0.0
 
 
 def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
@@ -297,25 +275,16 @@ def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
         keep_faster(s, peaks, speed, time, x, rate_there)
 
 
-def conclude(s: Lanes, here: M, rate: V, at_limit: M, endless: M) -> None:
-    """Enter the pieces of functions of time that begin now, and apply other consequences of a step lane by lane."""
-    before_end = s.time < s.end_time
-    breaks = at_limit and before_end
-    others = enter_lines(s, breaks)
-    simple = s.event == Event.NONE and not endless and not others
-    settled = simple and (before_end or not at_limit)
-    acts = here and not settled
-    if any_lane(acts):
-        settle(s, acts, rate, at_limit, endless)
-
-
-def arrive(s: Lanes, here: M, until: V, rate: V, steady: M, at_limit: M, endless: M) -> None:
+def arrive(s: Lanes, here: M, until: V, rate: V) -> None:
     """Let a step end at the time ``until``, count it, and apply its consequences."""
     keep_faster(s, here, s.omega, until, s.x, rate)
     s.time = until
-    s.steps = where(at_limit, 0.0, s.steps + where(steady, Limit.STIFF_STEP, 1.0))
+    change = abs(s.series.net[0]) * s.step
+    steady = change < Share.STIFF_CHANGE * s.series.omega[0] and s.event == Event.NONE
+    steps = s.steps + where(steady, Limit.STIFF_STEP, 1.0)
+    s.steps = where(s.event == Event.LIMIT, 0.0, steps)
     s.passed = Passed.NOTHING
-    conclude(s, here, rate, at_limit, endless)
+    settle(s, here and s.event != Event.NONE, rate)
 
 
 def make_step(s: Lanes, here: M) -> None:
@@ -324,22 +293,18 @@ def make_step(s: Lanes, here: M) -> None:
     room = limit - s.time
     top: N = expand(s, room, here, 0)
     choose_step(s, here, top)
-    reaches_limit = reach_limit(s, here, room, top)
+    reach_limit(s, here, room, top)
     find_events(s, here, top, False)
-    uneventful = s.event == Event.NONE
-    endless = is_endless(s, here, room)
-    s.step = where(endless, 0.0, s.step)
+    if s.autonomous:
+        find_endless(s, here, room)
     step = s.step
     net = s.series.net
     rate, slope = value_and_slope(net, top - 1, step)
     keep_peak(s, here, top, rate, slope)
-    at_limit = here and reaches_limit and uneventful and not endless
     time = s.time + elapsed(s, top, step)
-    until = where(at_limit, limit, time)
-    if s.samples and here:
-        read_samples(s, s.time, until, 1, top)
-    change = abs(net[0]) * step
-    steady = change < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
+    until = where(s.event == Event.LIMIT, limit, time)
+    if s.samples:
+        read_samples(s, here, s.time, until, 1, top)
     advance_states(s, here, top)
     rate = per_time(s, rate, s.omega)
-    arrive(s, here, until, rate, steady, at_limit, endless)
+    arrive(s, here, until, rate)

@@ -253,8 +253,7 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M
     pass_peak(s, rests or (ends and s.time + before < s.end_time), at_peak, peak, before)
     finish(s, rests, end, duration)
     rest(s, rests, back, f)
-    if any_lane(ends):
-        end_within(s, ends, e, back, w, end)
+    end_within(s, ends, e, back, w, end)
     return rests or ends
 
 
