@@ -73,14 +73,16 @@ def _prove_series() -> None:
     *factors, square, speed, sine_x, versine_x = (Rational(k, 5) for k in range(2, 12))
     moments, rise = factors[:3], factors[3:]
     x, omega, net, sine, versine = every = [[0] * STRIDE for _ in range(5)]
-    s = SimpleNamespace(x=0, omega=speed, sine_x=sine_x, versine_x=versine_x, net_square=square)
-    s.inverse = [0, *(Rational(1, k) for k in range(1, STRIDE))]
-    s.series = SimpleNamespace(x=x, omega=omega, net=net)
+    inverse = [0, *(Rational(1, k) for k in range(1, STRIDE))]
+    series = SimpleNamespace(x=x, omega=omega, net=net)
+    s = SimpleNamespace(
+        x=0, omega=speed, sine_x=sine_x, versine_x=versine_x, net_square=square, inverse=inverse, series=series
+    )
     shaken.expand_piece(s, moments, rise, sine, versine)
     rotation, speed, _, sine, versine = (Add(*(c * pieces.time**k for k, c in enumerate(of))) for of in every)
-    given = {sin(phase_plane.x): sine, cos(phase_plane.x): 1 - versine}
-    for symbol, a, b in zip((phase_plane.drive, phase_plane.sine, phase_plane.vers), moments, rise, strict=True):
-        given[symbol] = a + b * pieces.time
+    linear = (a + b * pieces.time for a, b in zip(moments, rise, strict=True))
+    given = dict(zip((phase_plane.drive, phase_plane.sine, phase_plane.vers), linear, strict=True))
+    given |= {sin(phase_plane.x): sine, cos(phase_plane.x): 1 - versine}
     rates = {
         rotation: speed,
         speed: phase_plane.NET.subs(given) + square * speed**2,
