@@ -64,7 +64,7 @@ class SeriesOperation:
 
     @property
     def means(self) -> tuple[Expr, ...]:
-        """Each result as a function of the arguments."""
+        """Results as functions of the arguments."""
         return self.definition or tuple(map(unfold, self.start))
 
 
