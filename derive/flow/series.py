@@ -23,14 +23,14 @@ class _Target(NamedTuple):
 
 
 C = _Target(
-    Language("vector", "const V {name} = {text};", repr, ""),
+    Language("vector", "const V {name} = {text};", repr),
     "(V){0}",
     ";",
     "const V {name} = {name}_[0] + {name}_[1];",
     "V {name} = 2.0 * ({name}_[0] + {name}_[1]);\nif (n % 2 == 0) {name} += {a}[n / 2] * {a}[n / 2];",
 )
 NUMPY = _Target(
-    Language("python", "{name} = {text}", repr, "", "np"),
+    Language("python", "{name} = {text}", repr, "np"),
     "0.0",
     "",
     "{name} = _over({a}, {b}, n, n - 1)",
