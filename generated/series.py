@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 062539a82207b1935a6ae3bab71888f73cdae282ed6596357f3affceae0e96db
+# sha256 of the text below: 550b9f165af201883a51bf75e2f125cf549af3e2e71f44b3022b3f5b0fd6d293
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "dafd39783440710b7f094162a80d93e03ec0364aa5b5995e0372b679f8847cb3"  # of the compiled integrator's source
+DIGEST = "f64999f89fab0f1c4343da44f08ebaa800422f75b9904878771873b5414affe7"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

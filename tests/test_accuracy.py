@@ -51,7 +51,7 @@ def agrees(number: int, motion: Any) -> None:
 # Steps of all scenes of a group together, and the operations on series in them.
 WORK = {
     "frozen": (186, 441), "constant": (264, 1477), "exponential": (266, 3001), "linear": (113, 910),
-    "hyperbolic": (227, 2267), "tabulated": (1312, 13174), "viscous": (50, 237), "pulse": (303, 2751),
+    "hyperbolic": (227, 2267), "tabulated": (1312, 13174), "viscous": (50, 237), "pulse": (294, 2676),
     "series": (313, 3192), "rate": (122, 1025), "rate table": (488, 6729), "prescribed": (65, 448),
     "product": (164, 2359), "heated": (108, 1404), "water": (53, 308), "all": (501, 11335),
     "sections": (293, 3528), "that ship": (305, 3893),

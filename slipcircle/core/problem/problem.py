@@ -291,8 +291,8 @@ def _cells_of_method(program: Program, accuracy: float, lanes: int, shaken: bool
     """
     attainable = max(accuracy if lanes > 1 else min(accuracy, FINEST), 1e-16)
     step, margin = (STEP, 2.0) if attainable > FINEST else (STEP_TO_ROUNDING, 1.0)
-    if shaken and attainable > FINEST:
-        margin += 1.0  # displacements are small sums of steps
+    if shaken:
+        margin = 3.0  # displacements are small sums of steps, which end where the terms of a series are negligible
     terms = math.ceil(margin + math.log(attainable) / math.log(step))
     return {**program.constants, "ORDER": max(terms, LOWEST), "FACTOR": step}
 
