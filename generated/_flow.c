@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "4c748e428645789925f06dc15b06e026693d5466deb43070164c679a62215fcb"
+#define DIGEST "dafd39783440710b7f094162a80d93e03ec0364aa5b5995e0372b679f8847cb3"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -843,7 +843,7 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         }
         return at + 5;
     }
-    case REC: { /* h = 1/(z + 1), m = -1 + 1/(z + 1) */
+    case REC: { /* h = 1/(z + 1), m = -z/(z + 1) */
         V *restrict h = r + at[1];
         V *restrict m = r + at[2];
         const V *z = r + at[3];

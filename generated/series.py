@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a931cb00189f71f5f424d83920f84ad7b4f435644aecc7842b39b4a7ad21ad6f
+# sha256 of the text below: 062539a82207b1935a6ae3bab71888f73cdae282ed6596357f3affceae0e96db
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "4c748e428645789925f06dc15b06e026693d5466deb43070164c679a62215fcb"  # of the compiled integrator's source
+DIGEST = "dafd39783440710b7f094162a80d93e03ec0364aa5b5995e0372b679f8847cb3"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -133,7 +133,7 @@ def _exp(r: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
 
 
 def _rec(r: Floats, n: int, h_: int, m_: int, z_: int) -> None:
-    """Compute h = 1/(z + 1), m = -1 + 1/(z + 1)."""
+    """Compute h = 1/(z + 1), m = -z/(z + 1)."""
     h, m, z = r[h_], r[m_], r[z_]
     if n == 0:
         t1 = 1.0 + z[0]

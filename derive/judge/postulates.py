@@ -42,9 +42,7 @@ class PaperState:
 
     def normal(self, u: Any) -> mpf:
         """Return the normal stress over rho g R at u, rad from the bisector."""
-        if self.stress:
-            return self.stress(u)
-        return self.total / (2 * HALF)
+        return self.stress(u) if self.stress else self.total / (2 * HALF)
 
 
 def sum_of(f: Along) -> mpf:
