@@ -119,11 +119,8 @@ def trig_normal(expression: Expr) -> Expr:
     expression = expand_trig(expression)
     functions = sorted(expression.atoms(sin, cos, atanh), key=default_sort_key)
     unknowns = {f: Dummy(str(f)) for f in functions}
-    cosine_of = {}  # cosine of each sine, if both occur
-    for f in functions:
-        cosine = cos(f.args[0])
-        if isinstance(f, sin) and cosine in unknowns:
-            cosine_of[unknowns[f]] = unknowns[cosine]
+    pairs = ((f, cos(*f.args)) for f in functions if isinstance(f, sin))
+    cosine_of = {unknowns[sine]: unknowns[cosine] for sine, cosine in pairs if cosine in unknowns}
 
     def reduced(polynomial: Expr) -> Expr:
         for sine, cosine in cosine_of.items():

@@ -4,6 +4,7 @@ import math
 from collections import deque
 from collections.abc import Mapping, Sequence
 from functools import reduce
+from itertools import product
 
 from flint import arb
 from sympy import Expr, Symbol, diff, lambdify
@@ -31,12 +32,10 @@ def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> TextPair:
     wrong, undecided = _search(e, domain)
     if wrong or not undecided:
         return wrong, ""
-    corners: list[dict[Symbol, Ends]] = [{}]
-    for x, (low, high) in domain.items():
-        if not diff(e, x).has(x):
-            corners = [corner | {x: (end, end)} for corner in corners for end in (low, high)]
-    for corner in corners:
-        wrong, undecided = _search(e, domain | corner)
+    linear = [x for x in domain if not diff(e, x).has(x)]
+    for ends in product(*(domain[x] for x in linear)):
+        corner = zip(linear, zip(ends, ends, strict=True), strict=True)
+        wrong, undecided = _search(e, domain | dict(corner))
         if wrong or undecided:
             return wrong, undecided
     return "", ""
