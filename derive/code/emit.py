@@ -9,7 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from derive.code.operations import TEMPLATES
+from derive.code.operations import HORNER, TEMPLATES
 from derive.code.program import Program
 from derive.code.text import WIDTH, Language, Part, Reader, statements
 from derive.kinds import Coefficients, Names, TextMap, TextPair, Texts
@@ -68,10 +68,8 @@ class PythonText:
     """Private functions of a module. Each is read back after it is written, and may call earlier functions."""
 
     def __init__(self) -> None:
-        self.reader = Reader({"Array": None, "Any": None, "np": np})
-        put = self.reader.builder.put
-        self.reader.scope["lost"] = partial(put, "lost")
-        self.reader.scope["horner"] = lambda x, coefficients: put("horner", x, value=coefficients)
+        self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HORNER})
+        self.reader.scope["lost"] = partial(self.reader.builder.put, "lost")
         self.parts: list[Part] = []
 
     def body(self, program: Program, name: str = "", space: str = "np") -> str:

@@ -101,6 +101,14 @@ class Builder:
             return x
         return self.put("const", value=float(x))
 
+    def polynomial(self, x: "Value", coefficients: Coefficients, fused: bool) -> "Value":
+        """Return the value of a polynomial, lowest coefficient first, by Horner's scheme of simpler operations."""
+        *others, last = coefficients
+        result = self.value(last)
+        for c in map(self.value, reversed(others)):
+            result = self.put("fma", result, x, c) if fused else result * x + c
+        return result
+
     def inline(self, p: Program, inputs: Mapping[str, "Value"]) -> list["Value"]:
         """Append the operations of a program and return its outputs; ``inputs`` are values by their names."""
         return walk(p, inputs, lambda op, operands: self.put(op.kind, *operands, value=op.value))
@@ -279,11 +287,7 @@ def flat(p: Program) -> Program:
         if not isinstance(op.value, tuple):
             return code.put(op.kind, *operands, value=op.value)
         (x,) = operands
-        *others, last = op.value
-        result = code.value(last)
-        for c in map(code.value, reversed(others)):
-            result = code.put("fma", result, x, c) if op.kind == "fused_horner" else result * x + c
-        return result
+        return code.polynomial(x, op.value, op.kind == "fused_horner")
 
     outputs = walk(p, {x: code.put("input", value=x) for x in p.inputs}, make)
     return replace(p, ops=tuple(code.ops), outputs=tuple(x.place for x in outputs))

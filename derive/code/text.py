@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
-from derive.code.program import Builder, Op, Program, walk
+from derive.code.program import Builder, Op, Program, flat, walk
 from derive.kinds import Names, Texts, ValueDict
 
 WIDTH = 116  # width of a statement, including its indent
@@ -273,6 +273,6 @@ class Reader:
         if not isinstance(results, tuple):
             results = (results,)
         read = [self.builder.value(x).place for x in results]
-        written = [x.place for x in self.builder.inline(program, inputs)]
+        written = [x.place for x in self.builder.inline(flat(program), inputs)]
         if read != written:
             raise ProofError(f"{name}: text that was written", f"operations {read}", f"{written}, those of its program")

@@ -46,9 +46,8 @@ class CText:
             name = operation.c.partition("(")[0]
             if name.isidentifier():
                 scope[name] = partial(self.reader.builder.put, kind)
-        put = self.reader.builder.put
-        kind = "fused_horner" if form == "fused" else "horner"
-        scope |= {f"POLY{degree}": lambda x, *c: put(kind, x, value=c) for degree in range(1, MOST)}
+        polynomial = self.reader.builder.polynomial
+        scope |= {f"POLY{degree}": lambda x, *c: polynomial(x, c, form == "fused") for degree in range(1, MOST)}
         if form == "plain":
             scope["FMA"] = lambda a, b, c: a * b + c
         self.parts: list[Part] = []
