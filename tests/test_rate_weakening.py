@@ -121,7 +121,7 @@ def test_an_end_time_just_before_the_rest(name: str) -> None:
 
 @pytest.mark.parametrize("accuracy", [1e-3, 1e-6, 1e-9, 1e-12])
 def test_the_requested_accuracy_is_reached_where_the_speed_is_an_entire_function(accuracy: float) -> None:
-    """In tau the speed of a frozen mass consists of exponentials, and its path of their squares."""
+    """The speed of a frozen mass consists of exponentials of tau, and its path of their squares."""
     velocities = np.array([0.02, 0.3, 1.9456171250807524, 40.0])
     scene: Scene[Any] = Scene(STEEP, {"law": "rate_weakening", **STOPPING}, {}, velocities)
     motion = solve(scene, accuracy)
