@@ -81,6 +81,22 @@ def test_an_end_time_just_before_rest_keeps_the_digits_of_the_speed() -> None:
     assert found[ix.END_OMEGA] == pytest.approx(-found[ix.END_RATE] * (left / per_second), rel=1e-7)
 
 
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("law", ["", "exponential", "linear", "hyperbolic"])
+def test_series_in_time_reach_the_requested_accuracy(law: str, accuracy: float) -> None:
+    """Times of rests, peak speeds and run-outs in time are those in the rotation to rounding, lane by lane.
+
+    Without friction, swings in both directions are equally fast.
+    """
+    for name in EFFECTS:
+        scene = random_scene(EFFECTS[name], 30.0, law)
+        expected = lanes.integrate(lanes.posed(scene, 1e-15))
+        found = lanes.integrate(in_time(lanes.posed(scene, accuracy)))
+        assert np.array_equal(found[ix.STATUS], expected[ix.STATUS])
+        for place in (ix.REST_SINCE, ix.PEAK_OMEGA, ix.REACH_ROTATION):
+            np.testing.assert_allclose(abs(found[place]), abs(expected[place]), rtol=accuracy, atol=1e-300)
+
+
 @pytest.mark.parametrize("law", ["linear", "tabulated"])
 @pytest.mark.parametrize("name", EFFECTS)
 def test_phases_in_powers_of_the_rotation_are_those_integrated_in_time(name: str, law: str) -> None:
