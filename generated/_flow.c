@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "49054ae5f515097a906d59dc1aadba7d458d1a772e65809654b6017822f514a1"
+#define DIGEST "dfaa294ae9918878c69d4be3b9b66e26f0260eff90138b3226e2009081594e40"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -135,13 +135,13 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #include <string.h>
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -19, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
+enum { PENDING = -16, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, START_DIRECTION, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
 enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE, REST };
-enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
+enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_START, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
@@ -546,13 +546,13 @@ typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -19, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
+enum { PENDING = -16, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, START_DIRECTION, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
 enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE, REST };
-enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
+enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_START, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
@@ -1553,15 +1553,6 @@ static V first_root(V *p, int n, V h, M which)
     return root;
 }
 
-/* Return whether sign p + constant may have a zero in (0, t], from its value and slope at t. */
-INLINE M may_cross(V *p, int n, V t, V sign, V constant, M divided)
-{
-    const Pair last_slope = value_and_slope(p, n, t);
-    V last = last_slope.one, slope = last_slope.other;
-    M falls_and_rises = ((sign * p[1]) < 0.0) & ((sign * slope) > 0.0);
-    return (((sign * last) + constant) <= 0.0) | falls_and_rises | divided;
-}
-
 /* Compute the coefficients of sign p + constant, divided by the time if its root at 0 is to be removed. */
 INLINE void margin_of(V *e, V *p, int n, V sign, V constant, M divided)
 {
@@ -1575,6 +1566,23 @@ INLINE void margin_of(V *e, V *p, int n, V sign, V constant, M divided)
         }
         e[n] = pick(divided, broadcast(0.0), e[n]);
     }
+}
+
+/* Return the first time in (0, t] at which sign p + constant falls through zero, infinity without a zero. A root
+ * at 0 is removed where it is to be ``divided`` out. */
+static V crossing(V *p, int n, V t, V sign, V constant, M divided, M here)
+{
+    const Pair last_slope = value_and_slope(p, n, t);
+    V last = last_slope.one, slope = last_slope.other;
+    M falls_and_rises = ((sign * p[1]) < 0.0) & ((sign * slope) > 0.0);
+    M asked = here & ((((sign * last) + constant) <= 0.0) | falls_and_rises | divided);
+    V at = broadcast(INFINITY);
+    if (bits(asked)) {
+        V e[STRIDE];
+        margin_of(e, p, n, sign, constant, divided);
+        at = first_root(e, n, t, asked);
+    }
+    return at;
 }
 
 /* Return the zero in (0, t] at which polynomials become negative, possibly beyond a maximum, otherwise infinity.
@@ -2851,19 +2859,18 @@ INLINE void on_standstill(Batch *b, M here)
     c[PENDING] = pick(here, pick(one_way, broadcast(REST), broadcast(RESOLVE)), c[PENDING]);
 }
 
-/* Change contact with the slip surface. */
-INLINE void on_contact_change(Batch *b, M here, V rate)
+/* Lose or regain contact with the slip surface. */
+INLINE void change_contact(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
+    c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
     note_lift_off(b, here & (c[LIFTED] > 0.0));
     if (job->notes_room > 0) {
         note(b, here & (c[LIFTED] == 0.0), NOTE_LANDS);
     }
-    enter_phase(b, here, rate);
-    c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
 }
 
 /* Place lanes exactly at an edge of a table of slip, speed or rotation, in the next piece. */
@@ -2929,7 +2936,9 @@ INLINE void settle(Batch *b, M here, V rate)
     pass_breaks(b, limits & (c[TIME] < c[END_TIME]));
     end_motion(b, limits & (c[TIME] >= c[END_TIME]), rate, broadcast(ENDED));
     on_standstill(b, here & (c[EVENT] == (double)EVENT_STANDSTILL));
-    on_contact_change(b, here & (c[EVENT] == (double)EVENT_LIFT_OFF), rate);
+    M lifts = here & (c[EVENT] == (double)EVENT_LIFT_OFF);
+    change_contact(b, lifts);
+    enter_phase(b, lifts, rate);
     end_motion(b, here & (c[EVENT] == (double)EVENT_CHORD_UPRIGHT), rate, broadcast(UPRIGHT));
     on_breakpoints(b, here & (c[EVENT] >= (double)EVENT_BREAKPOINT), rate);
 }
@@ -2994,11 +3003,20 @@ static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M p
 {
     V *const c = b->c;
     if (!bits(here)) return;
-    M asked = here & may_cross(p, n, c[STEP], sign, constant, passed);
-    if (bits(asked)) {
-        V e[STRIDE];
-        margin_of(e, p, n, sign, constant, passed);
-        consider(b, here, first_root(e, n, c[STEP], asked), event);
+    V at = crossing(p, n, c[STEP], sign, constant, passed, here);
+    consider(b, here, at, event);
+}
+
+/* Find the time at which contact with the slip surface is lost or regained. */
+static void find_contact_change(Batch *b, M here, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    if (job->role->normal >= 0) {
+        V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
+        M passed = c[PASSED] == (double)LIFT;
+        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
     }
 }
 
@@ -3052,11 +3070,7 @@ static void find_events(Batch *b, M here, int top, int by_rotation)
             }
         }
     }
-    if (job->role->normal >= 0) {
-        V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
-        M passed = c[PASSED] == (double)LIFT;
-        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
-    }
+    find_contact_change(b, here, top);
 }
 
 /* Shorten the step to a fraction of the least radius of convergence, except where series end early. The radius of
@@ -4649,25 +4663,6 @@ static M swing(Batch *b, M which)
     return complete_swing(b, fits, e, back, f, end, peak);
 }
 
-/* Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead. */
-static void look_for_lift_off(Batch *b, M here, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    if (!bits(here)) return;
-    V *normal = b->r + job->role->normal;
-    V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
-    M passed = c[PASSED] == (double)LIFT;
-    M asked = here & may_cross(normal, top - 1, c[STRETCH], sign, broadcast(0.0), passed);
-    if (bits(asked)) {
-        V e[STRIDE];
-        margin_of(e, normal, top - 1, sign, broadcast(0.0), passed);
-        V at = first_root(e, top - 1, c[STRETCH], asked);
-        c[LIFT_AHEAD] = pick(here, minimum(at, c[LIFT_AHEAD]), c[LIFT_AHEAD]);
-        c[STRETCH] = pick(here, minimum(at, c[STRETCH]), c[STRETCH]);
-    }
-}
-
 /* Find the next change of a mass at rest in its direction, if it precedes the changes that are known already. The
  * net moment at rest is a series of time alone. Slip begins at its root, where the drive is zero, or immediately
  * if the net moment is zero and rises, or has jumped above zero. */
@@ -4678,33 +4673,25 @@ static void look_ahead(Batch *b, M here, V room)
     if (!bits(here)) return;
     int top = expand(b, room, here, 1);
     V *net = b->r + job->role->net;
-    M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
-    M jumps = (net[0] > 0.0) & ~touches;
-    V reach = room;
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
         V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
-        reach = pick(complete, minimum(c[FACTOR] * radius, room), room);
+        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, c[STEP]), c[STEP]), c[STEP]);
     }
-    c[STRETCH] = pick(here, minimum(reach, c[STRETCH]), c[STRETCH]);
-    V e[STRIDE];
-    margin_of(e, net, top - 1, broadcast(-1.0), broadcast(0.0), touches);
-    V at = broadcast(INFINITY);
-    M crosses = may_cross(net, top - 1, c[STRETCH], broadcast(-1.0), broadcast(0.0), touches);
-    M asked = here & ~jumps & crosses;
-    if (bits(asked)) {
-        at = first_root(e, top - 1, c[STRETCH], asked);
-    }
-    M rises = touches & (e[0] < 0.0);
-    at = pick(jumps | rises, broadcast(0.0), at);
-    M sooner = at < c[START_AHEAD];
-    c[START_AHEAD] = pick(here, pick(sooner, at, c[START_AHEAD]), c[START_AHEAD]);
+    M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
+    M jumps = (net[0] > 0.0) & ~touches;
+    M at_once = jumps | (touches & (net[1] > 0.0));
+    V later = crossing(net, top - 1, c[STEP], broadcast(-1.0), broadcast(0.0), touches, here & ~at_once);
+    V at = pick(at_once, broadcast(0.0), later);
+    consider(b, here, at, EVENT_START);
+    M sooner = at <= c[STEP];
     c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
     c[SUDDEN] = pick(here, pick(sooner, pick(jumps, broadcast(1.0), broadcast(0.0)), c[SUDDEN]), c[SUDDEN]);
     look_for_quiet(b, here);
-    if (job->role->normal >= 0) {
-        look_for_lift_off(b, here, top);
-    }
+    V step = 1.0 * c[STEP];
+    c[STEP] = pick(here, minimum(step * (1.0 + TOGETHER), room), c[STEP]);
+    find_contact_change(b, here, top);
+    c[STEP] = pick(here, pick(c[EVENT] == (double)EVENT_LIFT_OFF, c[STEP], step), c[STEP]);
 }
 
 /* Reverse the direction at rest. */
@@ -4714,17 +4701,6 @@ INLINE void turn_back(Batch *b, M here)
     if (!bits(here)) return;
     c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
-}
-
-/* Lift masses at rest, or let them land. */
-INLINE void change_contact(Batch *b, M here)
-{
-    V *const c = b->c;
-    if (!bits(here)) return;
-    c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
-    c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
-    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
-    note_lift_off(b, here & (c[LIFTED] > 0.0));
 }
 
 /* Start slip from rest. */
@@ -4737,22 +4713,21 @@ INLINE void start_again(Batch *b, M here)
 }
 
 /* Advance to the first change: start of slip, change of contact, break or end. */
-static void leave_rest(Batch *b, M here, V limit, V room)
+static void leave_rest(Batch *b, M here, V limit)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
-    V stretch = c[STRETCH];
-    M lifts = c[LIFT_AHEAD] <= stretch;
-    M starts = c[START_AHEAD] <= stretch;
-    M breaks = (stretch >= room) & ~starts & ~lifts;
-    V until = pick(breaks, limit, c[TIME] + stretch);
+    M lifts = c[EVENT] == (double)EVENT_LIFT_OFF;
+    M starts = c[EVENT] == (double)EVENT_START;
+    M breaks = c[EVENT] == (double)EVENT_LIMIT;
+    V until = pick(breaks, limit, c[TIME] + c[STEP]);
     M for_ever = ~starts & ~(until < INFINITY);
     if (job->samples) {
         read_samples(b, here, c[TIME], minimum(until, c[END_TIME]), 0, 0);
     }
     V least = TOGETHER * until;
-    M rested = starts & (stretch > least);
+    M rested = starts & (c[STEP] > least);
     c[STEPS] = pick(here, pick(breaks | rested, broadcast(0.0), c[STEPS] + 1.0), c[STEPS]);
     c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     M ends = here & (for_ever | (until >= c[END_TIME]));
@@ -4760,7 +4735,8 @@ static void leave_rest(Batch *b, M here, V limit, V room)
     stay(b, ends, pick(for_ever, broadcast(ARRESTED), broadcast(PAUSED)));
     here = here & ~ends;
     start_again(b, here & starts);
-    change_contact(b, here & lifts & ~starts);
+    change_contact(b, here & lifts);
+    c[PENDING] = pick(here, pick(lifts, broadcast(BEGIN_PHASE), c[PENDING]), c[PENDING]);
     enter_pieces(b, here & breaks);
 }
 
@@ -4774,18 +4750,16 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
     if (bits(both)) {
         turn_back(b, both);
         begin_phases(b);
-        look_ahead(b, both, room);
+        look_ahead(b, both, c[STEP]);
     }
-    V latest = c[START_AHEAD] * (1.0 + TOGETHER);
-    M lifts = c[LIFT_AHEAD] <= latest;
-    c[START_AHEAD] = pick(here, pick(lifts, broadcast(INFINITY), c[START_AHEAD]), c[START_AHEAD]);
-    c[STRETCH] = pick(here, minimum(c[START_AHEAD], c[STRETCH]), c[STRETCH]);
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
-            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STRETCH]), c[job->table[t].cell + INC]);
+            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STEP]), c[job->table[t].cell + INC]);
         }
     }
-    leave_rest(b, here, limit, room);
+    M reaches = (c[EVENT] == (double)EVENT_NONE) & (c[STEP] >= room);
+    c[EVENT] = pick(here, pick(reaches, broadcast(EVENT_LIMIT), c[EVENT]), c[EVENT]);
+    leave_rest(b, here, limit);
 }
 
 /* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
@@ -4796,11 +4770,7 @@ static void rest_on(Batch *b, M here)
     if (!bits(here)) return;
     V limit = next_break(b);
     V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
-    c[STRETCH] = pick(here, room, c[STRETCH]);
-    c[START_AHEAD] = pick(here, broadcast(INFINITY), c[START_AHEAD]);
-    c[START_DIRECTION] = pick(here, broadcast(0.0), c[START_DIRECTION]);
-    c[SUDDEN] = pick(here, broadcast(0.0), c[SUDDEN]);
-    c[LIFT_AHEAD] = pick(here, broadcast(INFINITY), c[LIFT_AHEAD]);
+    c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
     c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
     look_ahead(b, here, room);

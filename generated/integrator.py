@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ee9ae6439f177c82be4b967fc0a21eab97f7e6567adb80b0c0f63daf7aef829c
+# sha256 of the text below: eaac654076526ce4b30865ef0652a89727f29b0c48d842f529df1dc62c1321e2
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -510,13 +510,6 @@ def first_root(p: Floats, n: int, h: Floats, which: Mask) -> Floats:
     return root
 
 
-def may_cross(p: Floats, n: int, t: Floats, sign: Floats, constant: Floats, divided: Mask) -> Mask:
-    """Return whether sign p + constant may have a zero in (0, t], from its value and slope at t."""
-    last, slope = value_and_slope(p, n, t)
-    falls_and_rises = (sign * p[1] < 0.0) & (sign * slope > 0.0)
-    return (sign * last + constant <= 0.0) | falls_and_rises | divided
-
-
 def margin_of(e: Floats, p: Floats, n: int, sign: Floats, constant: Floats, divided: Mask) -> None:
     """Compute the coefficients of sign p + constant, divided by the time if its root at 0 is to be removed."""
     for k in range(n + 1):
@@ -526,6 +519,19 @@ def margin_of(e: Floats, p: Floats, n: int, sign: Floats, constant: Floats, divi
         for k in range(n - 1 + 1):
             e[k] = np.where(divided, e[k + 1], e[k])
         e[n] = np.where(divided, 0.0, e[n])
+
+
+def crossing(p: Floats, n: int, t: Floats, sign: Floats, constant: Floats, divided: Mask, here: Mask) -> Floats:
+    """Return the first time in (0, t] at which sign p + constant falls through zero, infinity without a zero."""
+    last, slope = value_and_slope(p, n, t)
+    falls_and_rises = (sign * p[1] < 0.0) & (sign * slope > 0.0)
+    asked = here & ((sign * last + constant <= 0.0) | falls_and_rises | divided)
+    at: Floats = INFINITY
+    if np.any(asked):
+        e = np.zeros((ix.STRIDE, p.shape[1]))
+        margin_of(e, p, n, sign, constant, divided)
+        at = first_root(e, n, t, asked)
+    return at
 
 
 def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here: Mask) -> Floats:
@@ -1611,17 +1617,16 @@ def on_standstill(s: Lanes, here: Mask) -> None:
     c[ix.PENDING] = np.where(here, np.where(one_way, ix.REST, ix.RESOLVE), c[ix.PENDING])
 
 
-def on_contact_change(s: Lanes, here: Mask, rate: Floats) -> None:
-    """Change contact with the slip surface."""
+def change_contact(s: Lanes, here: Mask) -> None:
+    """Lose or regain contact with the slip surface."""
     c = s.cells
     if not np.any(here):
         return
     c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
+    c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
     if s.logged:
         note(s, here & (c[ix.LIFTED] == 0.0), ix.NOTE_LANDS)
-    enter_phase(s, here, rate)
-    c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
 
 
 def on_breakpoint(s: Lanes, here: Mask, t: Table, upwards: Mask) -> None:
@@ -1681,7 +1686,9 @@ def settle(s: Lanes, here: Mask, rate: Floats) -> None:
     pass_breaks(s, limits & (c[ix.TIME] < c[ix.END_TIME]))
     end_motion(s, limits & (c[ix.TIME] >= c[ix.END_TIME]), rate, ix.ENDED)
     on_standstill(s, here & (c[ix.EVENT] == ix.EVENT_STANDSTILL))
-    on_contact_change(s, here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF), rate)
+    lifts = here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF)
+    change_contact(s, lifts)
+    enter_phase(s, lifts, rate)
     end_motion(s, here & (c[ix.EVENT] == ix.EVENT_CHORD_UPRIGHT), rate, ix.UPRIGHT)
     on_breakpoints(s, here & (c[ix.EVENT] >= ix.EVENT_BREAKPOINT), rate)
 
@@ -1739,11 +1746,19 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
     c = s.cells
     if not np.any(here):
         return
-    asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
-    if np.any(asked):
-        e = np.zeros((ix.STRIDE, p.shape[1]))
-        margin_of(e, p, n, sign, constant, passed)
-        consider(s, here, first_root(e, n, c[ix.STEP], asked), event)
+    at = crossing(p, n, c[ix.STEP], sign, constant, passed, here)
+    consider(s, here, at, event)
+
+
+def find_contact_change(s: Lanes, here: Mask, top: int) -> None:
+    """Find the time at which contact with the slip surface is lost or regained."""
+    c = s.cells
+    if not np.any(here):
+        return
+    if s.roles.normal >= 0:
+        sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
+        passed = c[ix.PASSED] == ix.LIFT
+        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
 
 
 def find_edges(s: Lanes, here: Mask, t: Table, top: int, by_rotation: int) -> None:
@@ -1785,10 +1800,7 @@ def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
                 known = not np.any(here & (np.minimum(c[t.cells + ix.UPPER], FAR) != c[t.before.cells + ix.UPPER]))
             if not known:
                 find_edges(s, here, t, top, by_rotation)
-    if s.roles.normal >= 0:
-        sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
-        passed = c[ix.PASSED] == ix.LIFT
-        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
+    find_contact_change(s, here, top)
 
 
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
@@ -3145,23 +3157,6 @@ def swing(s: Lanes, which: Mask) -> Mask:
     return complete_swing(s, fits, e, back, f, end, peak)
 
 
-def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
-    """Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead."""
-    c = s.cells
-    if not np.any(here):
-        return
-    normal = s.registers[s.roles.normal]
-    sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
-    passed = c[ix.PASSED] == ix.LIFT
-    asked = here & may_cross(normal, top - 1, c[ix.STRETCH], sign, 0.0, passed)
-    if np.any(asked):
-        e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-        margin_of(e, normal, top - 1, sign, 0.0, passed)
-        at = first_root(e, top - 1, c[ix.STRETCH], asked)
-        c[ix.LIFT_AHEAD] = np.where(here, np.minimum(at, c[ix.LIFT_AHEAD]), c[ix.LIFT_AHEAD])
-        c[ix.STRETCH] = np.where(here, np.minimum(at, c[ix.STRETCH]), c[ix.STRETCH])
-
-
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
@@ -3169,31 +3164,26 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
         return
     top = expand(s, room, here, 1)
     net = s.registers[s.roles.net]
-    touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
-    jumps = (net[0] > 0.0) & np.logical_not(touches)
-    reach = room
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
         radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
-        reach = np.where(complete, np.minimum(c[ix.FACTOR] * radius, room), room)
-    c[ix.STRETCH] = np.where(here, np.minimum(reach, c[ix.STRETCH]), c[ix.STRETCH])
-    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    margin_of(e, net, top - 1, -1.0, 0.0, touches)
-    at: Floats = INFINITY
-    crosses = may_cross(net, top - 1, c[ix.STRETCH], -1.0, 0.0, touches)
-    asked = here & np.logical_not(jumps) & crosses
-    if np.any(asked):
-        at = first_root(e, top - 1, c[ix.STRETCH], asked)
-    rises = touches & (e[0] < 0.0)
-    at = np.where(jumps | rises, 0.0, at)
-    sooner = at < c[ix.START_AHEAD]
-    c[ix.START_AHEAD] = np.where(here, np.where(sooner, at, c[ix.START_AHEAD]), c[ix.START_AHEAD])
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, c[ix.STEP]), c[ix.STEP]),
+            c[ix.STEP])
+    touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
+    jumps = (net[0] > 0.0) & np.logical_not(touches)
+    at_once = jumps | touches & (net[1] > 0.0)
+    later = crossing(net, top - 1, c[ix.STEP], -1.0, 0.0, touches, here & np.logical_not(at_once))
+    at = np.where(at_once, 0.0, later)
+    consider(s, here, at, ix.EVENT_START)
+    sooner = at <= c[ix.STEP]
     c[ix.START_DIRECTION] = np.where(here, np.where(sooner, c[ix.DIRECTION], c[ix.START_DIRECTION]),
         c[ix.START_DIRECTION])
     c[ix.SUDDEN] = np.where(here, np.where(sooner, np.where(jumps, 1.0, 0.0), c[ix.SUDDEN]), c[ix.SUDDEN])
     look_for_quiet(s, here)
-    if s.roles.normal >= 0:
-        look_for_lift_off(s, here, top)
+    step = 1.0 * c[ix.STEP]
+    c[ix.STEP] = np.where(here, np.minimum(step * (1.0 + TOGETHER), room), c[ix.STEP])
+    find_contact_change(s, here, top)
+    c[ix.STEP] = np.where(here, np.where(c[ix.EVENT] == ix.EVENT_LIFT_OFF, c[ix.STEP], step), c[ix.STEP])
 
 
 def turn_back(s: Lanes, here: Mask) -> None:
@@ -3205,17 +3195,6 @@ def turn_back(s: Lanes, here: Mask) -> None:
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
-def change_contact(s: Lanes, here: Mask) -> None:
-    """Lift masses at rest, or let them land."""
-    c = s.cells
-    if not np.any(here):
-        return
-    c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
-    c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
-    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
-    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
-
-
 def start_again(s: Lanes, here: Mask) -> None:
     """Start slip from rest."""
     c = s.cells
@@ -3225,21 +3204,20 @@ def start_again(s: Lanes, here: Mask) -> None:
     c[ix.PENDING] = np.where(here, ix.START_AGAIN, c[ix.PENDING])
 
 
-def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
+def leave_rest(s: Lanes, here: Mask, limit: Floats) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
     c = s.cells
     if not np.any(here):
         return
-    stretch = c[ix.STRETCH].copy()
-    lifts = c[ix.LIFT_AHEAD] <= stretch
-    starts = c[ix.START_AHEAD] <= stretch
-    breaks = (stretch >= room) & np.logical_not(starts) & np.logical_not(lifts)
-    until = np.where(breaks, limit, c[ix.TIME] + stretch)
+    lifts = c[ix.EVENT] == ix.EVENT_LIFT_OFF
+    starts = c[ix.EVENT] == ix.EVENT_START
+    breaks = c[ix.EVENT] == ix.EVENT_LIMIT
+    until = np.where(breaks, limit, c[ix.TIME] + c[ix.STEP])
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
     if s.sample_count:
         read_samples(s, here, c[ix.TIME], np.minimum(until, c[ix.END_TIME]), 0, 0)
     least = TOGETHER * until
-    rested = starts & (stretch > least)
+    rested = starts & (c[ix.STEP] > least)
     c[ix.STEPS] = np.where(here, np.where(breaks | rested, 0.0, c[ix.STEPS] + 1.0), c[ix.STEPS])
     c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     ends = here & (for_ever | (until >= c[ix.END_TIME]))
@@ -3247,7 +3225,8 @@ def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     stay(s, ends, np.where(for_ever, ix.ARRESTED, ix.PAUSED))
     here = here & np.logical_not(ends)
     start_again(s, here & starts)
-    change_contact(s, here & lifts & np.logical_not(starts))
+    change_contact(s, here & lifts)
+    c[ix.PENDING] = np.where(here, np.where(lifts, ix.BEGIN_PHASE, c[ix.PENDING]), c[ix.PENDING])
     enter_pieces(s, here & breaks)
 
 
@@ -3260,16 +3239,14 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     if np.any(both):
         turn_back(s, both)
         begin_phases(s)
-        look_ahead(s, both, room)
-    latest = c[ix.START_AHEAD] * (1.0 + TOGETHER)
-    lifts = c[ix.LIFT_AHEAD] <= latest
-    c[ix.START_AHEAD] = np.where(here, np.where(lifts, INFINITY, c[ix.START_AHEAD]), c[ix.START_AHEAD])
-    c[ix.STRETCH] = np.where(here, np.minimum(c[ix.START_AHEAD], c[ix.STRETCH]), c[ix.STRETCH])
+        look_ahead(s, both, c[ix.STEP])
     for t in s.tables:
         if t.kind == ix.OF_TIME:
             c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], s.highest,
-                c[ix.STRETCH]), c[t.cells + ix.INC])
-    leave_rest(s, here, limit, room)
+                c[ix.STEP]), c[t.cells + ix.INC])
+    reaches = (c[ix.EVENT] == ix.EVENT_NONE) & (c[ix.STEP] >= room)
+    c[ix.EVENT] = np.where(here, np.where(reaches, ix.EVENT_LIMIT, c[ix.EVENT]), c[ix.EVENT])
+    leave_rest(s, here, limit)
 
 
 def rest_on(s: Lanes, here: Mask) -> None:
@@ -3279,11 +3256,7 @@ def rest_on(s: Lanes, here: Mask) -> None:
         return
     limit = next_break(s)
     room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
-    c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
-    c[ix.START_AHEAD] = np.where(here, INFINITY, c[ix.START_AHEAD])
-    c[ix.START_DIRECTION] = np.where(here, 0.0, c[ix.START_DIRECTION])
-    c[ix.SUDDEN] = np.where(here, 0.0, c[ix.SUDDEN])
-    c[ix.LIFT_AHEAD] = np.where(here, INFINITY, c[ix.LIFT_AHEAD])
+    c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
     c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
     look_ahead(s, here, room)
