@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "dfaa294ae9918878c69d4be3b9b66e26f0260eff90138b3226e2009081594e40"
+#define DIGEST "2919b8fa23a8704e933d4430482623970164a3163e642c4fa32ade5496c70a13"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2609,72 +2609,41 @@ INLINE void count_starts(Batch *b, M here)
     c[LAST_WAY] = pick(here, broadcast(1.0), c[LAST_WAY]);
 }
 
-/* Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length.
- * ``share`` is the fraction of the piece at which the net moment, from ``net`` to ``after``, is zero. A lane that
- * stops and is driven later stops before it. */
-INLINE Pair turn(Batch *b, M here, V now, V length, V share, V omega, V net, V after)
+/* Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path. Lanes
+ * start at its beginning, or stop within it. ``span`` and path are over the length of the piece. */
+INLINE Pair pass_part(Batch *b, M here, V now, V length, V span, V omega, V net, V rise)
 {
     V *const c = b->c;
+    V mean = net + ((0.5 * span) * rise);
+    V end = omega + (span * mean);
     M moves = omega > 0.0;
-    V rise = after - net;
-    V root = standstill(omega, net, rise);
-    V stop = pick(moves, root, broadcast(0.0));
-    V later = maximum(1.0 - share, broadcast(0.0));
-    V left = pick(net < 0.0, later, broadcast(1.0));
-    V push = maximum(net, broadcast(0.0));
-    V rate = push + after;
-    V speed = (0.5 * left) * rate;
-    M goes_on = speed > 0.0;
-    V end = pick(goes_on, speed, broadcast(0.0));
-    M pushed = (net > 0.0) & ~moves;
-    M again = pushed & ~goes_on;
-    M starts = pushed | goes_on;
-    V span = pick(again, 2.0 * share, left);
-    V stopped = now + (length * stop);
-    V stops_later = now + (length * span);
-    V since = pick(moves, stopped, c[REST_SINCE]);
-    c[REST_SINCE] = pick(here, pick(again, stops_later, since), c[REST_SINCE]);
-    count_starts(b, here & starts);
-    V nothing = 0.0 * span;
-    V behind = path(span, nothing, push, rise);
-    V further = pick(starts, behind, broadcast(0.0));
-    V before = path(stop, omega, net, rise);
-    V way = before + further;
-    return (Pair){end, way};
+    M goes_on = end > 0.0;
+    count_starts(b, here & goes_on & ~moves);
+    V time = 1.0 * span;
+    M stops = here & moves & ~goes_on;
+    if (bits(stops)) {
+        time = pick(stops, standstill(omega, net, rise), span);
+        c[REST_SINCE] = pick(here, pick(stops, now + (length * time), c[REST_SINCE]), c[REST_SINCE]);
+    }
+    V way = path(time, omega, net, rise);
+    M slides = moves | goes_on;
+    return (Pair){pick(goes_on, end, broadcast(0.0)), pick(slides, way, broadcast(0.0))};
 }
 
 /* Pass a piece in which lanes start, stop, or have their greatest or lowest speed. Return the speed at its end and
- * the path over its length. No decision waits for a division. */
+ * the path over its length. Where the net moment changes its sign the piece has two parts. */
 INLINE Pair pass_change(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
 {
-    V share = net / (net - after);
     V rise = after - net;
-    V one = broadcast(1.0);
-    V way = path(one, omega, net, rise);
-    V twice = net + after;
-    V end = omega + (0.5 * twice);
-    M dips = (net <= 0.0) & (after > 0.0);
-    V square = net * net;
-    V decrease = (2.0 * rise) * omega;
-    M reaches_zero = square >= decrease;
-    M stops = (end <= 0.0) | (dips & reaches_zero);
-    M peaks = here & (net > 0.0) & (after <= 0.0);
-    if (bits(peaks)) {
-        V gain = (0.5 * share) * net;
-        V extreme = omega + gain;
-        V until = path(share, omega, net, rise);
-        V there = x + (length * until);
-        V then = now + (length * share);
-        keep_faster(b, peaks, extreme, then, there, broadcast(0.0));
-    }
-    M turns = here & ((omega == 0.0) | stops);
-    if (bits(turns)) {
-        const Pair speed_further = turn(b, turns, now, length, share, omega, net, after);
-        V speed = speed_further.one, further = speed_further.other;
-        end = pick(turns, speed, end);
-        way = pick(turns, further, way);
-    }
-    return (Pair){end, way};
+    M changes = here & ((net > 0.0) != (after > 0.0));
+    V share = pick(changes, (-net) / rise, broadcast(1.0));
+    const Pair speed_way = pass_part(b, here, now, length, share, omega, net, rise);
+    V speed = speed_way.one, way = speed_way.other;
+    V until = now + (length * share);
+    keep_faster(b, changes & (net > 0.0), speed, until, x + (length * way), broadcast(0.0));
+    const Pair end_further = pass_part(b, changes, until, length, 1.0 - share, speed, broadcast(0.0), rise);
+    V end = end_further.one, further = end_further.other;
+    return (Pair){pick(changes, end, speed), (way + pick(changes, further, broadcast(0.0)))};
 }
 
 /* Return the speed at the end of a piece and the path over its length; lanes outside the mask ``here`` rest. */

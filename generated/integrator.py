@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: eaac654076526ce4b30865ef0652a89727f29b0c48d842f529df1dc62c1321e2
+# sha256 of the text below: 6d226dca5b2f456491cc904eb9702484ae706642164d83096d454c750c299c97
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1403,66 +1403,36 @@ def count_starts(s: Lanes, here: Mask) -> None:
     c[ix.LAST_WAY] = np.where(here, 1.0, c[ix.LAST_WAY])
 
 
-def turn(s: Lanes, here: Mask, now: Floats, length: Floats, share: Floats, omega: Floats, net: Floats,
-        after: Floats) -> tuple[Floats, Floats]:
-    """Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length."""
+def pass_part(s: Lanes, here: Mask, now: Floats, length: Floats, span: Floats, omega: Floats, net: Floats,
+        rise: Floats) -> tuple[Floats, Floats]:
+    """Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path."""
     c = s.cells
+    mean = net + 0.5 * span * rise
+    end = omega + span * mean
     moves = omega > 0.0
-    rise = after - net
-    root = standstill(omega, net, rise)
-    stop = np.where(moves, root, 0.0)
-    later = np.maximum(1.0 - share, 0.0)
-    left = np.where(net < 0.0, later, 1.0)
-    push = np.maximum(net, 0.0)
-    rate = push + after
-    speed = 0.5 * left * rate
-    goes_on = speed > 0.0
-    end = np.where(goes_on, speed, 0.0)
-    pushed = (net > 0.0) & np.logical_not(moves)
-    again = pushed & np.logical_not(goes_on)
-    starts = pushed | goes_on
-    span = np.where(again, 2.0 * share, left)
-    stopped = now + length * stop
-    stops_later = now + length * span
-    since = np.where(moves, stopped, c[ix.REST_SINCE])
-    c[ix.REST_SINCE] = np.where(here, np.where(again, stops_later, since), c[ix.REST_SINCE])
-    count_starts(s, here & starts)
-    nothing = 0.0 * span
-    behind = path(span, nothing, push, rise)
-    further = np.where(starts, behind, 0.0)
-    before = path(stop, omega, net, rise)
-    way = before + further
-    return (end, way)
+    goes_on = end > 0.0
+    count_starts(s, here & goes_on & np.logical_not(moves))
+    time = 1.0 * span
+    stops = here & moves & np.logical_not(goes_on)
+    if np.any(stops):
+        time = np.where(stops, standstill(omega, net, rise), span)
+        c[ix.REST_SINCE] = np.where(here, np.where(stops, now + length * time, c[ix.REST_SINCE]), c[ix.REST_SINCE])
+    way = path(time, omega, net, rise)
+    slides = moves | goes_on
+    return (np.where(goes_on, end, 0.0), np.where(slides, way, 0.0))
 
 
 def pass_change(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
         after: Floats) -> tuple[Floats, Floats]:
     """Pass a piece in which lanes start, stop, or have their greatest or lowest speed."""
-    share = net / (net - after)
     rise = after - net
-    one: Floats = 1.0
-    way = path(one, omega, net, rise)
-    twice = net + after
-    end = omega + 0.5 * twice
-    dips = (net <= 0.0) & (after > 0.0)
-    square = net * net
-    decrease = 2.0 * rise * omega
-    reaches_zero = square >= decrease
-    stops = (end <= 0.0) | dips & reaches_zero
-    peaks = here & (net > 0.0) & (after <= 0.0)
-    if np.any(peaks):
-        gain = 0.5 * share * net
-        extreme = omega + gain
-        until = path(share, omega, net, rise)
-        there = x + length * until
-        then = now + length * share
-        keep_faster(s, peaks, extreme, then, there, 0.0)
-    turns = here & ((omega == 0.0) | stops)
-    if np.any(turns):
-        speed, further = turn(s, turns, now, length, share, omega, net, after)
-        end = np.where(turns, speed, end)
-        way = np.where(turns, further, way)
-    return (end, way)
+    changes = here & ((net > 0.0) != (after > 0.0))
+    share = np.where(changes, -net / rise, 1.0)
+    speed, way = pass_part(s, here, now, length, share, omega, net, rise)
+    until = now + length * share
+    keep_faster(s, changes & (net > 0.0), speed, until, x + length * way, 0.0)
+    end, further = pass_part(s, changes, until, length, 1.0 - share, speed, 0.0, rise)
+    return (np.where(changes, end, speed), way + np.where(changes, further, 0.0))
 
 
 def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,

@@ -165,70 +165,40 @@ def count_starts(s: Lanes, here: M) -> None:
     s.last_way = 1.0
 
 
-def turn(s: Lanes, here: M, now: V, length: V, share: V, omega: V, net: V, after: V) -> tuple[V, V]:
-    """Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length.
+def pass_part(s: Lanes, here: M, now: V, length: V, span: V, omega: V, net: V, rise: V) -> tuple[V, V]:
+    """Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path.
 
-    ``share`` is the fraction of the piece at which the net moment, from ``net`` to ``after``, is zero. A lane that
-    stops and is driven later stops before it.
+    Lanes start at its beginning, or stop within it. ``span`` and path are over the length of the piece.
     """
+    mean = net + 0.5 * span * rise
+    end = omega + span * mean
     moves = omega > 0.0
-    rise = after - net
-    root = standstill(omega, net, rise)
-    stop = where(moves, root, 0.0)
-    later = maximum(1.0 - share, 0.0)
-    left = where(net < 0.0, later, 1.0)
-    push = maximum(net, 0.0)
-    rate = push + after
-    speed = 0.5 * left * rate
-    goes_on = speed > 0.0
-    end = where(goes_on, speed, 0.0)
-    pushed = net > 0.0 and not moves
-    again = pushed and not goes_on
-    starts = pushed or goes_on
-    span = where(again, 2.0 * share, left)
-    stopped = now + length * stop
-    stops_later = now + length * span
-    since = where(moves, stopped, s.rest_since)
-    s.rest_since = where(again, stops_later, since)
-    count_starts(s, here and starts)
-    nothing = 0.0 * span
-    behind = path(span, nothing, push, rise)
-    further = where(starts, behind, 0.0)
-    before = path(stop, omega, net, rise)
-    way = before + further
-    return end, way
+    goes_on = end > 0.0
+    count_starts(s, here and goes_on and not moves)
+    time = 1.0 * span
+    stops = here and moves and not goes_on
+    if any_lane(stops):
+        time = where(stops, standstill(omega, net, rise), span)
+        s.rest_since = where(stops, now + length * time, s.rest_since)
+    way = path(time, omega, net, rise)
+    slides = moves or goes_on
+    return where(goes_on, end, 0.0), where(slides, way, 0.0)
 
 
 def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
     """Pass a piece in which lanes start, stop, or have their greatest or lowest speed.
 
-    Return the speed at its end and the path over its length. No decision waits for a division.
+    Return the speed at its end and the path over its length. Where the net moment changes its sign the piece has two
+    parts.
     """
-    share = net / (net - after)
     rise = after - net
-    one: V = 1.0
-    way = path(one, omega, net, rise)
-    twice = net + after
-    end = omega + 0.5 * twice
-    dips = net <= 0.0 and after > 0.0
-    square = net * net
-    decrease = 2.0 * rise * omega
-    reaches_zero = square >= decrease
-    stops = end <= 0.0 or (dips and reaches_zero)
-    peaks = here and net > 0.0 and after <= 0.0
-    if any_lane(peaks):
-        gain = 0.5 * share * net
-        extreme = omega + gain
-        until = path(share, omega, net, rise)
-        there = x + length * until
-        then = now + length * share
-        keep_faster(s, peaks, extreme, then, there, 0.0)
-    turns = here and (omega == 0.0 or stops)
-    if any_lane(turns):
-        speed, further = turn(s, turns, now, length, share, omega, net, after)
-        end = where(turns, speed, end)
-        way = where(turns, further, way)
-    return end, way
+    changes = here and (net > 0.0) != (after > 0.0)
+    share = where(changes, -net / rise, 1.0)
+    speed, way = pass_part(s, here, now, length, share, omega, net, rise)
+    until = now + length * share
+    keep_faster(s, changes and net > 0.0, speed, until, x + length * way, 0.0)
+    end, further = pass_part(s, changes, until, length, 1.0 - share, speed, 0.0, rise)
+    return where(changes, end, speed), way + where(changes, further, 0.0)
 
 
 def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
