@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2919b8fa23a8704e933d4430482623970164a3163e642c4fa32ade5496c70a13"
+#define DIGEST "f40fdb1315535e215a28223173cd8059add5b2ebe071db5e5bcba1379c168186"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3828,26 +3828,11 @@ INLINE V energy(V *e, V *f)
     return (e[0] * f[0]) + (faded_part + turned_part);
 }
 
-/* Return the derivative of E. */
-INLINE V slope_of(V *e, V *f)
+/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
+static V force_at(V start, V sine, V vers, V *f)
 {
-    V sine = f[0] - f[3];
-    V lost = f[0] - (e[4] * f[1]);
-    V faded_part = e[1] * lost;
-    V turned_part = (e[2] * sine) + (e[3] * f[2]);
-    return e[0] + (faded_part + turned_part);
-}
-
-/* Return the second derivative of E. */
-INLINE V bend_of(V *e, V *f)
-{
-    V sine = f[0] - f[3];
-    V cosine = 1.0 - f[2];
-    V lost = f[0] - (e[4] * f[1]);
-    V kept = 1.0 - (e[4] * lost);
-    V faded_part = e[1] * kept;
-    V turned_part = (e[2] * cosine) + (e[3] * sine);
-    return faded_part + turned_part;
+    V sine_there = sine * (f[0] - f[3]);
+    return start + (sine_there + (vers * f[2]));
 }
 
 /* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
@@ -4080,31 +4065,41 @@ INLINE V passed_to(Batch *b, V x)
     return x;
 }
 
-/* Compute E and its first two derivatives behind the functions of which it consists. */
-INLINE void soften(Batch *b, V *e, V *f, V x)
+/* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. The derivatives
+ * follow from the equation of motion, in which friction softens or is constant. */
+static void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    softening_functions(b, e, f, x);
-    V left = 1.0 + f[4];
-    V rate = c[job->role->loss_rate] * left;
-    if (job->role->per_pole >= 0) {
-        rate = rate * left;
+    V drive = 1.0 * c[job->role->drive];
+    V of_sine = 1.0 * c[job->role->net_sine];
+    V of_vers = 1.0 * c[job->role->net_vers];
+    V of_square = 1.0 * c[job->role->net_square];
+    V by_loss = broadcast(0.0);
+    if (SOFTENS(job->role)) {
+        softening_functions(b, e, f, x);
+        f[5] = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
+        V left = 1.0 + f[4];
+        V rate = c[job->role->loss_rate] * left;
+        if (job->role->per_pole >= 0) {
+            rate = rate * left;
+        }
+        V weight = force_at(c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], f);
+        by_loss = rate * (weight + (c[job->role->net_loss_square] * f[5]));
+        drive = drive + (f[4] * c[job->role->net_loss]);
+        of_sine = of_sine + (f[4] * c[job->role->net_loss_sine]);
+        of_vers = of_vers + (f[4] * c[job->role->net_loss_vers]);
+        of_square = of_square + (f[4] * c[job->role->net_loss_square]);
     }
-    V at = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
-    V sine = f[0] - f[3];
-    V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
-    V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
-    V of_square = c[job->role->net_square] + (f[4] * c[job->role->net_loss_square]);
-    V lost = (c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at);
-    V loss = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + lost);
-    V bent = (of_vers * f[2]) + (of_square * at);
-    V drive = c[job->role->drive] + (f[4] * c[job->role->net_loss]);
-    V slope = 2.0 * (drive + ((of_sine * sine) + bent));
-    V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
-    f[5] = at;
-    f[6] = slope;
-    f[7] = 2.0 * (turns + (rate * loss));
+    if (!SOFTENS(job->role)) {
+        functions(f, x, e[4]);
+        f[5] = energy(e, f);
+    }
+    V of_cosine = of_sine * (1.0 - f[2]);
+    V turns = of_cosine + (of_vers * (f[0] - f[3]));
+    V twice = 2.0 * of_square;
+    f[6] = (2.0 * force_at(drive, of_sine, of_vers, f)) + (twice * f[5]);
+    f[7] = (2.0 * (turns + by_loss)) + (twice * f[6]);
 }
 
 /* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
@@ -4277,8 +4272,10 @@ INLINE M is_uneven(V *w, int n)
 
 /* Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move. The
  * search begins at the angle u in ``there``, to which it is added together with the slope of the time. */
-static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
+static void find_state(Batch *b, V *there, M here, V *e, V *back, V *w, V end, V time)
 {
+    const Job *const job = b->job;
+    V *const c = b->c;
     if (!bits(here)) return;
     V u = there[ANGLE_THERE];
     V slope = broadcast(1.0);
@@ -4303,7 +4300,7 @@ static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
     functions(f, x, e[4]);
     V square = energy(e, f);
     there[0] = x;
-    there[RATE_THERE] = 0.5 * slope_of(e, f);
+    there[RATE_THERE] = force_at(c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], f) + (c[job->role->net_square] * square);
     M late = versine > 1.0;
     if (bits(here & late)) {
         const Pair __versine_back = turned(PI - (2.0 * u));
@@ -4333,25 +4330,11 @@ static void keep_samples(Batch *b, M here, V *e, V *back, V *w, V end, V until)
             V ahead = (time - before) / there[SLOPE_THERE];
             there[ANGLE_THERE] = pick(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE]);
             before = pick(inside, time, before);
-            find_state(there, inside, e, back, w, end, time - c[TIME]);
+            find_state(b, there, inside, e, back, w, end, time - c[TIME]);
             keep_sample(b, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE]);
         }
         k = k + 1;
     }
-}
-
-/* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. */
-INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
-{
-    const Job *const job = b->job;
-    if (SOFTENS(job->role)) {
-        soften(b, e, f, x);
-        return;
-    }
-    functions(f, x, e[4]);
-    f[5] = energy(e, f);
-    f[6] = slope_of(e, f);
-    f[7] = bend_of(e, f);
 }
 
 /* Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest. */
@@ -4405,13 +4388,6 @@ static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
         count = count + 1;
     }
     return x;
-}
-
-/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
-static V force_at(V start, V sine, V vers, V *f)
-{
-    V sine_there = sine * (f[0] - f[3]);
-    return start + (sine_there + (vers * f[2]));
 }
 
 /* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
@@ -4533,7 +4509,7 @@ static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
     V there[STRIDE];
     V time = c[END_TIME] - c[TIME];
     there[ANGLE_THERE] = (0.5 * time) / w[0];
-    find_state(there, here, e, back, w, end, time);
+    find_state(b, there, here, e, back, w, end, time);
     c[X] = pick(here, there[0], c[X]);
     c[OMEGA] = pick(here, there[OMEGA_THERE], c[OMEGA]);
     V rate = there[RATE_THERE];

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6d226dca5b2f456491cc904eb9702484ae706642164d83096d454c750c299c97
+# sha256 of the text below: c2a24cf24c276f6a27911e7d0fc54b30338e983ed630119c19917e83cddd6327
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2437,24 +2437,10 @@ def energy(e: Floats, f: Floats) -> Floats:
     return e[0] * f[0] + (faded_part + turned_part)
 
 
-def slope_of(e: Floats, f: Floats) -> Floats:
-    """Return the derivative of E."""
-    sine = f[0] - f[3]
-    lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * lost
-    turned_part = e[2] * sine + e[3] * f[2]
-    return e[0] + (faded_part + turned_part)
-
-
-def bend_of(e: Floats, f: Floats) -> Floats:
-    """Return the second derivative of E."""
-    sine = f[0] - f[3]
-    cosine = 1.0 - f[2]
-    lost = f[0] - e[4] * f[1]
-    kept = 1.0 - e[4] * lost
-    faded_part = e[1] * kept
-    turned_part = e[2] * cosine + e[3] * sine
-    return faded_part + turned_part
+def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
 
 
 def look_back(back: Floats, first: int, drive: Floats, sine: Floats, vers: Floats, f: Floats) -> None:
@@ -2653,28 +2639,35 @@ def passed_to(s: Lanes, x: Floats) -> Floats:
     return x
 
 
-def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute E and its first two derivatives behind the functions of which it consists."""
+def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
+    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
     c = s.cells
-    softening_functions(s, e, f, x)
-    left = 1.0 + f[4]
-    rate = c[s.roles.loss_rate] * left
-    if s.roles.per_pole >= 0:
-        rate = rate * left
-    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
-    sine = f[0] - f[3]
-    of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
-    of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
-    of_square = c[s.roles.net_square] + f[4] * c[s.roles.net_loss_square]
-    lost = c[s.roles.net_loss_vers] * f[2] + c[s.roles.net_loss_square] * at
-    loss = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + lost)
-    bent = of_vers * f[2] + of_square * at
-    drive = c[s.roles.drive] + f[4] * c[s.roles.net_loss]
-    slope = 2.0 * (drive + (of_sine * sine + bent))
-    turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
-    f[5] = at
-    f[6] = slope
-    f[7] = 2.0 * (turns + rate * loss)
+    drive = 1.0 * c[s.roles.drive]
+    of_sine = 1.0 * c[s.roles.net_sine]
+    of_vers = 1.0 * c[s.roles.net_vers]
+    of_square = 1.0 * c[s.roles.net_square]
+    by_loss: Floats = 0.0
+    if s.roles.loss_rate >= 0:
+        softening_functions(s, e, f, x)
+        f[5] = hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
+        left = 1.0 + f[4]
+        rate = c[s.roles.loss_rate] * left
+        if s.roles.per_pole >= 0:
+            rate = rate * left
+        weight = force_at(c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], f)
+        by_loss = rate * (weight + c[s.roles.net_loss_square] * f[5])
+        drive = drive + f[4] * c[s.roles.net_loss]
+        of_sine = of_sine + f[4] * c[s.roles.net_loss_sine]
+        of_vers = of_vers + f[4] * c[s.roles.net_loss_vers]
+        of_square = of_square + f[4] * c[s.roles.net_loss_square]
+    if not s.roles.loss_rate >= 0:
+        functions(f, x, e[4])
+        f[5] = energy(e, f)
+    of_cosine = of_sine * (1.0 - f[2])
+    turns = of_cosine + of_vers * (f[0] - f[3])
+    twice = 2.0 * of_square
+    f[6] = 2.0 * force_at(drive, of_sine, of_vers, f) + twice * f[5]
+    f[7] = 2.0 * (turns + by_loss) + twice * f[6]
 
 
 def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
@@ -2818,8 +2811,10 @@ def is_uneven(w: Floats, n: int) -> Mask:
     return np.logical_not(last <= LAST_WAVE * w[0])
 
 
-def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, time: Floats) -> None:
+def find_state(s: Lanes, there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats,
+        time: Floats) -> None:
     """Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move."""
+    c = s.cells
     if not np.any(here):
         return
     u = there[ANGLE_THERE]
@@ -2841,7 +2836,8 @@ def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, en
     functions(f, x, e[4])
     square = energy(e, f)
     there[0] = x
-    there[RATE_THERE] = 0.5 * slope_of(e, f)
+    there[RATE_THERE] = force_at(c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers],
+        f) + c[s.roles.net_square] * square
     late = versine > 1.0
     if np.any(here & late):
         _, versine_back = turned(PI - 2.0 * u)
@@ -2868,20 +2864,9 @@ def keep_samples(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: 
             ahead = (time - before) / there[SLOPE_THERE]
             there[ANGLE_THERE] = np.where(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE])
             before = np.where(inside, time, before)
-            find_state(there, inside, e, back, w, end, time - c[ix.TIME])
+            find_state(s, there, inside, e, back, w, end, time - c[ix.TIME])
             keep_sample(s, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE])
         k = k + 1
-
-
-def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
-    if s.roles.loss_rate >= 0:
-        soften(s, e, f, x)
-        return
-    functions(f, x, e[4])
-    f[5] = energy(e, f)
-    f[6] = slope_of(e, f)
-    f[7] = bend_of(e, f)
 
 
 def end_of_swing(s: Lanes, e: Floats, sine: Floats, which: Mask) -> Floats:
@@ -2930,12 +2915,6 @@ def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> F
         which = which & (change > LAST_OF_NEWTON * x)
         count = count + 1
     return x
-
-
-def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
-    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
-    sine_there = sine * (f[0] - f[3])
-    return start + (sine_there + vers * f[2])
 
 
 def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
@@ -3044,7 +3023,7 @@ def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Fl
     there = np.zeros((ix.STRIDE, e.shape[1]))
     time = c[ix.END_TIME] - c[ix.TIME]
     there[ANGLE_THERE] = 0.5 * time / w[0]
-    find_state(there, here, e, back, w, end, time)
+    find_state(s, there, here, e, back, w, end, time)
     c[ix.X] = np.where(here, there[0], c[ix.X])
     c[ix.OMEGA] = np.where(here, there[OMEGA_THERE], c[ix.OMEGA])
     rate = there[RATE_THERE]
