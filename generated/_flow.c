@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "f40fdb1315535e215a28223173cd8059add5b2ebe071db5e5bcba1379c168186"
+#define DIGEST "70233a91d3a7550032f9130e594f1a77b01bf45c43b70c0b819e5e1dd2b1ddc6"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2008,27 +2008,25 @@ INLINE void find_negligible(Batch *b, M here)
     c[NEGLIGIBLE] = pick(here, maximum(negligible, broadcast(ROUNDING)), c[NEGLIGIBLE]);
 }
 
-/* Return whether a term is negligible compared with the largest term. */
-INLINE M is_negligible(Batch *b, V term, V largest)
+/* Set the coefficients of a series from each lane's order on to zero. */
+INLINE void truncate(V *p, V order, int top)
 {
-    V *const c = b->c;
-    return (term <= (c[NEGLIGIBLE] * largest)) & (largest > 0.0) & (largest < INFINITY);
+    for (int n = least(order); n <= top - 1; n++) {
+        p[n] = pick(order > (double)n, p[n], broadcast(0.0));
+    }
 }
 
 /* Truncate the series that events use at each lane's order. */
 INLINE void cut(Batch *b, V order, int top)
 {
     const Job *const job = b->job;
-    for (int n = least(order); n <= top - 1; n++) {
-        M within = order > (double)n;
-        (b->r + job->role->omega)[n + 1] = pick(within, (b->r + job->role->omega)[n + 1], broadcast(0.0));
-        (b->r + job->role->net)[n] = pick(within, (b->r + job->role->net)[n], broadcast(0.0));
-        if (job->role->normal >= 0) {
-            (b->r + job->role->normal)[n] = pick(within, (b->r + job->role->normal)[n], broadcast(0.0));
-        }
-        if (job->role->upright >= 0) {
-            (b->r + job->role->upright)[n] = pick(within, (b->r + job->role->upright)[n], broadcast(0.0));
-        }
+    truncate(b->r + job->role->omega + 1, order, top);
+    truncate(b->r + job->role->net, order, top);
+    if (job->role->normal >= 0) {
+        truncate(b->r + job->role->normal, order, top);
+    }
+    if (job->role->upright >= 0) {
+        truncate(b->r + job->role->upright, order, top);
     }
 }
 
@@ -2072,9 +2070,10 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     V *const c = b->c;
     V *omega = at_rest ? (b->r + job->role->net) : (b->r + job->role->omega);
     V term = magnitude(omega[n]) * power;
-    M counts = ~is_negligible(b, term, c[LARGEST_OMEGA]);
-    c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
-    return counts;
+    V largest = 1.0 * c[LARGEST_OMEGA];
+    M negligible = (term <= (c[NEGLIGIBLE] * largest)) & (largest > 0.0) & (largest < INFINITY);
+    c[LARGEST_OMEGA] = maximum(term, largest);
+    return ~negligible;
 }
 
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
@@ -2230,6 +2229,17 @@ static void start(Batch *b, M here)
     find_pieces(b, here);
 }
 
+/* Count a phase that begins in the current direction. */
+INLINE void count_phase(Batch *b, M here)
+{
+    V *const c = b->c;
+    if (!bits(here)) return;
+    M turns = (c[LAST_WAY] * c[DIRECTION]) < 0.0;
+    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
+    c[TURNS] = pick(here, c[TURNS] + pick(turns, broadcast(1.0), broadcast(0.0)), c[TURNS]);
+    c[LAST_WAY] = pick(here, c[DIRECTION], c[LAST_WAY]);
+}
+
 /* Start slip in the current direction. */
 INLINE void start_moving(Batch *b, M here, V rate)
 {
@@ -2238,10 +2248,7 @@ INLINE void start_moving(Batch *b, M here, V rate)
     if (!bits(here)) return;
     c[STATUS] = pick(here, broadcast(MOVING), c[STATUS]);
     c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
-    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
-    M turns = (c[LAST_WAY] * c[DIRECTION]) < 0.0;
-    c[TURNS] = pick(here, c[TURNS] + pick(turns, broadcast(1.0), broadcast(0.0)), c[TURNS]);
-    c[LAST_WAY] = pick(here, c[DIRECTION], c[LAST_WAY]);
+    count_phase(b, here);
     if (job->notes_room > 0) {
         note(b, here, NOTE_BEGINS);
     }
@@ -2462,16 +2469,18 @@ INLINE void stand_before(Batch *b, M here, int t, V piece, V now)
     c[job->table[t].cell + WAY] = pick(here, broadcast(INFINITY), c[job->table[t].cell + WAY]);
 }
 
-/* Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign. */
+/* Bound the values of the function of time, without its factor, for which sign p certainly keeps its sign. p is
+ * linear in the function. */
 INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
-    V now = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
+    V now = (c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC]) / c[job->table[t].cell + SCALED_BY];
+    V rise = c[job->table[t].cell + RISE] / c[job->table[t].cell + SCALED_BY];
     M level = c[job->table[t].cell + RISE] == 0.0;
-    V way = (sign * p[1]) * c[job->table[t].cell + RISE];
-    V room = ((SURE * p[0]) * c[job->table[t].cell + RISE]) / p[1];
+    V way = (sign * p[1]) * rise;
+    V room = ((SURE * p[0]) * rise) / p[1];
     V bound = pick(level, now, now - room);
     M straight = (p[2] == 0.0) & (c[SERIES_ORDER] <= 4.0);
     V rounding = ROUNDINGS * terms;
@@ -2498,14 +2507,11 @@ INLINE void look_for_quiet(Batch *b, M here)
     }
 }
 
-/* Return the least and the greatest value of a record, without its factor, at which lanes certainly rest. */
-INLINE Pair heights_at_rest(Batch *b, int t)
+/* Return whether masses certainly rest at a value of the record, without its factor. */
+INLINE M is_quiet(Batch *b, V height)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
-    V one = c[QUIET_FROM] / c[job->table[t].cell + SCALED_BY];
-    V other = c[QUIET_TO] / c[job->table[t].cell + SCALED_BY];
-    return (Pair){minimum(one, other), maximum(one, other)};
+    return (c[QUIET_FROM] <= height) & (height <= c[QUIET_TO]);
 }
 
 /* Return the place in a record, up to rounding, at which the end time is reached. */
@@ -2524,15 +2530,13 @@ static void rest_through(Batch *b, M here, int t)
     V *const c = b->c;
     if (!bits(here)) return;
     V last = broadcast((double)((int)job->data[t].pieces - 1));
-    const Pair low_high = heights_at_rest(b, t);
-    V low = low_high.one, high = low_high.other;
     V before = latest_end(b, t);
     V piece = 1.0 * c[job->table[t].cell + PIECE];
     M rests = here;
     while (bits(rests)) {
         V following = minimum(piece + 1.0, last);
         V height = coefficients_at(b, t, following, 0);
-        rests = rests & (low <= height) & (height <= high) & (end_of_piece(b, t, following) < before);
+        rests = rests & is_quiet(b, height) & (end_of_piece(b, t, following) < before);
         piece = pick(rests, following, piece);
     }
     M passes = here & (piece > c[job->table[t].cell + PIECE]);
@@ -2598,17 +2602,6 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
-/* Count phases that begin down-slope. */
-INLINE void count_starts(Batch *b, M here)
-{
-    V *const c = b->c;
-    if (!bits(here)) return;
-    M back = c[LAST_WAY] < 0.0;
-    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
-    c[TURNS] = pick(here, c[TURNS] + pick(back, broadcast(1.0), broadcast(0.0)), c[TURNS]);
-    c[LAST_WAY] = pick(here, broadcast(1.0), c[LAST_WAY]);
-}
-
 /* Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path. Lanes
  * start at its beginning, or stop within it. ``span`` and path are over the length of the piece. */
 INLINE Pair pass_part(Batch *b, M here, V now, V length, V span, V omega, V net, V rise)
@@ -2618,7 +2611,7 @@ INLINE Pair pass_part(Batch *b, M here, V now, V length, V span, V omega, V net,
     V end = omega + (span * mean);
     M moves = omega > 0.0;
     M goes_on = end > 0.0;
-    count_starts(b, here & goes_on & ~moves);
+    count_phase(b, here & goes_on & ~moves);
     V time = 1.0 * span;
     M stops = here & moves & ~goes_on;
     if (bits(stops)) {
@@ -2691,20 +2684,20 @@ INLINE V height_after(Batch *b, int t, int piece)
 }
 
 /* Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
- * They rest between two values of the record, in pieces that end before a place. */
-INLINE M rests_through(Batch *b, int t, int piece, V before, V low, V high)
+ * They leave where the following piece does not end before a place. */
+INLINE M rests_through(Batch *b, int t, int piece, V before)
 {
     const Job *const job = b->job;
     V height = height_after(b, t, piece);
-    return (low <= height) & (height <= high) & (job->data[t].breaks[piece + 2] < before);
+    return is_quiet(b, height) & (job->data[t].breaks[piece + 2] < before);
 }
 
 /* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
-static int last_at_rest(Batch *b, M on, int t, int piece, V before, V low, V high)
+static int last_at_rest(Batch *b, M on, int t, int piece, V before)
 {
     const Job *const job = b->job;
     int last = piece;
-    while (((last + 3) < (int)job->data[t].pieces) && !bits(on & ~rests_through(b, t, last + 1, before, low, high))) {
+    while (((last + 3) < (int)job->data[t].pieces) && !bits(on & ~rests_through(b, t, last + 1, before))) {
         last = last + 1;
     }
     return last;
@@ -2728,8 +2721,6 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     V *const c = b->c;
     if (!bits(here)) return;
     V per = 1.0 / c[job->table[t].cell + SCALE];
-    const Pair low_high = heights_at_rest(b, t);
-    V low = low_high.one, high = low_high.other;
     V before = latest_end(b, t);
     int piece = first;
     V now = c[TIME];
@@ -2752,7 +2743,7 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
             x = x + (length * way);
         }
         if (!bits(acts)) {
-            piece = last_at_rest(b, on, t, piece, before, low, high);
+            piece = last_at_rest(b, on, t, piece, before);
             until = end_of(b, t, piece, per);
             after = base + (slope * height_after(b, t, piece));
         }
@@ -2958,8 +2949,9 @@ static void find_standstill(Batch *b, M here, int top)
     if (bits(asked)) {
         V e[STRIDE];
         margin_of(e, omega, top, broadcast(1.0), broadcast(0.0), from_rest);
-        margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
-        margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
+        for (int _ = 1; _ <= 2; _++) {
+            margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
+        }
         V at = first_root(e, top, c[STEP], asked);
         M vanishes = from_rest & (e[0] == 0.0) & (last == 0.0);
         M at_once = asked & ((e[0] < 0.0) | vanishes);
@@ -3165,22 +3157,22 @@ INLINE V at_rotation(Batch *b, V constant, V sine, V versine)
     return constant + turned;
 }
 
-/* Return the net moment of a mass at rest after a change of the function of time. */
-INLINE V net_at_rest(Batch *b, V change)
+/* Return the net moment of a mass at rest where its phase began, and its rate with the function of time. */
+INLINE Pair net_at_rest(Batch *b)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V steady = at_rotation(b, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers]);
-    return steady + (change * at_rotation(b, c[job->role->net_record], c[job->role->net_record_sine], c[job->role->net_record_vers]));
+    V moment = at_rotation(b, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers]);
+    return (Pair){moment, at_rotation(b, c[job->role->net_record], c[job->role->net_record_sine], c[job->role->net_record_vers])};
 }
 
-/* Return the normal force of a mass at rest after a change of the function of time. */
-INLINE V force_at_rest(Batch *b, V change)
+/* Return the normal force of a mass at rest where its phase began, and its rate with the function of time. */
+INLINE Pair force_at_rest(Batch *b)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V steady = at_rotation(b, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers]);
-    return steady + (change * at_rotation(b, c[job->role->normal_record], c[job->role->normal_record_sine], c[job->role->normal_record_vers]));
+    V force = at_rotation(b, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers]);
+    return (Pair){force, at_rotation(b, c[job->role->normal_record], c[job->role->normal_record_sine], c[job->role->normal_record_vers])};
 }
 
 /* Return coefficient n of the product of two series. */
@@ -3304,7 +3296,9 @@ INLINE M fits(Batch *b, int t)
     V moments = (magnitude(c[job->role->net_sine]) + magnitude(c[job->role->net_vers])) + (turning * magnitude(c[job->table[t].cell + LOWER]));
     V path = length * (c[OMEGA] + ((32.0 * length) * moments));
     V terms = magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]);
-    return inside & drives & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
+    const Pair force_by_record = force_at_rest(b);
+    V force = force_by_record.one, by_record = force_by_record.other;
+    return inside & drives & (path < SHORT) & ((force + (by_record * c[job->table[t].cell + LOWER])) > (PRESSED * terms));
 }
 
 /* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. The
@@ -3315,18 +3309,22 @@ static M wait_for_start(Batch *b, M here, int t)
     V *const c = b->c;
     V *net = b->r + job->role->net;
     V *normal = b->r + job->role->normal;
-    net[0] = net_at_rest(b, c[job->table[t].cell + INC]);
-    net[1] = net_at_rest(b, c[job->table[t].cell + INC] + c[job->table[t].cell + RISE]) - net[0];
+    const Pair moment_by_record = net_at_rest(b);
+    V moment = moment_by_record.one, by_record = moment_by_record.other;
+    const Pair force_force_by_record = force_at_rest(b);
+    V force = force_force_by_record.one, force_by_record = force_force_by_record.other;
+    net[0] = moment + (by_record * c[job->table[t].cell + INC]);
+    net[1] = by_record * c[job->table[t].cell + RISE];
     net[2] = broadcast(0.0);
-    normal[0] = force_at_rest(b, c[job->table[t].cell + INC]);
-    normal[1] = force_at_rest(b, c[job->table[t].cell + INC] + c[job->table[t].cell + RISE]) - normal[0];
+    normal[0] = force + (force_by_record * c[job->table[t].cell + INC]);
+    normal[1] = force_by_record * c[job->table[t].cell + RISE];
     normal[2] = broadcast(0.0);
     c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
     c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
     look_for_quiet(b, here);
     enter_pieces(b, here);
-    V now = minimum(net_at_rest(b, c[job->table[t].cell + INC]), broadcast(0.0));
-    V then = net_at_rest(b, c[job->table[t].cell + LOWER]);
+    V now = minimum(moment + (by_record * c[job->table[t].cell + INC]), broadcast(0.0));
+    V then = moment + (by_record * c[job->table[t].cell + LOWER]);
     M starts = here & (then > (SURELY * c[job->role->drive_scale])) & fits(b, t);
     V share = pick(starts, now / (now - then), broadcast(0.0));
     c[TIME] = pick(here, c[TIME] + (share * (c[job->table[t].cell + UPPER] - c[TIME])), c[TIME]);
@@ -3366,7 +3364,7 @@ static void turn_through(Batch *b, M here, int t)
         }
         M goes = starts | (moves & fits(b, t));
         leave_series(b, here & ~goes, since);
-        count_starts(b, starts & goes);
+        count_phase(b, starts & goes);
         here = goes;
         move_within(b, here, t);
         pass_break(b, here & (c[TIME] == c[job->table[t].cell + UPPER]), t);
@@ -3682,17 +3680,6 @@ INLINE void shorten(Batch *b, M here)
     c[STEP] = pick(here, pick(bends, shorter, c[STEP]), c[STEP]);
 }
 
-/* Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity. */
-static V greatest_speed(Batch *b, M here, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V *net = b->r + job->role->net;
-    const Pair rate_slope = value_and_slope(net, top - 1, c[STEP]);
-    V rate = rate_slope.one, slope = rate_slope.other;
-    return falling_root(net, top - 1, c[STEP], rate, slope, here);
-}
-
 /* Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``. */
 INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
 {
@@ -3723,6 +3710,7 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
  * exceeds the end time, the lane stays where it is and is integrated in time. */
 static void turn_on(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     V omega = 1.0 * c[OMEGA];
@@ -3739,7 +3727,9 @@ static void turn_on(Batch *b, M here)
     M unsure = here;
     int count = 0;
     while (bits(unsure) && (count <= MOST_HALVINGS)) {
-        peak = greatest_speed(b, here, top);
+        const Pair rate_slope = value_and_slope(b->r + job->role->net, top - 1, c[STEP]);
+        V rate = rate_slope.one, slope = rate_slope.other;
+        peak = falling_root(b->r + job->role->net, top - 1, c[STEP], rate, slope, here);
         const Pair before_after = times_of_step(b, here, top, peak);
         before = before_after.one, after = before_after.other;
         unsure = here & ~((before + after) < INFINITY);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c2a24cf24c276f6a27911e7d0fc54b30338e983ed630119c19917e83cddd6327
+# sha256 of the text below: c88af7afd94b95646ab0c5c67656c44a631d68538194ef555508a9a19bb2b7ff
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -880,22 +880,20 @@ def find_negligible(s: Lanes, here: Mask) -> None:
     c[ix.NEGLIGIBLE] = np.where(here, np.maximum(negligible, ROUNDING), c[ix.NEGLIGIBLE])
 
 
-def is_negligible(s: Lanes, term: Floats, largest: Floats) -> Mask:
-    """Return whether a term is negligible compared with the largest term."""
-    c = s.cells
-    return (term <= c[ix.NEGLIGIBLE] * largest) & (largest > 0.0) & (largest < INFINITY)
+def truncate(p: Floats, order: Floats, top: int) -> None:
+    """Set the coefficients of a series from each lane's order on to zero."""
+    for n in range(least(order), top - 1 + 1):
+        p[n] = np.where(order > float(n), p[n], 0.0)
 
 
 def cut(s: Lanes, order: Floats, top: int) -> None:
     """Truncate the series that events use at each lane's order."""
-    for n in range(least(order), top - 1 + 1):
-        within = order > float(n)
-        s.registers[s.roles.omega][n + 1] = np.where(within, s.registers[s.roles.omega][n + 1], 0.0)
-        s.registers[s.roles.net][n] = np.where(within, s.registers[s.roles.net][n], 0.0)
-        if s.roles.normal >= 0:
-            s.registers[s.roles.normal][n] = np.where(within, s.registers[s.roles.normal][n], 0.0)
-        if s.roles.upright >= 0:
-            s.registers[s.roles.upright][n] = np.where(within, s.registers[s.roles.upright][n], 0.0)
+    truncate(s.registers[s.roles.omega][1:], order, top)
+    truncate(s.registers[s.roles.net], order, top)
+    if s.roles.normal >= 0:
+        truncate(s.registers[s.roles.normal], order, top)
+    if s.roles.upright >= 0:
+        truncate(s.registers[s.roles.upright], order, top)
 
 
 def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int) -> None:
@@ -924,9 +922,10 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     c = s.cells
     omega = s.registers[s.roles.net] if at_rest else s.registers[s.roles.omega]
     term = np.abs(omega[n]) * power
-    counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
-    c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
-    return counts
+    largest = 1.0 * c[ix.LARGEST_OMEGA]
+    negligible = (term <= c[ix.NEGLIGIBLE] * largest) & (largest > 0.0) & (largest < INFINITY)
+    c[ix.LARGEST_OMEGA] = np.maximum(term, largest)
+    return np.logical_not(negligible)
 
 
 def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
@@ -1061,6 +1060,17 @@ def start(s: Lanes, here: Mask) -> None:
     find_pieces(s, here)
 
 
+def count_phase(s: Lanes, here: Mask) -> None:
+    """Count a phase that begins in the current direction."""
+    c = s.cells
+    if not np.any(here):
+        return
+    turns = c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0
+    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
+    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(turns, 1.0, 0.0), c[ix.TURNS])
+    c[ix.LAST_WAY] = np.where(here, c[ix.DIRECTION], c[ix.LAST_WAY])
+
+
 def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
     """Start slip in the current direction."""
     c = s.cells
@@ -1068,10 +1078,7 @@ def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
         return
     c[ix.STATUS] = np.where(here, ix.MOVING, c[ix.STATUS])
     c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
-    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
-    turns = c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0
-    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(turns, 1.0, 0.0), c[ix.TURNS])
-    c[ix.LAST_WAY] = np.where(here, c[ix.DIRECTION], c[ix.LAST_WAY])
+    count_phase(s, here)
     if s.logged:
         note(s, here, ix.NOTE_BEGINS)
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
@@ -1275,14 +1282,15 @@ def stand_before(s: Lanes, here: Mask, t: Table, piece: Floats, now: Floats) -> 
 
 
 def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: Floats) -> None:
-    """Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign."""
+    """Bound the values of the function of time, without its factor, for which sign p certainly keeps its sign."""
     c = s.cells
     if not np.any(here):
         return
-    now = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
+    now = (c[t.cells + ix.VALUE] + c[t.cells + ix.INC]) / c[t.cells + ix.SCALED_BY]
+    rise = c[t.cells + ix.RISE] / c[t.cells + ix.SCALED_BY]
     level = c[t.cells + ix.RISE] == 0.0
-    way = sign * p[1] * c[t.cells + ix.RISE]
-    room = SURE * p[0] * c[t.cells + ix.RISE] / p[1]
+    way = sign * p[1] * rise
+    room = SURE * p[0] * rise / p[1]
     bound = np.where(level, now, now - room)
     straight = (p[2] == 0.0) & (c[ix.SERIES_ORDER] <= 4.0)
     rounding = ROUNDINGS * terms
@@ -1307,12 +1315,10 @@ def look_for_quiet(s: Lanes, here: Mask) -> None:
                 keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
 
 
-def heights_at_rest(s: Lanes, t: Table) -> tuple[Floats, Floats]:
-    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
+def is_quiet(s: Lanes, height: Floats) -> Mask:
+    """Return whether masses certainly rest at a value of the record, without its factor."""
     c = s.cells
-    one = c[ix.QUIET_FROM] / c[t.cells + ix.SCALED_BY]
-    other = c[ix.QUIET_TO] / c[t.cells + ix.SCALED_BY]
-    return (np.minimum(one, other), np.maximum(one, other))
+    return (c[ix.QUIET_FROM] <= height) & (height <= c[ix.QUIET_TO])
 
 
 def latest_end(s: Lanes, t: Table) -> Floats:
@@ -1327,14 +1333,13 @@ def rest_through(s: Lanes, here: Mask, t: Table) -> None:
     if not np.any(here):
         return
     last: Floats = float(t.pieces - 1)
-    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
     piece = 1.0 * c[t.cells + ix.PIECE]
     rests = here
     while np.any(rests):
         following = np.minimum(piece + 1.0, last)
         height = coefficients_at(s, t, following, 0)
-        rests = rests & (low <= height) & (height <= high) & (end_of_piece(s, t, following) < before)
+        rests = rests & is_quiet(s, height) & (end_of_piece(s, t, following) < before)
         piece = np.where(rests, following, piece)
     passes = here & (piece > c[t.cells + ix.PIECE])
     now = breaks_at(s, t, piece) / c[t.cells + ix.SCALE]
@@ -1392,17 +1397,6 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floa
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
-def count_starts(s: Lanes, here: Mask) -> None:
-    """Count phases that begin down-slope."""
-    c = s.cells
-    if not np.any(here):
-        return
-    back = c[ix.LAST_WAY] < 0.0
-    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
-    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(back, 1.0, 0.0), c[ix.TURNS])
-    c[ix.LAST_WAY] = np.where(here, 1.0, c[ix.LAST_WAY])
-
-
 def pass_part(s: Lanes, here: Mask, now: Floats, length: Floats, span: Floats, omega: Floats, net: Floats,
         rise: Floats) -> tuple[Floats, Floats]:
     """Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path."""
@@ -1411,7 +1405,7 @@ def pass_part(s: Lanes, here: Mask, now: Floats, length: Floats, span: Floats, o
     end = omega + span * mean
     moves = omega > 0.0
     goes_on = end > 0.0
-    count_starts(s, here & goes_on & np.logical_not(moves))
+    count_phase(s, here & goes_on & np.logical_not(moves))
     time = 1.0 * span
     stops = here & moves & np.logical_not(goes_on)
     if np.any(stops):
@@ -1470,16 +1464,16 @@ def height_after(s: Lanes, t: Table, piece: int) -> Floats:
     return t.heights[2 * piece + 2]
 
 
-def rests_through(s: Lanes, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> Mask:
+def rests_through(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
     """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it."""
     height = height_after(s, t, piece)
-    return (low <= height) & (height <= high) & (t.places[piece + 2] < before)
+    return is_quiet(s, height) & (t.places[piece + 2] < before)
 
 
-def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> int:
+def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, before: Floats) -> int:
     """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
     last = piece
-    while last + 3 < t.pieces and (not np.any(on & np.logical_not(rests_through(s, t, last + 1, before, low, high)))):
+    while last + 3 < t.pieces and (not np.any(on & np.logical_not(rests_through(s, t, last + 1, before)))):
         last = last + 1
     return last
 
@@ -1500,7 +1494,6 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     if not np.any(here):
         return
     per = 1.0 / c[t.cells + ix.SCALE]
-    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
     piece = first
     now = c[ix.TIME].copy()
@@ -1521,7 +1514,7 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
             omega = speed
             x = x + length * way
         if not np.any(acts):
-            piece = last_at_rest(s, on, t, piece, before, low, high)
+            piece = last_at_rest(s, on, t, piece, before)
             until = end_of(s, t, piece, per)
             after = base + slope * height_after(s, t, piece)
         now = until
@@ -1702,8 +1695,8 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     if np.any(asked):
         e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
         margin_of(e, omega, top, 1.0, 0.0, from_rest)
-        margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
-        margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
+        for _ in range(1, 2 + 1):
+            margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
         at = first_root(e, top, c[ix.STEP], asked)
         vanishes = from_rest & (e[0] == 0.0) & (last == 0.0)
         at_once = asked & ((e[0] < 0.0) | vanishes)
@@ -1879,20 +1872,19 @@ def at_rotation(s: Lanes, constant: Floats, sine: Floats, versine: Floats) -> Fl
     return constant + turned
 
 
-def net_at_rest(s: Lanes, change: Floats) -> Floats:
-    """Return the net moment of a mass at rest after a change of the function of time."""
+def net_at_rest(s: Lanes) -> tuple[Floats, Floats]:
+    """Return the net moment of a mass at rest where its phase began, and its rate with the function of time."""
     c = s.cells
-    steady = at_rotation(s, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers])
-    return steady + change * at_rotation(s, c[s.roles.net_record], c[s.roles.net_record_sine],
-        c[s.roles.net_record_vers])
+    moment = at_rotation(s, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers])
+    return (moment, at_rotation(s, c[s.roles.net_record], c[s.roles.net_record_sine], c[s.roles.net_record_vers]))
 
 
-def force_at_rest(s: Lanes, change: Floats) -> Floats:
-    """Return the normal force of a mass at rest after a change of the function of time."""
+def force_at_rest(s: Lanes) -> tuple[Floats, Floats]:
+    """Return the normal force of a mass at rest where its phase began, and its rate with the function of time."""
     c = s.cells
-    steady = at_rotation(s, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers])
-    return steady + change * at_rotation(s, c[s.roles.normal_record], c[s.roles.normal_record_sine],
-        c[s.roles.normal_record_vers])
+    force = at_rotation(s, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers])
+    return (force, at_rotation(s, c[s.roles.normal_record], c[s.roles.normal_record_sine],
+        c[s.roles.normal_record_vers]))
 
 
 def coefficient_of_product(p: Floats, q: Floats, n: int) -> Floats:
@@ -1999,7 +1991,8 @@ def fits(s: Lanes, t: Table) -> Mask:
     moments = np.abs(c[s.roles.net_sine]) + np.abs(c[s.roles.net_vers]) + turning * np.abs(c[t.cells + ix.LOWER])
     path = length * (c[ix.OMEGA] + 32.0 * length * moments)
     terms = np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope])
-    return inside & drives & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
+    force, by_record = force_at_rest(s)
+    return inside & drives & (path < SHORT) & (force + by_record * c[t.cells + ix.LOWER] > PRESSED * terms)
 
 
 def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
@@ -2007,18 +2000,20 @@ def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
     c = s.cells
     net = s.registers[s.roles.net]
     normal = s.registers[s.roles.normal]
-    net[0] = net_at_rest(s, c[t.cells + ix.INC])
-    net[1] = net_at_rest(s, c[t.cells + ix.INC] + c[t.cells + ix.RISE]) - net[0]
+    moment, by_record = net_at_rest(s)
+    force, force_by_record = force_at_rest(s)
+    net[0] = moment + by_record * c[t.cells + ix.INC]
+    net[1] = by_record * c[t.cells + ix.RISE]
     net[2] = 0.0
-    normal[0] = force_at_rest(s, c[t.cells + ix.INC])
-    normal[1] = force_at_rest(s, c[t.cells + ix.INC] + c[t.cells + ix.RISE]) - normal[0]
+    normal[0] = force + force_by_record * c[t.cells + ix.INC]
+    normal[1] = force_by_record * c[t.cells + ix.RISE]
     normal[2] = 0.0
     c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
     c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
     look_for_quiet(s, here)
     enter_pieces(s, here)
-    now = np.minimum(net_at_rest(s, c[t.cells + ix.INC]), 0.0)
-    then = net_at_rest(s, c[t.cells + ix.LOWER])
+    now = np.minimum(moment + by_record * c[t.cells + ix.INC], 0.0)
+    then = moment + by_record * c[t.cells + ix.LOWER]
     starts = here & (then > SURELY * c[s.roles.drive_scale]) & fits(s, t)
     share = np.where(starts, now / (now - then), 0.0)
     c[ix.TIME] = np.where(here, c[ix.TIME] + share * (c[t.cells + ix.UPPER] - c[ix.TIME]), c[ix.TIME])
@@ -2057,7 +2052,7 @@ def turn_through(s: Lanes, here: Mask, t: Table) -> None:
             starts = wait_for_start(s, rests, t)
         goes = starts | moves & fits(s, t)
         leave_series(s, here & np.logical_not(goes), since)
-        count_starts(s, starts & goes)
+        count_phase(s, starts & goes)
         here = goes
         move_within(s, here, t)
         pass_break(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
@@ -2310,14 +2305,6 @@ def shorten(s: Lanes, here: Mask) -> None:
     c[ix.STEP] = np.where(here, np.where(bends, shorter, c[ix.STEP]), c[ix.STEP])
 
 
-def greatest_speed(s: Lanes, here: Mask, top: int) -> Floats:
-    """Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity."""
-    c = s.cells
-    net = s.registers[s.roles.net]
-    rate, slope = value_and_slope(net, top - 1, c[ix.STEP])
-    return falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
-
-
 def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until: Floats) -> None:
     """Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``."""
     c = s.cells
@@ -2360,7 +2347,8 @@ def turn_on(s: Lanes, here: Mask) -> None:
     unsure = here
     count = 0
     while np.any(unsure) and count <= MOST_HALVINGS:
-        peak = greatest_speed(s, here, top)
+        rate, slope = value_and_slope(s.registers[s.roles.net], top - 1, c[ix.STEP])
+        peak = falling_root(s.registers[s.roles.net], top - 1, c[ix.STEP], rate, slope, here)
         before, after = times_of_step(s, here, top, peak)
         unsure = here & np.logical_not(before + after < INFINITY)
         c[ix.STEP] = np.where(here, np.where(unsure, 0.5 * c[ix.STEP], c[ix.STEP]), c[ix.STEP])

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b3e7edc6316960986c233c2fa7f3495718140d02a2f93512b33787b642f92672
+# sha256 of the text below: 77e5cbbc6bbe685011fd81a4c4e886a117dc0dd7deb8b7f1118bc189e1a5836d
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -49,7 +49,7 @@ LARGEST_OMEGA = -9  # largest term of the series of omega so far, at rest of the
 STEP = -8  # length of this step, up to its first event
 EVENT = -7  # that event
 START_DIRECTION = -6  # of slip that begins at the end of a rest
-QUIET_FROM = -5  # least value of the function of time at which it certainly stays at rest
+QUIET_FROM = -5  # least value of the function of time, without its factor, at which it certainly stays at rest
 QUIET_TO = -4  # greatest such value
 SINE_X = -3  # sine of the rotation of a mass that passes a record by short series
 VERSINE_X = -2  # 1 - cosine of this rotation

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 31f20abb8877e9c8a845089766cc518a3857ecd83c6f17d846b71b156eaf7457
+# sha256 of the text below: 4dcfd1c30df26057ed66364a01654443858fb2130e8089d733e3abece36413bf
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "f40fdb1315535e215a28223173cd8059add5b2ebe071db5e5bcba1379c168186"  # of the compiled integrator's source
+DIGEST = "70233a91d3a7550032f9130e594f1a77b01bf45c43b70c0b819e5e1dd2b1ddc6"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

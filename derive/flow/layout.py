@@ -95,7 +95,7 @@ WORKING = {
     "STEP": "length of this step, up to its first event",
     "EVENT": "that event",
     "START_DIRECTION": "of slip that begins at the end of a rest",
-    "QUIET_FROM": "least value of the function of time at which it certainly stays at rest",
+    "QUIET_FROM": "least value of the function of time, without its factor, at which it certainly stays at rest",
     "QUIET_TO": "greatest such value",
     "SINE_X": "sine of the rotation of a mass that passes a record by short series",
     "VERSINE_X": "1 - cosine of this rotation",

@@ -29,7 +29,7 @@ from derive.flow.integrator.one_lane import (
     sqrt,
     where,
 )
-from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
+from derive.flow.integrator.phases import advance_origin, count_phase, keep_faster, update_reach
 from derive.flow.integrator.series import normal_force
 from derive.flow.integrator.tables import end_of_piece, pass_break, pass_breaks
 
@@ -49,11 +49,15 @@ def stand_before(s: Lanes, here: M, t: T, piece: V, now: V) -> None:
 
 
 def keep_quiet(s: Lanes, here: M, t: T, p: S, sign: V, terms: V) -> None:
-    """Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign."""
-    now = t.value + t.inc
+    """Bound the values of the function of time, without its factor, for which sign p certainly keeps its sign.
+
+    p is linear in the function.
+    """
+    now = (t.value + t.inc) / t.scaled_by
+    rise = t.rise / t.scaled_by
     level = t.rise == 0.0
-    way = sign * p[1] * t.rise
-    room = SURE * p[0] * t.rise / p[1]
+    way = sign * p[1] * rise
+    room = SURE * p[0] * rise / p[1]
     bound = where(level, now, now - room)
     straight = p[2] == 0.0 and s.series_order <= 4.0
     rounding = ROUNDINGS * terms
@@ -73,11 +77,9 @@ def look_for_quiet(s: Lanes, here: M) -> None:
                 keep_quiet(s, here, t, s.series.normal, 1.0, terms_of_normal)
 
 
-def heights_at_rest(s: Lanes, t: T) -> tuple[V, V]:
-    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
-    one = s.quiet_from / t.scaled_by
-    other = s.quiet_to / t.scaled_by
-    return minimum(one, other), maximum(one, other)
+def is_quiet(s: Lanes, height: V) -> M:
+    """Return whether masses certainly rest at a value of the record, without its factor."""
+    return s.quiet_from <= height and height <= s.quiet_to
 
 
 def latest_end(s: Lanes, t: T) -> V:
@@ -91,14 +93,13 @@ def rest_through(s: Lanes, here: M, t: T) -> None:
     The following piece must end before the end time, so that the function cannot jump between both.
     """
     last: V = number(t.pieces - 1)
-    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
     piece = 1.0 * t.piece
     rests = here
     while any_lane(rests):
         following = minimum(piece + 1.0, last)
         height = coefficients_at(s, t, following, 0)
-        rests = rests and low <= height and height <= high and end_of_piece(s, t, following) < before
+        rests = rests and is_quiet(s, height) and end_of_piece(s, t, following) < before
         piece = where(rests, following, piece)
     passes = here and piece > t.piece
     now = breaks_at(s, t, piece) / t.scale
@@ -157,14 +158,6 @@ def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
     s.pending = Pending.BEGIN_PHASE
 
 
-def count_starts(s: Lanes, here: M) -> None:
-    """Count phases that begin down-slope."""
-    back = s.last_way < 0.0
-    s.phases = s.phases + 1.0
-    s.turns = s.turns + where(back, 1.0, 0.0)
-    s.last_way = 1.0
-
-
 def pass_part(s: Lanes, here: M, now: V, length: V, span: V, omega: V, net: V, rise: V) -> tuple[V, V]:
     """Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path.
 
@@ -174,7 +167,7 @@ def pass_part(s: Lanes, here: M, now: V, length: V, span: V, omega: V, net: V, r
     end = omega + span * mean
     moves = omega > 0.0
     goes_on = end > 0.0
-    count_starts(s, here and goes_on and not moves)
+    count_phase(s, here and goes_on and not moves)
     time = 1.0 * span
     stops = here and moves and not goes_on
     if any_lane(stops):
@@ -235,19 +228,19 @@ def height_after(s: Lanes, t: T, piece: N) -> V:
     return t.heights[2 * piece + 2]
 
 
-def rests_through(s: Lanes, t: T, piece: N, before: V, low: V, high: V) -> M:
+def rests_through(s: Lanes, t: T, piece: N, before: V) -> M:
     """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
 
-    They rest between two values of the record, in pieces that end before a place.
+    They leave where the following piece does not end before a place.
     """
     height = height_after(s, t, piece)
-    return low <= height and height <= high and t.places[piece + 2] < before
+    return is_quiet(s, height) and t.places[piece + 2] < before
 
 
-def last_at_rest(s: Lanes, on: M, t: T, piece: N, before: V, low: V, high: V) -> N:
+def last_at_rest(s: Lanes, on: M, t: T, piece: N, before: V) -> N:
     """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
     last: N = piece
-    while last + 3 < t.pieces and not any_lane(on and not rests_through(s, t, last + 1, before, low, high)):
+    while last + 3 < t.pieces and not any_lane(on and not rests_through(s, t, last + 1, before)):
         last = last + 1
     return last
 
@@ -267,7 +260,6 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
     which is without its factor. A lane leaves before a piece in which it may lift.
     """
     per = 1.0 / t.scale
-    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
     piece: N = first
     now: V = s.time
@@ -288,7 +280,7 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
             omega = speed
             x = x + length * way
         if not any_lane(acts):
-            piece = last_at_rest(s, on, t, piece, before, low, high)
+            piece = last_at_rest(s, on, t, piece, before)
             until = end_of(s, t, piece, per)
             after = base + slope * height_after(s, t, piece)
         now = until

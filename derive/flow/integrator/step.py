@@ -24,6 +24,7 @@ from derive.flow.integrator.one_lane import (
     note,
     number,
     read_samples,
+    up,
     where,
 )
 from derive.flow.integrator.phases import advance_origin, face, keep_faster, note_lift_off, update_reach
@@ -166,8 +167,8 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
     if any_lane(asked):
         e = new_series()
         margin_of(e, omega, top, 1.0, 0.0, from_rest)  # remove the root at a start from rest
-        margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
-        margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
+        for _ in up(1, 2):
+            margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
         at = first_root(e, top, s.step, asked)
         vanishes = from_rest and e[0] == 0.0 and last == 0.0  # the drive is zero to rounding
         at_once = asked and (e[0] < 0.0 or vanishes)
