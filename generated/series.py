@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4dcfd1c30df26057ed66364a01654443858fb2130e8089d733e3abece36413bf
+# sha256 of the text below: a931cb00189f71f5f424d83920f84ad7b4f435644aecc7842b39b4a7ad21ad6f
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "70233a91d3a7550032f9130e594f1a77b01bf45c43b70c0b819e5e1dd2b1ddc6"  # of the compiled integrator's source
+DIGEST = "4c748e428645789925f06dc15b06e026693d5466deb43070164c679a62215fcb"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -43,9 +43,9 @@ def _select(a: Floats, b: Floats, e: Floats, out: Floats) -> None:
     out[...] = np.where(a > 0.0, b, e)
 
 
-def _over(a: Floats, b: Floats, n: int, first: int, last: int) -> Any:
-    """Return the sum of a[k] b[n - k] from k = first to last."""
-    return np.einsum("kl,kl->l", a[first : last + 1], b[n - last : n - first + 1][::-1])
+def _over(a: Floats, b: Floats, n: int, last: int) -> Any:
+    """Return the sum of a[k] b[n - k] from k = 1 to last."""
+    return np.einsum("kl,kl->l", a[1 : last + 1], b[n - last : n][::-1])
 
 
 def _mul(r: Floats, n: int, d_: int, a_: int, b_: int) -> None:
@@ -54,8 +54,8 @@ def _mul(r: Floats, n: int, d_: int, a_: int, b_: int) -> None:
     if n == 0:
         d[0] = a[0] * b[0]
     else:
-        sum0 = _over(a, b, n, 0, n)
-        d[n] = sum0
+        sum0 = _over(a, b, n, n - 1)
+        d[n] = sum0 + a[0] * b[n] + a[n] * b[0]
 
 
 def _sqr(r: Floats, n: int, d_: int, a_: int) -> None:
@@ -64,9 +64,9 @@ def _sqr(r: Floats, n: int, d_: int, a_: int) -> None:
     if n == 0:
         d[0] = a[0] * a[0]
     else:
-        sum0 = 2.0 * _over(a, a, n, 0, (n - 1) // 2)
+        sum0 = 2.0 * _over(a, a, n, (n - 1) // 2)
         sum0 += a[n // 2] ** 2 if n % 2 == 0 else 0.0
-        d[n] = sum0
+        d[n] = sum0 + 2.0 * a[0] * a[n]
 
 
 def _powers(r: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int, p6_: int, p7_: int, x_: int) -> None:
@@ -83,18 +83,18 @@ def _powers(r: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int, p6_: int,
         p6[0] = t1 * t3
         p7[0] = t2 * t3
     else:
-        sum0 = _over(x, p2, n, 1, n)
-        sum1 = _over(x, p3, n, 1, n)
-        sum2 = _over(x, p4, n, 1, n)
-        sum3 = _over(x, p5, n, 1, n)
-        sum4 = _over(x, p6, n, 1, n)
-        sum5 = _over(x, x, n, 1, n)
-        p2[n] = sum5 + x[0] * x[n]
-        p3[n] = sum0 + p2[n] * x[0]
-        p4[n] = sum1 + p3[n] * x[0]
-        p5[n] = sum2 + p4[n] * x[0]
-        p6[n] = sum3 + p5[n] * x[0]
-        p7[n] = sum4 + p6[n] * x[0]
+        sum0 = _over(x, p2, n, n - 1)
+        sum1 = _over(x, p3, n, n - 1)
+        sum2 = _over(x, p4, n, n - 1)
+        sum3 = _over(x, p5, n, n - 1)
+        sum4 = _over(x, p6, n, n - 1)
+        sum5 = _over(x, x, n, n - 1)
+        p2[n] = sum5 + 2.0 * x[0] * x[n]
+        p3[n] = sum0 + p2[0] * x[n] + p2[n] * x[0]
+        p4[n] = sum1 + p3[0] * x[n] + p3[n] * x[0]
+        p5[n] = sum2 + p4[0] * x[n] + p4[n] * x[0]
+        p6[n] = sum3 + p5[0] * x[n] + p5[n] * x[0]
+        p7[n] = sum4 + p6[0] * x[n] + p6[n] * x[0]
 
 
 def _tim(r: Floats, n: int, q_: int, a_: int) -> None:
@@ -114,10 +114,10 @@ def _turn(r: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> None:
         s[0] = np.sin(x[0])
         v[0] = 2.0 * (t1 * t1)
     else:
-        sum0 = _over(q, s, n, 1, n)
-        sum1 = _over(q, v, n, 1, n)
-        s[n] = (q[n] - sum1) * (1.0 / n)
-        v[n] = (1.0 / n) * sum0
+        sum0 = _over(q, s, n, n - 1)
+        sum1 = _over(q, v, n, n - 1)
+        s[n] = (q[n] - sum1 - q[n] * v[0]) * (1.0 / n)
+        v[n] = (sum0 + q[n] * s[0]) * (1.0 / n)
 
 
 def _exp(r: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
@@ -127,8 +127,8 @@ def _exp(r: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
         e[0] = np.exp(z[0])
         m[0] = np.expm1(z[0])
     else:
-        sum0 = _over(q, e, n, 1, n)
-        e[n] = (1.0 / n) * sum0
+        sum0 = _over(q, e, n, n - 1)
+        e[n] = (sum0 + e[0] * q[n]) * (1.0 / n)
         m[n] = e[n]
 
 
@@ -140,20 +140,21 @@ def _rec(r: Floats, n: int, h_: int, m_: int, z_: int) -> None:
         h[0] = 1.0 / t1
         m[0] = -(z[0] / t1)
     else:
-        sum0 = _over(z, h, n, 1, n)
-        h[n] = -(h[0] * sum0)
+        sum0 = _over(z, h, n, n - 1)
+        h[n] = -((sum0 + h[0] * z[n]) * h[0])
         m[n] = h[n]
 
 
-def _log(r: Floats, n: int, l_: int, z_: int) -> None:
-    """Compute l = log(z + 1)."""
-    l, z = r[l_], r[z_]
+def _log(r: Floats, n: int, u_: int, l_: int, q_: int, z_: int) -> None:
+    """Compute u = t*Derivative(z, t)/(z + 1), l = log(z + 1)."""
+    u, l, q, z = r[u_], r[l_], r[q_], r[z_]
     if n == 0:
+        u[0] = 0.0
         l[0] = np.log1p(z[0])
     else:
-        k = np.arange(n + 1.0)[:, None]
-        sum0 = _over(k * l[: n + 1], z, n, 1, n - 1)
-        l[n] = (z[n] - (1.0 / n) * sum0) / (1.0 + z[0])
+        sum0 = _over(u, z, n, n - 1)
+        u[n] = (q[n] - sum0) / (1.0 + z[0])
+        l[n] = (1.0 / n) * u[n]
 
 
 _SERIES: dict[str, Any] = {"mul": _mul, "sqr": _sqr, "powers": _powers, "tim": _tim, "turn": _turn, "exp": _exp,

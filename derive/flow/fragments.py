@@ -245,7 +245,7 @@ def _log_speed(law: Law, low: Lowering) -> None:
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
     low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
     low.register(series("omega", beyond / start), "relative_speed", low.cell(-beyond))
-    low.put("log", ["log_speed"], ["relative_speed"])
+    low.operate("log", ["log_speed.times", "log_speed"], "relative_speed")
 
 
 def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:

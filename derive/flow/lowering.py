@@ -16,7 +16,7 @@ from sympy import Add, Expr, Float, Integer, Min, Mul, Rational, Symbol, Tuple, 
 
 from derive.algebra.remainders import Exp, Select
 from derive.check.proof import ProofError
-from derive.code.program import program
+from derive.code.program import Op, program, walk
 from derive.declare.symbols import Forms
 from derive.flow.recurrences import OPERATIONS, Q, evaluate
 from derive.kinds import Names, Texts
@@ -174,8 +174,7 @@ class Lowering:
         """Return a factor times the last result of an operation on an increment, 0 if the increment is 0."""
         z = self.register(increment)
         self.count += 1
-        name = f"{self.name}.{operation}{self.count}"
-        results = [name, f"{name}_less_1"][: len(OPERATIONS[operation].results)]
+        results = [f"{self.name}.{operation}{self.count}.{x}" for x in OPERATIONS[operation].results]
         self.operate(operation, results, z)
         return series(results[-1], factor)
 
@@ -317,21 +316,17 @@ class Lowering:
         """
         numbers = Tuple(*self.cells.values())
         prologue = program(self.name, tuple(sorted(str(x) for x in numbers.free_symbols)), *numbers)
-        outputs = dict(zip(self.cells, prologue.outputs, strict=True))
-        first_names: dict[int, str] = {}
-        for name, index in outputs.items():
-            first_names.setdefault(index, name)
-        names: Texts = []
-        operations = []
-        for index, op in enumerate(prologue.ops):
-            if op.kind == "input":
-                names.append(str(op.value))
-            elif op.kind == "const":
-                names.append(f"={op.value!r}")
-            else:
-                names.append(first_names.get(index, f"{self.name}.t{index}"))
-                operations.append((op.kind, names[index], *(names[j] for j in op.args)))
-        return (*operations, *(("set", name, names[i]) for name, i in outputs.items() if names[i] != name))
+        operations: list[Names] = []
+
+        def make(op: Op, operands: Texts) -> str:
+            if op.kind == "const":
+                return f"={op.value!r}"
+            result = f"{self.name}.t{len(operations)}"
+            operations.append((op.kind, result, *operands))
+            return result
+
+        results = walk(prologue, {name: name for name in prologue.inputs}, make)
+        return (*operations, *(("set", name, result) for name, result in zip(self.cells, results, strict=True)))
 
 
 def size(e: Expr) -> Expr:

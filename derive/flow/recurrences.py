@@ -19,9 +19,9 @@ from sympy import (
     Sum,
     Symbol,
     cos,
-    diff,
     exp,
     expand,
+    factorial,
     log,
     sin,
     symbols,
@@ -35,12 +35,15 @@ from derive.kinds import Texts
 
 CELLS = {name: o for name, o in operations.OPERATIONS.items() if o.vector}  # operations on numbers of lanes
 n, k = symbols("n k", integer=True)
-A, B, Q, X, Z, E, H, S, V, L = (IndexedBase(x) for x in "abqxzehsvl")
+A, B, Q, X, Z, E, H, S, V, U, L = (IndexedBase(x) for x in "abqxzehsvul")
 
 
-def _sum(term: Expr, first: int = 1, last: Expr = n) -> Expr:
-    """Return the sum of a term over k from ``first`` to ``last``."""
-    return Sum(term, (k, first, last))
+def _sum(a: IndexedBase, b: IndexedBase) -> Expr:
+    """Return the sum of a[k] b[n - k] without its first and its last term.
+
+    Steps add these two terms apart, since they contain coefficients of order n, which are the last to be computed.
+    """
+    return Sum(a[k] * b[n - k], (k, 1, n - 1))
 
 
 @dataclass(frozen=True)
@@ -66,16 +69,15 @@ _t = Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
 OPERATIONS = {
     o.name: o
     for o in (
-        SeriesOperation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (_sum(A[k] * B[n - k], 0),)),
-        SeriesOperation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (_sum(A[k] * A[n - k], 0),)),
+        SeriesOperation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (A[0] * B[n] + A[n] * B[0] + _sum(A, B),)),
+        SeriesOperation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (2 * A[0] * A[n] + _sum(A, A),)),
         SeriesOperation(
             "powers",
             POWERS,
             (X,),
             tuple(X**power for power in range(2, DEGREE + 1)),
             tuple(X[0] ** power for power in range(2, DEGREE + 1)),
-            # x^(i + 1) = x x^i; the term with x[0] is separate, since coefficient n of x^i has the same order.
-            tuple(X[0] * lower[n] + _sum(X[k] * lower[n - k]) for lower in (X, *POWERS[:-1])),
+            tuple(X[0] * lower[n] + X[n] * lower[0] + _sum(X, lower) for lower in (X, *POWERS[:-1])),
         ),
         SeriesOperation("tim", (Q,), (A,), (_t * Derivative(A, _t),), (Integer(0),), (n * A[n],)),
         SeriesOperation(
@@ -84,10 +86,15 @@ OPERATIONS = {
             (Q, X),
             (sin(X), 1 - cos(X)),
             (sin(X[0]), 2 * sin(X[0] / 2) ** 2),
-            ((Q[n] - _sum(Q[k] * V[n - k])) / n, _sum(Q[k] * S[n - k]) / n),
+            ((Q[n] - Q[n] * V[0] - _sum(Q, V)) / n, (Q[n] * S[0] + _sum(Q, S)) / n),
         ),
         SeriesOperation(
-            "exp", (E, M), (Q, Z), (exp(Z), exp(Z) - 1), (exp(Z[0]), expm1(Z[0])), (_sum(Q[k] * E[n - k]) / n, E[n])
+            "exp",
+            (E, M),
+            (Q, Z),
+            (exp(Z), exp(Z) - 1),
+            (exp(Z[0]), expm1(Z[0])),
+            ((Q[n] * E[0] + _sum(Q, E)) / n, E[n]),
         ),
         SeriesOperation(
             "rec",
@@ -95,15 +102,15 @@ OPERATIONS = {
             (Z,),
             (1 / (1 + Z), 1 / (1 + Z) - 1),
             (1 / (1 + Z[0]), -Z[0] / (1 + Z[0])),
-            (-H[0] * _sum(Z[k] * H[n - k]), H[n]),
+            (-H[0] * (Z[n] * H[0] + _sum(Z, H)), H[n]),
         ),
         SeriesOperation(
             "log",
-            (L,),
-            (Z,),
-            (log(1 + Z),),
-            (log1p(Z[0]),),
-            ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),),
+            (U, L),
+            (Q, Z),
+            (_t * Derivative(Z, _t) / (1 + Z), log(1 + Z)),
+            (Integer(0), log1p(Z[0])),
+            ((Q[n] - _sum(U, Z)) / (1 + Z[0]), U[n] / n),
         ),
     )
 }
@@ -125,33 +132,20 @@ def prove(order: int = 6) -> Texts:
 
 
 def _coefficients(o: SeriesOperation, highest: int) -> dict[IndexedBase, tuple[Expr, ...]]:
-    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results, up to order ``highest``.
-
-    The coefficients of a series about a moment t satisfy da_i/dt = (i + 1) a_(i+1). The same is true for a function f
-    of it, whose coefficient i + 1 is therefore df_i/dt/(i + 1).
-    """
+    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results, up to ``highest``."""
     coefficients = {x: symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
-    rates = {_t: 1}
-    for a in coefficients.values():
-        for i in range(highest):
-            rates[a[i]] = (i + 1) * a[i + 1]
     if Z in o.arguments:  # 1 + z begins with a positive number
-        y = Symbol("y", positive=True)
-        z, *others = coefficients[Z]
-        coefficients[Z] = (y - 1, *others)
-        rates[y] = rates[z]
+        coefficients[Z] = (Symbol("y", positive=True) - 1, *coefficients[Z][1:])
     if Q in o.arguments:  # coefficients of the other argument times their order
         coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
-    first_two: dict[Expr, Expr] = {}
-    for x, a in coefficients.items():
-        first_two[x] = a[0]
-        first_two[Derivative(x, _t)] = a[1]
+    series = {}
+    for x, values in coefficients.items():
+        series[x] = Add(*(value * _t**i for i, value in enumerate(values)))
     for result, means in zip(o.results, o.means, strict=True):
-        f = [means.xreplace(first_two)]
-        for i in range(highest):
-            rate = sum(rate * diff(f[i], a) for a, rate in rates.items())
-            f.append(expand(rate / (i + 1)))
-        coefficients[result] = tuple(c.subs(_t, 0) for c in f)
+        derivatives = [means.xreplace(series).doit()]
+        for _ in range(highest):
+            derivatives.append(derivatives[-1].diff(_t))
+        coefficients[result] = tuple(f.subs(_t, 0) / factorial(i) for i, f in enumerate(derivatives))
     return coefficients
 
 

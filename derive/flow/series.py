@@ -1,10 +1,9 @@
 """Source that executes the operations of a program: in C over vectors of lanes, and in NumPy over arrays of lanes."""
 
-import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from sympy import Expr, Indexed, IndexedBase, Sum, Symbol, cancel
+from sympy import Expr, Indexed, IndexedBase, Sum, Symbol
 
 from derive.code.emit import filled
 from derive.code.program import program
@@ -13,59 +12,33 @@ from derive.flow.recurrences import CELLS, OPERATIONS, SCALAR, SERIES, SeriesOpe
 from derive.kinds import TextDict, Texts
 
 
-class _Sum(NamedTuple):
-    """Sum in an operation's step: weight a[k] b[n - k] from k = first to last.
-
-    The weight is text that ends with a product sign, or empty. In a symmetric sum the second half repeats the first.
-    """
-
-    total: Sum
-    name: str
-    weight: str
-    a: str
-    b: str
-    first: str
-    last: str
-    symmetric: bool
-
-
 class _Target(NamedTuple):
-    """Notation of operations on series in a language: statements, zero, and sums with or without weights.
-
-    The terms of a sum with coefficient n of an argument, k = 0 and k = n, are added last if ``newest`` has a form, so
-    that other terms do not wait for them.
-    """
+    """Notation of operations on series in a language: statements, zero, and sums, also of a series with itself."""
 
     language: Language
     zero: str
     end: str
-    plain: str
-    weighted: str
+    sum: str
     symmetric: str
-    newest: str
 
 
 C = _Target(
     Language("vector", "const V {name} = {text};", repr, ""),
     "(V){0}",
     ";",
-    "V {name} = {name}_[0] + {name}_[1];",
-    "V {name} = {name}_[0] + {name}_[1];",
+    "const V {name} = {name}_[0] + {name}_[1];",
     "V {name} = 2.0 * ({name}_[0] + {name}_[1]);\nif (n % 2 == 0) {name} += {a}[n / 2] * {a}[n / 2];",
-    "{name} += {factor}{a}[{k}] * {b}[{rest}];",
 )
 NUMPY = _Target(
     Language("python", "{name} = {text}", repr, "", "np"),
     "0.0",
     "",
-    "{name} = _over({a}, {b}, n, {first}, {last})",
-    "k = np.arange(n + 1.0)[:, None]\n{name} = _over({weight}{a}[: n + 1], {b}, n, {first}, {last})",
-    "{name} = 2.0 * _over({a}, {a}, n, {first}, (n - 1) // 2)\n{name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0",
-    "",
+    "{name} = _over({a}, {b}, n, n - 1)",
+    "{name} = 2.0 * _over({a}, {a}, n, (n - 1) // 2)\n{name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0",
 )
 # In C all sums of an operation are one loop, each in two parts.
 PARTS = "{name}_[2] = {{{{0}}}}"
-TERMS = "{name}_[j] += {weight}{a}[k] * {b}[n - k]"
+TERMS = "{name}_[j] += {a}[k] * {b}[n - k]"
 CASE = """\
     case {code}: {{ /* {means} */
 {names}
@@ -90,23 +63,28 @@ def _{code}(r: Floats, n: int, {parameters}) -> None:
 """
 
 
+class _Sum(NamedTuple):
+    """Sum of a[k] b[n - k] in an operation's step."""
+
+    total: Sum
+    name: str
+    a: IndexedBase
+    b: IndexedBase
+
+
 def _sums(o: SeriesOperation) -> list[_Sum]:
     """Return the sums in the steps of an operation's results."""
     sums = []
     totals = {total for e in o.step for total in e.atoms(Sum)}
     for i, total in enumerate(sorted(totals, key=str)):
-        ((_, first, last),) = total.limits
         at_k, at_rest = sorted(total.function.atoms(Indexed), key=lambda x: x.indices != (k,))
-        weight = cancel(total.function / (at_k * at_rest))
-        factor = ""
-        if weight != 1:
-            _, (text,) = _texts([weight], NUMPY.language)
-            factor = f"{text} * " if weight.is_Symbol else f"({text}) * "
-        a = str(at_k.base)
-        b = str(at_rest.base)
-        symmetric = a == b and first == 0
-        sums.append(_Sum(total, f"sum{i}", factor, a, b, str(first), str(last), symmetric))
+        sums.append(_Sum(total, f"sum{i}", at_k.base, at_rest.base))
     return sums
+
+
+def _symmetric(sums: Sequence[_Sum]) -> bool:
+    """Return whether an operation has one sum, of a series with itself, of which half is computed."""
+    return len(sums) == 1 and sums[0].a == sums[0].b
 
 
 def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ()) -> tuple[Texts, Texts]:
@@ -119,8 +97,7 @@ def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ())
     plain = []
     for e in forms:
         e = e.xreplace({x: Symbol(name, real=True) for x, name in names.items()})
-        coefficients = (*e.atoms(Indexed), n, k)
-        plain.append(e.xreplace({x: Symbol(str(x), real=True) for x in coefficients}))
+        plain.append(e.xreplace({x: Symbol(str(x), real=True) for x in (*e.atoms(Indexed), n)}))
     inputs = {x.name for e in plain for x in e.free_symbols}
     return statements(program("series", tuple(sorted(inputs)), *plain), language)
 
@@ -131,30 +108,14 @@ def _body(o: SeriesOperation, target: _Target) -> tuple[Texts, Texts]:
     for x, e, text in zip(o.results, o.start, texts, strict=True):
         start.append(f"{x}[0] = {text if e else target.zero}{target.end}")
     sums = _sums(o)
+    form = target.symmetric if _symmetric(sums) else target.sum
     step = []
     for s in sums:
-        form = target.symmetric if s.symmetric else target.weighted if s.weight else target.plain
         step += form.format(**s._asdict()).split("\n")
-        step += _newest(s, target)
     for x, e in zip(o.results, o.step, strict=True):
         lines, (text,) = _texts([e], target.language, sums)
         step += [*lines, f"{x}[n] = {text}{target.end}"]
     return start, step
-
-
-def _newest(s: _Sum, target: _Target) -> Iterator[str]:
-    """Yield the statements that add the terms k = 0 and k = n of a sum last, none if the target has none for them."""
-    if target.newest:
-        for at_k, rest in (("0", "n"),) if s.symmetric else (("0", "n"), ("n", "0")):
-            if at_k in (s.first, s.last):
-                factor = "2.0 * " if s.symmetric else re.sub(r"\bk\b", at_k, s.weight)
-                yield target.newest.format(**s._asdict(), k=at_k, rest=rest, factor=factor)
-
-
-def _read(o: SeriesOperation) -> list[IndexedBase]:
-    """Return the series on which an operation's results depend."""
-    used = {x.base for e in (*o.start, *o.step) for x in e.atoms(Indexed)}
-    return [x for x in o.arguments if x in used]
 
 
 def _means(o: SeriesOperation) -> str:
@@ -173,7 +134,7 @@ def _loop(sums: Sequence[_Sum]) -> Texts:
         return []
     parts = (PARTS.format(**s._asdict()) for s in sums)
     terms = (TERMS.format(**s._asdict()) for s in sums)
-    below = "(n + 1) / 2" if sums[0].symmetric else "n"
+    below = "(n + 1) / 2" if _symmetric(sums) else "n"
     return [f"V {', '.join(parts)};", f"OVER({below}, {'; '.join(terms)});"]
 
 
@@ -182,7 +143,7 @@ def _c_case(o: SeriesOperation) -> str:
     operands = (*o.results, *o.arguments)
     places = {x: i for i, x in enumerate(operands, 1)}
     names = [f"V *restrict {x} = r + at[{places[x]}];" for x in o.results]
-    names += [f"const V *{x} = r + at[{places[x]}];" for x in _read(o)]
+    names += [f"const V *{x} = r + at[{places[x]}];" for x in o.arguments]
     start, step = _body(o, C)
     return CASE.format(
         code=o.name.upper(),
@@ -219,13 +180,12 @@ def c_operations() -> TextDict:
 
 def _numpy_function(o: SeriesOperation) -> str:
     """Return the source of the NumPy function that performs an operation on series."""
-    series = [*o.results, *_read(o)]
-    parameters = (*o.results, *o.arguments)
+    series = [*map(str, (*o.results, *o.arguments))]
     start, step = _body(o, NUMPY)
-    names = [f"{', '.join(map(str, series))} = {', '.join(f'r[{x}_]' for x in series)}"]
+    names = [f"{', '.join(series)} = {', '.join(f'r[{x}_]' for x in series)}"]
     return FUNCTION.format(
         code=o.name,
-        parameters=", ".join(f"{x}_: int" for x in parameters),
+        parameters=", ".join(f"{x}_: int" for x in series),
         means=_means(o),
         names=_indented(names, 4),
         start=_indented(start, 8),
