@@ -160,11 +160,12 @@ def _prove_motion(options: argparse.Namespace) -> int:
 def main(argv: Texts | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
     options = _parser().parse_args(argv)
-    needed = ("flint",) if options.command in ("prove", "theorem") else ("sympy", "mpmath", "flint")
+    without_sympy = options.command in ("prove", "theorem")
+    needed = ("flint",) if without_sympy else ("sympy", "mpmath", "flint")
     if missing := [name for name in needed if find_spec(name) is None]:
         say(f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'")
         return 2
-    if options.command not in ("prove", "theorem"):
+    if not without_sympy:
         for note in stages.other_versions():
             say(note)
     if options.command == "prove":

@@ -344,22 +344,19 @@ def _check_values(effect: Effect, by_symbol: Mapping[Symbol, Parameter]) -> None
 
     ``by_symbol`` are the parameters by the symbols of their names.
     """
-    box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST))
-    box |= {x: _range(p) for x, p in by_symbol.items()}
-    box |= dict.fromkeys((*MOTION, OMEGA, OMEGA_2, *effect.states), (0.0, STEEPEST))
+    box = {x: _range(p) for x, p in by_symbol.items()}
     formulas = dict(effect.terms)
     for x, p in effect.symbols.items():
         value = Symbol(p.name, real=True)
         box[x] = box[value]
         formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, value)
-
-    def fault(e: Expr) -> str:
-        place, _ = domain.fault(e, {x: box.get(x, (0.0, STEEPEST)) for x in sorted(e.free_symbols, key=str)})
-        return place
-
+    box |= dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST))
+    box |= dict.fromkeys((*MOTION, OMEGA, OMEGA_2, *OF_GROWTH, *effect.states), (0.0, STEEPEST))
     for what, e in formulas.items():
-        if place := fault(e if what in NEVER_NEGATIVE else e**2 + 1):
-            refuse(effect, what, place, "finite numbers, of resistance and friction none below 0")
+        fault, _ = domain.fault(e if what in NEVER_NEGATIVE else e**2 + 1, box)
+        if fault:
+            refuse(effect, what, fault, "finite numbers, of resistance and friction none below 0")
     for state in effect.states:
-        if fault(-diff(effect.growth, state)):
+        fault, _ = domain.fault(-diff(effect.growth, state), box)
+        if fault:
             refuse(effect, "growth", f"{effect.growth}, which rises with {state}", "a bounded state")

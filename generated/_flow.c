@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "6b462de647f48ad6edeedfea999fce8040fb41ab8595ae3f0985c6f1102c4e89"
+#define DIGEST "2f2e5c81da5d1320c81d217ca452d6228647d1b9b045e63906955a1a369d50c7"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -843,7 +843,7 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         }
         return at + 5;
     }
-    case REC: { /* h = 1/(z + 1), m = -1 + 1/(z + 1) */
+    case REC: { /* h = 1/(z + 1), m = -z/(z + 1) */
         V *restrict h = r + at[1];
         V *restrict m = r + at[2];
         const V *z = r + at[3];

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 03bfebfc1897954df1c84405f7f36470498866da701c0b9cf33bdfa9c997ec9c
+# sha256 of the text below: e250789cd608d0fd5244c4a922b470fb0a9828d826dce251c2cbd95f5ca6a7c8
 """Balance of momentum as fragments of flow programs: operations of each effect and of each law.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
@@ -55,7 +55,7 @@ INPUTS = {
 
 # Laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond.
 PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {
-    'linear': ('length', (0.0, 1.0), lambda peak, residual, **_: ((peak, -peak + residual), (residual, 0.0))),
+    'linear': ('length', (0.0, 1.0), lambda peak, residual, **_: ((peak, -peak + residual), (residual, 0))),
 }
 
 _PARTS: dict[str, Any] = {

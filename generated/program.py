@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 20ef3b6cef1117adf336dc3a7b36f227e132e8ac7976cf05df8d385b9dcf40a6
+# sha256 of the text below: 7b2581505ab69cc617480f28536a3f67c395523c678545f310541bfa0186a8f4
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -633,6 +633,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
     states = []
     for state, rate in definitions.states.items():
         states.append((cells[state], registers[state], read[rate]))
+    autonomous, by_rotation = _variables(definitions, linked)
     return Program(
         cells=tuple(cells),
         given=len(given),
@@ -642,8 +643,8 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
         states=tuple(states),
         tables=tuple(tables),
         roles=roles,
-        autonomous=_autonomous(definitions, linked),
-        by_rotation=_by_rotation(definitions, linked),
+        autonomous=autonomous,
+        by_rotation=by_rotation,
         constants={name: float(name[1:]) for name in linked.constants},
     )
 
@@ -680,23 +681,18 @@ def _placed(operation: OnSeries, places: _Places) -> OnSeries:
     return OnSeries(operation.kind, results, registers, cells)
 
 
-def _autonomous(definitions: Definitions, linked: Linked) -> int:
-    """Return the code of `Program.autonomous`."""
-    taken = {register for operation in linked.series for register in operation.registers}
-    still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
-    return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)
-
-
-def _by_rotation(definitions: Definitions, linked: Linked) -> int:
-    """Return the code of `Program.by_rotation`."""
+def _variables(definitions: Definitions, linked: Linked) -> tuple[int, int]:
+    """Return the codes of `Program.autonomous` and of `Program.by_rotation`."""
     others = [operation for operation in linked.series if not squares_omega(operation)]
-    taken = {register for operation in others for register in operation.registers}
-    kinds = {operation.kind for operation in others}
-    kinds.update(table.kind for table in definitions.tables)
-    turns = len(definitions.states) == 2 and "x" in taken
-    fits = turns and "omega" not in taken and kinds.isdisjoint(SHORT)
     squared = len(linked.series) - len(others)
-    return fits * (1 + squared)
+    taken = {register for operation in others for register in operation.registers}
+    tables = {table.kind for table in definitions.tables}
+    kinds = tables.union(operation.kind for operation in others)
+    alone = len(definitions.states) == 2
+    still = "omega" not in taken
+    autonomous = (alone and "x" not in taken) * (1 + (still and not squared and tables <= {"time"}))
+    by_rotation = (alone and "x" in taken and still and kinds.isdisjoint(SHORT)) * (1 + squared)
+    return autonomous, by_rotation
 
 
 # Quantity that a law of one soil supplies, by the effect that takes it.

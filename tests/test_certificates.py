@@ -123,10 +123,12 @@ def errors(operations: list[list[Any]], alpha: list[float]) -> Iterator[arb]:
     ops = (Op(kind, tuple(args), float.fromhex(x) if kind == "const" else x) for kind, args, x in operations)
     program = Program("random", ("alpha",), tuple(ops), (len(operations) - 1,))
     values = np.broadcast_to(program.run(np.array(alpha)), len(alpha))  # it may be a constant
+
+    def exact(op: Op, operands: list[arb]) -> arb:
+        return arb(op.value) if isinstance(op.value, float) else REAL[op.kind](*operands)
+
     for x, value in zip(alpha, values.tolist(), strict=True):
-        (ideal,) = walk(
-            program, {"alpha": arb(x)}, lambda op, x: arb(op.value) if op.kind == "const" else REAL[op.kind](*x)
-        )
+        (ideal,) = walk(program, {"alpha": arb(x)}, exact)
         yield abs(arb(value) - ideal)
 
 

@@ -42,7 +42,8 @@ def moment(weight: str, name: str = "new", more: str = "") -> str:
     return f'Moment("{name}", "N", {weight}, "help"{more})'
 
 
-SLIPS = '_list("slip", "m", "slips", "slip_m")'
+SLIPS = 'Parameter("slip", "m", "slips", "slip_m", kind="list")'
+SLIPS_IN_S = SLIPS.replace('"m"', '"s"').replace("slip_m", "slip_s")
 COEFFICIENTS = '_friction("coefficient", "coefficients", "angle_deg", "list")'
 FALLS = "_R + (_P - _R) * sp.exp(-SLIP / _L)"
 C = 'sp.Symbol("c_new", real=True)'
@@ -204,7 +205,7 @@ law('None', f'({SLIPS}, {COEFFICIENTS})', more=', degree=8')
     degree: found 8, wanted 0 to 7
 law('None', f'({SLIPS},)')
     coefficient: found none, wanted a formula, or two lists
-law('None', f"({SLIPS.replace('m', 's')}, {COEFFICIENTS})")
+law('None', f'({SLIPS_IN_S}, {COEFFICIENTS})')
     coefficient: found none, wanted a formula, or two
 # dimensions
 law('_P * sp.exp(-SLIP)', '_SOFTENING[:1]')

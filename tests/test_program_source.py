@@ -9,7 +9,7 @@ import pytest
 
 from derive.approximate.programs import variants
 from derive.check.proof import ProofError
-from derive.code import emit, text
+from derive.code import emit, operations, text
 from derive.generate import emit_c
 
 
@@ -32,6 +32,15 @@ def test_a_text_that_does_something_else_is_refused(kind: str, monkeypatch: pyte
         right(self, program, name, changed)  # type: ignore[arg-type]
 
     monkeypatch.setattr(text.Reader, "check", planted)
+    with pytest.raises(ProofError, match=r"text that was written: found .* wanted"):
+        emit.PythonText().body(moment.program)
+
+
+def test_a_helper_that_does_something_else_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The function `horner` of the generated modules must perform the certified operations."""
+    right = operations.HORNER
+    monkeypatch.setattr(emit, "HORNER", lambda x, coefficients: right(x, coefficients[::-1]))
+    moment = next(v for v in variants() if (v.kernel, v.form) == ("polar_moment", "numpy"))
     with pytest.raises(ProofError, match=r"text that was written: found .* wanted"):
         emit.PythonText().body(moment.program)
 

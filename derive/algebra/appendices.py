@@ -163,11 +163,6 @@ class Proof(NamedTuple):
     integrand: Expr
     steps: tuple[ReductionStep, ...]
 
-    @property
-    def operations(self) -> tuple[int, int]:
-        """Numbers of operations of the printed text and of the final line."""
-        return self.steps[0].operations, self.steps[-1].operations
-
 
 def integrand(expression: Expr) -> Expr:
     """Return the r^n w(theta) whose double integral over the segment is the expression in alpha and theta_m.

@@ -15,6 +15,7 @@ from sympy import (
     Expr,
     Integer,
     PolynomialError,
+    Rational,
     Symbol,
     atanh,
     count_ops,
@@ -75,12 +76,12 @@ def antiderivative(integrand: Expr, x: Symbol, half_width: str = "1") -> Expr:
 def _check_continuity(primitive: Expr, integrand: Expr, x: Symbol, half_width: str) -> None:
     """Compare an antiderivative in x, zero at 0, with the quadrature of its integrand from 0 to each half-width."""
     others = sorted((primitive.free_symbols | integrand.free_symbols) - {x}, key=default_sort_key)
-    above, below = (lambdify((x, *others), form, "mpmath") for form in (primitive, integrand))
+    values = {y: Rational(12 + k, 10) for k, y in enumerate(others)}  # angles, away from special values
+    above, below = (lambdify(x, form.subs(values), "mpmath") for form in (primitive, integrand))
     with workdps(30):  # of which steep integrands of r**5 lose ten
-        values = [mpf(12 + k) / 10 for k in range(len(others))]  # angles, away from special values
         for end in (-mpf(half_width), mpf(half_width)):
-            increment = above(end, *values)
-            area = quad(lambda y: below(y, *values), linspace(0, end, 17), method="gauss-legendre")
+            increment = above(end)
+            area = quad(below, linspace(0, end, 17), method="gauss-legendre")
             if not abs(increment - area) < mpf(10) ** -12 * (1 + abs(increment)):
                 found = f"a jump of {nstr(increment - area, 3)} between 0 and {nstr(end, 4)}"
                 raise ProofError(f"antiderivative of {integrand}", found, "a continuous function")

@@ -96,11 +96,11 @@ def softening() -> Iterator[Problem]:
         t = -t * brake / (slope * j)
 
 
-def prove(count: int = 3) -> str:
+def prove() -> str:
     """Derive the linear equation, prove its solutions by substitution, and return a summary."""
     equation()
     fall = Symbol("W")
-    problems = list(islice(softening(), count))
+    problems = list(islice(softening(), 3))
     for j, problem in enumerate(problems):
         term = exp(-j * slope * x) * energy_from_rest(problem)
         net = NET.subs(problem, simultaneous=True) * exp(-j * slope * x)

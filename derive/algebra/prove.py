@@ -1,6 +1,5 @@
 """Proofs that two forms are equal, by numerical refutation and a normal form of sines and cosines."""
 
-from collections.abc import Mapping
 from itertools import chain
 from typing import Any
 
@@ -9,7 +8,6 @@ from sympy import (
     Dummy,
     Expr,
     Function,
-    Integer,
     N,
     Pow,
     Rational,
@@ -32,8 +30,6 @@ from sympy import (
 )
 
 from derive.check.proof import ProofError
-
-Quotient = tuple[Any, Any]  # numerator and denominator, polynomials of FLINT; the denominator is not zero
 
 
 def refute(expression: Expr, claim: str) -> None:
@@ -61,47 +57,38 @@ def prove_zero(expression: Expr, claim: str) -> None:
 def prove_rational(expression: Expr, claim: str) -> None:
     """Raise `ProofError` unless an expression is zero as a rational function of its symbols and functions.
 
-    Exponentials of sums are taken as products, and fractional powers as roots. ``claim`` is the text of the error.
+    It is reduced to a quotient of two polynomials. Exponentials of sums are taken as products, and fractional powers as
+    roots. ``claim`` is the text of the error.
     """
     expression = reduce_roots(expression.replace(exp, lambda exponent: expand(exp(exponent))))
     unknowns = sorted(expression.atoms(Symbol, Function), key=default_sort_key)
     context = fmpq_mpoly_ctx.get([f"x{i}" for i in range(len(unknowns))], Ordering.degrevlex)
     one = context.constant(1)
-    known = {Integer(1): (one, one)}
-    for x, polynomial in zip(unknowns, context.gens(), strict=True):
-        known[x] = (polynomial, one)
-    numerator, _ = _quotient(expression, known, claim)
+    known = dict(zip(unknowns, context.gens(), strict=True))
+
+    def quotient(e: Expr) -> tuple[Any, Any]:
+        if e in known:
+            return known[e], one
+        if e.is_Rational:
+            return one * int(e.p), one * int(e.q)
+        if e.is_Pow and e.exp.is_Integer:
+            top, bottom = (part ** abs(int(e.exp)) for part in quotient(e.base))
+            if e.exp > 0:
+                return top, bottom
+            if top == 0:
+                raise ProofError(claim, e, "a denominator that is not zero")
+            return bottom, top
+        if not (e.is_Add or e.is_Mul):
+            raise ProofError(claim, e, "a rational function")
+        (top, bottom), *others = map(quotient, e.args)
+        for over, under in others:
+            top = top * over if e.is_Mul else top * under + over * bottom
+            bottom = bottom * under
+        return top, bottom
+
+    numerator, _ = quotient(expression)
     if numerator != 0:
         prove_zero(expression, claim)
-
-
-def _quotient(e: Expr, known: Mapping[Expr, Quotient], claim: str) -> Quotient:
-    """Return an expression as a quotient, from the quotients of 1 and of its unknowns.
-
-    Raises
-    ------
-    ProofError
-        If it is not a rational function, or divides by zero; ``claim`` is the text of the error.
-    """
-    one, _ = known[Integer(1)]
-    if e in known:
-        return known[e]
-    if e.is_Rational:
-        return one * int(e.p), one * int(e.q)
-    if e.is_Pow and e.exp.is_Integer:
-        top, bottom = (part ** abs(int(e.exp)) for part in _quotient(e.base, known, claim))
-        if e.exp > 0:
-            return top, bottom
-        if top == 0:
-            raise ProofError(claim, e, "a denominator that is not zero")
-        return bottom, top
-    if not (e.is_Add or e.is_Mul):
-        raise ProofError(claim, e, "a rational function")
-    (top, bottom), *others = (_quotient(part, known, claim) for part in e.args)
-    for over, under in others:
-        top = top * over if e.is_Mul else top * under + over * bottom
-        bottom = bottom * under
-    return top, bottom
 
 
 def reduce_roots(expression: Expr) -> Expr:
@@ -132,11 +119,8 @@ def trig_normal(expression: Expr) -> Expr:
     expression = expand_trig(expression)
     functions = sorted(expression.atoms(sin, cos, atanh), key=default_sort_key)
     unknowns = {f: Dummy(str(f)) for f in functions}
-    cosine_of = {}  # cosine of each sine, if both occur
-    for f in functions:
-        cosine = cos(f.args[0])
-        if isinstance(f, sin) and cosine in unknowns:
-            cosine_of[unknowns[f]] = unknowns[cosine]
+    pairs = ((f, cos(*f.args)) for f in functions if isinstance(f, sin))
+    cosine_of = {unknowns[sine]: unknowns[cosine] for sine, cosine in pairs if cosine in unknowns}
 
     def reduced(polynomial: Expr) -> Expr:
         for sine, cosine in cosine_of.items():

@@ -16,6 +16,7 @@ from derive.approximate.programs import Variant, variants_of_ends
 from derive.check import certify, losses, midpoints, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest, seal
 from derive.code.operations import Floats
+from derive.code.program import flat
 from derive.kinds import Pair, TextDict, Texts
 from derive.progress import parallel
 
@@ -26,7 +27,8 @@ def plain(variant: Variant) -> Record:
     An operation is its kind, the indices of its operands, and its value.
     """
     operations: list[list[object]] = []
-    for op in variant.program.ops:
+    program = flat(variant.program)
+    for op in program.ops:
         if op.kind in ("log", "exponent", "significand"):
             operations.append(["call", list(op.args), op.kind])
         else:
@@ -37,7 +39,7 @@ def plain(variant: Variant) -> Record:
         "definition": list(variant.definition),
         "tier": variant.tier,
         "form": variant.form,
-        "output": variant.program.outputs[0],
+        "output": program.outputs[0],
         "operations": operations,
     }
     return record | {"assumptions": assumptions(record), "sha256": digest(record)}

@@ -76,11 +76,7 @@ class Code(Builder):
 
     def horner(self, x: Value, coefficients: Sequence[float]) -> Value:
         """Return the polynomial in x with these coefficients, lowest first."""
-        *others, last = coefficients
-        result = self.value(last)
-        for c in reversed(others):
-            result = self.fma(result, x, c)
-        return result
+        return self.put("fused_horner" if self.fused else "horner", x, value=tuple(coefficients))
 
     def below(self, seam: float, near: Value, far: Value) -> Value:
         """Return `near` where alpha < seam, and otherwise `far`."""
@@ -274,12 +270,13 @@ def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
     over, under = shapes.rounding_fit(closed, above, below)
     u = code.u
     cube = u * code.x
-    z = (HALF_PI - code.x) * (code.x + HALF_PI) if below else u  # small errors where z is small
-    q = code.horner(z, over) / code.horner(z, under) if below else code.horner(z, over)
+    z = (HALF_PI - code.x) * (code.x + HALF_PI)  # small errors where z is small
     first = 1.0 if below else float(limit(closed))
     lean = 0.51 * math.ulp(math.nextafter(first, 0.0))  # a little more than half an ulp
-    value = cube * (code.fma(q, u, -lean) + first)
-    return value * float(limit(closed)) if below else value
+    if not below:
+        return cube * (code.horner(u, (-lean, *over)) + first)
+    q = code.horner(z, over) / code.horner(z, under)
+    return cube * (code.fma(q, u, -lean) + first) * float(limit(closed))
 
 
 def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Variant:

@@ -1,16 +1,15 @@
 """NumPy source of a `Program`: plain operators and calls, so that arrays of other libraries may be passed."""
 
 import re
-import runpy
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
+from derive.code.operations import HORNER, TEMPLATES
 from derive.code.program import Program
 from derive.code.text import WIDTH, Language, Part, Reader, statements
 from derive.kinds import Coefficients, Names, TextMap, TextPair, Texts
@@ -32,9 +31,7 @@ class Function:
     tiers: Mapping[str, Program]  # NumPy program of each tier
 
 
-PYTHON = Language(
-    "python", "{name} = {text}", repr, "horner({x}, ({coefficients}))", several="{names} = {function}({arguments})"
-)
+PYTHON = Language("python", "{name} = {text}", repr, several="{names} = {function}({arguments})")
 # Imports of all generated modules; of the certified functions beyond these, and of their stub.
 IMPORTS = "from __future__ import annotations\n\nfrom typing import Any\n\nimport numpy as np\n"
 KERNEL_IMPORTS = """
@@ -52,9 +49,7 @@ from numpy.typing import ArrayLike, NDArray
 from generated._compiled import Text
 from generated._evaluate import Out
 """
-TEMPLATES = Path(__file__).resolve().parent / "templates"
 PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
-HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
 def filled(name: str, marks: TextMap | None = None) -> str:
@@ -73,7 +68,7 @@ class PythonText:
     """Private functions of a module. Each is read back after it is written, and may call earlier functions."""
 
     def __init__(self) -> None:
-        self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HELPERS["horner"]})
+        self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HORNER})
         self.reader.scope["lost"] = partial(self.reader.builder.put, "lost")
         self.parts: list[Part] = []
 
@@ -96,7 +91,7 @@ class PythonText:
         code = textwrap.indent("\n".join(lines), "    ")
         text = f"def {name}({', '.join(parameters)}) -> {returned}:\n{code}\n"
         self.reader.check(program, name, text)
-        if len(program.ops) > 9:
+        if len(lines) > 1:  # one expression is as short as a call
             self.parts.append(Part(name, program))
         return text
 

@@ -1,14 +1,16 @@
 """Operations of programs: their text in Python and C, and their exact meaning, in one table.
 
-In a template ``{0}`` is the first operand. C has templates for single numbers and for vectors of lanes. ``binds`` is
-the precedence of the text (comparison 0, sum 1, product 2, sign 3, call 9), and ``needs`` the precedence that each
-operand requires. An operation without a template is not available in that language. The meaning applies to arrays and
-rounds as every machine does. NumPy's operations follow IEEE 754; the fused multiply-add, which NumPy lacks, is exact
-before it is rounded.
+In a template ``{0}`` is the first operand. Polynomials also have ``{degree}`` and ``{coefficients}``. C has templates
+for single numbers and for vectors of lanes. ``binds`` is the precedence of the text (comparison 0, sum 1, product 2,
+sign 3, call 9), and ``needs`` the precedence that each operand requires. An operation without a template is not
+available in that language. The meaning applies to arrays and rounds as every machine does. NumPy's operations follow
+IEEE 754; the fused multiply-add, which NumPy lacks, is exact before it is rounded.
 """
 
+import runpy
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,9 +19,12 @@ from numpy.typing import NDArray
 from sympy import Abs, Max, Min, atanh, cos, exp, log, sin, sqrt, tan
 
 from derive.algebra.remainders import Select, expm1, log1p
+from derive.kinds import Coefficients
 
 Floats = NDArray[np.float64]
 
+TEMPLATES = Path(__file__).resolve().parent / "templates"
+HORNER = runpy.run_path(str(TEMPLATES / "_evaluate.py"))["horner"]  # of the generated modules
 EXACT = 4400  # bits that contain the sum of any product and number
 
 
@@ -40,6 +45,15 @@ def fma(a: Floats, b: Floats, c: Floats) -> Floats:
     """Return a b + c, rounded once."""
     with ctx.workprec(EXACT):
         return np.asarray(_multiply_add(a, b, c))
+
+
+def fused_horner(x: Floats, coefficients: Coefficients) -> Floats:
+    """Return the polynomial with these coefficients, lowest first, by multiply-adds that are rounded once."""
+    *others, last = coefficients
+    result = np.asarray(last)
+    for c in reversed(others):
+        result = fma(result, x, np.asarray(c))
+    return result
 
 
 def exponent(x: Floats) -> Floats:
@@ -103,6 +117,8 @@ OPERATIONS = {
     ),
     "lost": Operation("lost({0}, {1})", "lost({0}, {1})", "", lambda a, b: two_sum(a, b)[1]),
     "integer": _call("rint", None, "NEAREST({0})"),
+    "horner": Operation("horner({0}, ({coefficients}))", "POLY{degree}({0}, {coefficients})", "", HORNER),
+    "fused_horner": Operation("", "POLY{degree}({0}, {coefficients})", "", fused_horner),
     "fma": Operation("", "FMA({0}, {1}, {2})", "", fma),
     "exponent": Operation("", "exponent_of({0})", "", exponent),
     "significand": Operation("", "significand_of({0})", "", significand),

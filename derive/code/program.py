@@ -17,7 +17,7 @@ from sympy import Add, Basic, Expr, Function, Integer, Mul, N, Symbol, default_s
 
 from derive.algebra.remainders import Exp, Horner, Select, SineRest
 from derive.code.operations import OPERATIONS
-from derive.kinds import Names
+from derive.kinds import Coefficients, Names
 
 _NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
 _SYMBOLS = {operation.symbol: name for name, operation in OPERATIONS.items()} | {Exp: "exp"}
@@ -25,11 +25,14 @@ _SYMBOLS = {operation.symbol: name for name, operation in OPERATIONS.items()} | 
 
 @dataclass(frozen=True, slots=True)
 class Op:
-    """Operation of `OPERATIONS`, input or constant, with the indices of its operands, and a name or a value."""
+    """Operation of `OPERATIONS`, input or constant, with the indices of its operands.
+
+    ``value`` is the name of an input, a constant, or the coefficients of a polynomial, lowest first.
+    """
 
     kind: str
     args: tuple[int, ...] = ()
-    value: str | float | None = None
+    value: str | float | Coefficients | None = None
 
 
 @dataclass(frozen=True)
@@ -53,8 +56,9 @@ class Program:
 
         def make(op: Op, operands: list[Any]) -> Any:
             if op.kind == "const":
-                return np.float64(op.value)
-            return OPERATIONS[op.kind].meaning(*operands)
+                return np.float64(op.value)  # type: ignore[arg-type]
+            coefficients = () if op.value is None else (op.value,)
+            return OPERATIONS[op.kind].meaning(*operands, *coefficients)
 
         with np.errstate(under="ignore"):
             result, *_ = walk(self, dict(zip(self.inputs, map(np.float64, args), strict=True)), make)
@@ -82,13 +86,10 @@ class Builder:
         self.ops: list[Op] = []
         self.index: dict[Op, int] = {}
 
-    def put(self, kind: str, *operands: Any, value: str | float | None = None) -> "Value":
-        """Return the value of an operation on values and numbers, appended unless it exists.
-
-        ``value`` is the name of an input or the number of a constant.
-        """
+    def put(self, kind: str, *operands: Any, value: str | float | Coefficients | None = None) -> "Value":
+        """Return the value of an operation on values and numbers, appended unless it exists; ``value`` as in `Op`."""
         args = tuple(self.value(x).place for x in operands)
-        key = Op(kind, args, value.hex() if isinstance(value, float) else value)  # -0.0 is a key, too
+        key = Op(kind, args, repr(value))  # -0.0 is a key, too
         if key not in self.index:
             self.index[key] = len(self.ops)
             self.ops.append(Op(kind, args, value))
@@ -99,6 +100,14 @@ class Builder:
         if isinstance(x, Value):
             return x
         return self.put("const", value=float(x))
+
+    def polynomial(self, x: "Value", coefficients: Coefficients, fused: bool) -> "Value":
+        """Return the value of a polynomial, lowest coefficient first, by Horner's scheme of simpler operations."""
+        *others, last = coefficients
+        result = self.value(last)
+        for c in map(self.value, reversed(others)):
+            result = self.put("fma", result, x, c) if fused else result * x + c
+        return result
 
     def inline(self, p: Program, inputs: Mapping[str, "Value"]) -> list["Value"]:
         """Append the operations of a program and return its outputs; ``inputs`` are values by their names."""
@@ -124,6 +133,14 @@ class Value(NDArrayOperatorsMixin):
         return self.builder.put(_NAMES[function], *operands)
 
 
+def _nearest(number: Expr) -> float:
+    """Return the double nearest to an exact number."""
+    if number.is_Rational:
+        return int(number.p) / int(number.q)  # correctly rounded by Python
+    with mpmath.workprec(300):
+        return float(mpmath.mpf(N(number, 80)._mpf_))
+
+
 class _Lowering(Builder):
     """Conversion of SymPy expressions to operations."""
 
@@ -131,13 +148,6 @@ class _Lowering(Builder):
         super().__init__()
         self.inputs = inputs
         self.done: dict[Basic, Value] = {Symbol(x, real=True): self.put("input", value=x) for x in inputs}
-
-    def const(self, value: Expr) -> Value:
-        """Return the constant nearest to an exact number."""
-        if value.is_Rational:
-            return self.value(int(value.p) / int(value.q))  # correctly rounded by Python
-        with mpmath.workprec(300):
-            return self.value(mpmath.mpf(N(value, 80)._mpf_))
 
     def add(self, expression: Basic) -> Value:
         """Return the value of an expression, computed once."""
@@ -150,11 +160,12 @@ class _Lowering(Builder):
         if e.is_Symbol:
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
         if e.is_number and not e.has(Function):
-            return self.const(e)
+            return self.value(_nearest(e))
         if isinstance(e, SineRest):
             return self.add(e.lower())
         if isinstance(e, Horner):
-            return self._horner(e)
+            argument, *coefficients = e.args
+            return self.put("horner", self.add(argument), value=tuple(map(_nearest, coefficients)))
         if e.is_Add:
             return self._sum(e)
         if e.is_Mul:
@@ -216,15 +227,6 @@ class _Lowering(Builder):
         """Return all parts combined by one operation, of this kind, from the left."""
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
-    def _horner(self, e: Horner) -> Value:
-        """Return the value of a polynomial by Horner's scheme."""
-        argument, *coefficients, last = e.args
-        x = self.add(argument)
-        result = self.const(last)
-        for c in reversed(coefficients):
-            result = result * x + self.const(c)
-        return result
-
     def _power(self, base: Expr, exponent: Expr) -> Value:
         """Return a power with half an integer as exponent, by squaring, since `pow` is a slow library call."""
         if exponent.could_extract_minus_sign():
@@ -275,3 +277,17 @@ def without_dead(p: Program) -> Program:
         op = p.ops[index]
         ops.append(replace(op, args=tuple(place[i] for i in op.args)))
     return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs))
+
+
+def flat(p: Program) -> Program:
+    """Return the program with each polynomial as its multiplications and additions, or fused multiply-adds."""
+    code = Builder()
+
+    def make(op: Op, operands: list[Value]) -> Value:
+        if not isinstance(op.value, tuple):
+            return code.put(op.kind, *operands, value=op.value)
+        (x,) = operands
+        return code.polynomial(x, op.value, op.kind == "fused_horner")
+
+    outputs = walk(p, {x: code.put("input", value=x) for x in p.inputs}, make)
+    return replace(p, ops=tuple(code.ops), outputs=tuple(x.place for x in outputs))

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
-from derive.code.program import Builder, Op, Program, walk
+from derive.code.program import Builder, Op, Program, flat, walk
 from derive.kinds import Names, Texts, ValueDict
 
 WIDTH = 116  # width of a statement, including its indent
@@ -21,12 +21,11 @@ INLINE = 72  # greatest length of a value that is written where it is used once
 
 @dataclass(frozen=True)
 class Language:
-    """Notation of statements, numbers and polynomials in Python or C."""
+    """Notation of statements and numbers in Python or C."""
 
     templates: str  # the field of an `Operation`
     statement: str
     number: Callable[[float], str]
-    polynomial: str  # with {x}, {degree} and {coefficients}
     space: str = ""
     passed: Names = ()  # further arguments of every call of a part
     several: str = ""  # call with several results: {names}, {function}, {arguments}, {places} of results
@@ -59,7 +58,6 @@ class _Text:
         self.counts: Counter[str] = Counter()
         self.names = _known(program)
         self.calls = _calls(program, parts)
-        self.polynomials = _polynomials(program)
         uses = self._uses()
         for i in sorted(uses):
             if i in self.calls and len(self.calls[i].results) > 1:
@@ -68,12 +66,12 @@ class _Text:
             self.text[i] = self._expression(i)
             if program.ops[i].kind in ("input", "const"):
                 continue
-            named = i in self.names or i in self.polynomials or len(self.text[i][0]) > INLINE
+            named = i in self.names or self._is_polynomial(i) or len(self.text[i][0]) > INLINE
             if uses[i] > 1 or (named and i not in program.outputs):
                 self._name(i)
 
     def _uses(self) -> Counter[int]:
-        """Return how often each needed value is written, by index, where calls and polynomials are written as such."""
+        """Return how often each needed value is written, by index, where calls are written as such."""
         ops = self.program.ops
         uses = Counter(self.program.outputs)
         called = set[Call]()
@@ -83,8 +81,6 @@ class _Text:
             if call := self.calls.get(i):
                 uses.update(call.arguments * (call not in called))
                 called.add(call)
-            elif i in self.polynomials:
-                uses[self.polynomials[i][0]] += 1
             else:
                 uses.update(ops[i].args)
         return uses
@@ -100,10 +96,13 @@ class _Text:
         if i in self.calls:
             call = self.calls[i]
             return f"{call.function}({self._arguments(call)})", 9
-        if i in self.polynomials:
-            return self._polynomial(*self.polynomials[i]), 9
-        while len(self._operation(op)) > WIDTH - 24:  # room for the name
-            self._name(max(op.args, key=lambda a: len(self.text[a][0])))
+        if self._is_polynomial(i):
+            (x,) = op.args
+            if not self.text[x][0].isidentifier():
+                self._name(x)
+        else:
+            while len(self._operation(op)) > WIDTH - 24:  # room for the name
+                self._name(max(op.args, key=lambda a: len(self.text[a][0])))
         return self._operation(op), OPERATIONS[op.kind].binds
 
     def _arguments(self, call: Call) -> str:
@@ -121,17 +120,11 @@ class _Text:
         parts = {"function": call.function, "arguments": self._arguments(call), "names": ", ".join(names)}
         self.lines.append(self.language.several.format(**parts, places=", ".join(f"&{x}" for x in names)))
 
-    def _polynomial(self, x: int, coefficients: Sequence[float]) -> str:
-        """Return the text of a polynomial in value ``x`` with these coefficients, lowest first, after naming ``x``."""
-        if not self.text[x][0].isidentifier():
-            self._name(x)
-        numbers = ", ".join(self.language.number(c) for c in coefficients)
-        degree = len(coefficients) - 1
-        return self.language.polynomial.format(x=self.text[x][0], degree=degree, coefficients=numbers)
-
     def _operation(self, op: Op) -> str:
         """Return an operation on the texts of its operands, with brackets where their precedence requires them."""
         operation = OPERATIONS[op.kind]
+        coefficients = op.value if isinstance(op.value, tuple) else ()
+        numbers = ", ".join(map(self.language.number, coefficients))
         template = getattr(operation, self.language.templates)
         if not template:
             raise ValueError(f"{op.kind} has no place in {self.language.templates}")
@@ -139,13 +132,18 @@ class _Text:
         for place, need in zip(op.args, operation.needs):  # noqa: B905 (three needs, fewer operands)
             text, binds = self.text[place]
             operands.append(text if binds >= need else f"({text})")
-        return str(template.format(*operands, space=self.language.space))
+        degree = len(coefficients) - 1
+        return str(template.format(*operands, space=self.language.space, degree=degree, coefficients=numbers))
+
+    def _is_polynomial(self, i: int) -> bool:
+        """Return whether value ``i`` is a polynomial, which has a name and whose argument has one."""
+        return self.program.ops[i].kind.endswith("horner")
 
     def _new_name(self, i: int) -> str:
         """Return a new name for value ``i``: p1, p2, ... for polynomials and t1, t2, ... for other values."""
         name = self.names.get(i)
         if not name:
-            letter = "p" if i in self.polynomials else "t"
+            letter = "p" if self._is_polynomial(i) else "t"
             self.counts[letter] += 1
             name = f"{letter}{self.counts[letter]}"
         taken = {text for text, _ in self.text.values()}.union(self.program.inputs)
@@ -200,20 +198,6 @@ def _squared(name: str) -> str:
     return f"{name}_2"
 
 
-def _polynomials(program: Program) -> dict[int, tuple[int, list[float]]]:
-    """Return Horner's schemes of at least three coefficients by index of the value: argument and coefficients.
-
-    The argument is an index, and the coefficients are listed lowest first.
-    """
-    uses = Counter(i for op in program.ops for i in op.args)
-    schemes = {}
-    for i in range(len(program.ops)):
-        scheme = _polynomial(program, i, uses)
-        if scheme is not None and len(scheme[1]) > 2:
-            schemes[i] = scheme
-    return schemes
-
-
 def seam(program: Program) -> tuple[float, int, int] | None:
     """Return the seam and the indices of both values if the result is a choice between two pieces, otherwise None."""
     output = program.ops[program.outputs[0]]
@@ -224,35 +208,6 @@ def seam(program: Program) -> tuple[float, int, int] | None:
     if less.kind != "less" or [program.ops[i].kind for i in less.args] != ["input", "const"]:
         return None
     return float(program.ops[less.args[1]].value), near, far  # type: ignore[arg-type]
-
-
-def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list[float]] | None:
-    """Return argument and coefficients if value ``i`` is Horner's scheme whose steps are used only by the next step.
-
-    ``uses`` are the numbers of operations that use each value. The coefficients are listed lowest first.
-    """
-    ops = program.ops
-    coefficients = []
-    x = None
-    step = i
-    while ops[step].kind != "const":
-        op = ops[step]
-        if step != i and uses[step] > 1:
-            return None
-        if op.kind == "fma":
-            inner, by, last = op.args
-        elif op.kind == "add" and ops[op.args[0]].kind == "mul" and uses[op.args[0]] == 1:
-            inner, by = ops[op.args[0]].args
-            last = op.args[1]
-        else:
-            return None
-        if ops[last].kind != "const" or ops[by].kind == "const" or x not in (None, by):
-            return None
-        x = by
-        coefficients.append(float(ops[last].value))  # type: ignore[arg-type]
-        step = inner
-    coefficients.append(float(ops[step].value))  # type: ignore[arg-type]
-    return None if x is None else (x, coefficients)
 
 
 def _calls(program: Program, parts: Sequence[Part]) -> dict[int, Call]:
@@ -318,6 +273,6 @@ class Reader:
         if not isinstance(results, tuple):
             results = (results,)
         read = [self.builder.value(x).place for x in results]
-        written = [x.place for x in self.builder.inline(program, inputs)]
+        written = [x.place for x in self.builder.inline(flat(program), inputs)]
         if read != written:
             raise ProofError(f"{name}: text that was written", f"operations {read}", f"{written}, those of its program")

@@ -4,6 +4,7 @@ import math
 from collections import deque
 from collections.abc import Mapping, Sequence
 from functools import reduce
+from itertools import product
 
 from flint import arb
 from sympy import Expr, Symbol, diff, lambdify
@@ -24,18 +25,17 @@ _ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos",
 def fault(e: Expr, domain: Mapping[Symbol, Ends]) -> TextPair:
     """Return where an expression has a pole, is complex or negative, and where it is undecided; otherwise empty texts.
 
-    ``domain`` has the least and greatest value of each symbol. An undecided expression is searched again at the ends of
-    all symbols in which it is linear, where it is least.
+    ``domain`` has the least and greatest value of each symbol, also of others. An undecided expression is searched
+    again at the ends of all symbols in which it is linear, where it is least.
     """
+    domain = {x: ends for x, ends in domain.items() if e.has(x)}
     wrong, undecided = _search(e, domain)
     if wrong or not undecided:
         return wrong, ""
-    corners: list[dict[Symbol, Ends]] = [{}]
-    for x, (low, high) in domain.items():
-        if e.has(x) and not diff(e, x).has(x):
-            corners = [corner | {x: (end, end)} for corner in corners for end in (low, high)]
-    for corner in corners:
-        wrong, undecided = _search(e, {**domain, **corner})
+    linear = [x for x in domain if not diff(e, x).has(x)]
+    for ends in product(*(domain[x] for x in linear)):
+        corner = zip(linear, zip(ends, ends, strict=True), strict=True)
+        wrong, undecided = _search(e, domain | dict(corner))
         if wrong or undecided:
             return wrong, undecided
     return "", ""
@@ -78,10 +78,7 @@ def _search(e: Expr, domain: Mapping[Symbol, Ends]) -> TextPair:
 
 def _place(domain: Mapping[Symbol, Ends], values: Sequence[float]) -> str:
     """Return the values of the symbols as text."""
-    texts = []
-    for x, at in zip(domain, values, strict=True):
-        texts.append(f"{x} = {at:.3g}")
-    return ", ".join(texts)
+    return ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, values, strict=True))
 
 
 def _width(low: float, high: float) -> float:

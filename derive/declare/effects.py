@@ -176,11 +176,6 @@ def _friction(name: str, help: str, key: str = "", kind: str = "number") -> Para
     return Parameter(name, "", help, key or f"{name}_deg", kind=kind)
 
 
-def _list(name: str, unit: str, help: str, key: str, lower: float = _BELOW_0) -> Parameter:
-    """Declare the arguments of a table."""
-    return Parameter(name, unit, help, key, lower=lower, kind="list")
-
-
 _SOFTENING = (
     _friction("peak", "friction coefficient at the start"),
     _friction("residual", "friction coefficient after much slip"),
@@ -203,17 +198,17 @@ LAWS = (
     Law("hyperbolic", "residual + (peak - residual)/(1 + slip/length)", _SOFTENING,
         _R + (_P - _R) / (1 + SLIP / _L), equation="Fig. 4-1"),
     Law("tabulated", "monotone cubic interpolation in a table, its last value beyond", (
-        _list("slip", "m", "slips of the table, increasing, from 0", "slip_m"),
+        Parameter("slip", "m", "slips of the table, increasing, from 0", "slip_m", kind="list"),
         _friction("coefficient", "friction coefficients at these slips", "angle_deg", kind="list")),
         degree=3, equation="Fig. 4-1"),
     Law("rate_weakening", "residual + (peak - residual)/(1 + speed/velocity)", _WEAKENING,
         _R + (_P - _R) / (1 + SPEED / _V), equation="1.14"),
     Law("rate_tabulated", "monotone cubic interpolation in the logarithm of the speed, the end values beyond", (
-        _list("speed", "m/s", "speeds of the table, increasing", "speed_m_s", lower=0.0),
+        Parameter("speed", "m/s", "speeds of the table, increasing", "speed_m_s", lower=0.0, kind="list"),
         _friction("coefficient", "friction coefficients at these speeds", "angle_deg", kind="list")),
         degree=3, equation="1.14"),
     Law("prescribed", "straight lines between the times of a table, the end values beyond", (
-        _list("time", "s", "times of the table, increasing", "time_s"),
+        Parameter("time", "s", "times of the table, increasing", "time_s", kind="list"),
         _friction("coefficient", "friction coefficients at these times", "angle_deg", kind="list")),
         equation="1.14"),
 )  # fmt: skip

@@ -249,32 +249,31 @@ def _log_speed(law: Law, low: Lowering) -> None:
 
 
 def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
-    """Return breaks of a law with a kink, over the slip at the kink, and the polynomials of its pieces.
-
-    A piece uses the valid branch of each minimum or maximum, so that a constant piece equals its parameter exactly.
-    """
-    s = cell("s")
-    y = cell("y")
-    (kink,) = law.kinks
-    coefficient = sympify(law.coefficient).subs(SLIP, s * kink)
+    """Return breaks of a law with a kink, over the slip at the kink, and the polynomials of its pieces."""
     breaks: list[Expr] = [ZERO, ONE]
-    polynomials = []
-    for start in breaks:
-        middle = start + Rational(1, 2)
-
-        def branch(e: Expr, middle: Expr = middle) -> Expr:
-            there = e.subs(s, middle)
-            return next(x for x in e.args if x.subs(s, middle) == there)
-
-        piece = coefficient.replace(lambda e: isinstance(e, (Min, Max)), branch)
-        of_distance = expand(piece.subs(s, start + y))
-        if not of_distance.is_polynomial(y):
-            raise ProofError(f"{law.name}: piece between branches", of_distance, "a polynomial of the slip")
-        polynomials.append(Poly(of_distance, y).all_coeffs()[::-1])
+    polynomials = [_polynomial(law, start) for start in breaks]
     most = max(map(len, polynomials))
     if most > DEGREE + 1:
         raise ProofError(f"{law.name}: degree of a piece", most - 1, f"at most {DEGREE}")
     return breaks, [p + [ZERO] * (most - len(p)) for p in polynomials]
+
+
+def _polynomial(law: Law, start: Expr) -> list[Expr]:
+    """Return the coefficients of a law's piece of length 1 in powers of the distance from its start, lowest first.
+
+    The piece uses the valid branch of each minimum or maximum, so that a constant piece equals its parameter exactly.
+    """
+    y = cell("y")
+    (kink,) = law.kinks
+    piece = sympify(law.coefficient).subs(SLIP, kink * (start + y))
+    branches = {}
+    for e in piece.atoms(Min, Max):
+        at_middle = {x.subs(y, Rational(1, 2)): x for x in e.args}
+        branches[e] = at_middle[e.func(*at_middle)]
+    piece = expand(piece.xreplace(branches))
+    if not piece.is_polynomial(y):
+        raise ProofError(f"{law.name}: piece between branches", piece, "a polynomial of the slip")
+    return Poly(piece, y).all_coeffs()[::-1]
 
 
 def _gravity() -> Fragment:

@@ -4,7 +4,7 @@ import ast
 import inspect
 from pprint import pformat
 
-from sympy import Float, sstr
+from sympy import Tuple, sstr
 
 from derive.code.emit import filled
 from derive.declare.effects import LAWS, Law
@@ -41,16 +41,10 @@ def _pieces(law: Law) -> str:
     of a polynomial of the distance from its break, over the scale, are listed lowest first.
     """
     breaks, polynomials = pieces(law)
-    names: set[str] = set()
-    rows = []
-    for polynomial in polynomials:
-        coefficients = []
-        for c in polynomial:
-            names.update(str(x) for x in c.free_symbols)
-            coefficients.append(sstr(Float(c) if c.is_Number else c))
-        rows.append(f"({', '.join(coefficients)})")
+    rows = Tuple(*(Tuple(*polynomial) for polynomial in polynomials))
+    names = ", ".join(sorted(map(str, rows.free_symbols)))
     starts = tuple(map(float, breaks))
-    return f"({law.kinks[0].name!r}, {starts!r}, lambda {', '.join(sorted(names))}, **_: ({', '.join(rows)}))"
+    return f"({law.kinks[0].name!r}, {starts!r}, lambda {names}, **_: {sstr(rows)})"
 
 
 def linker_module() -> str:

@@ -50,16 +50,22 @@ def _sum(a: IndexedBase, b: IndexedBase) -> Expr:
 class SeriesOperation:
     """Operation on series: results and arguments, order 0 from order 0, and order n from the lower orders.
 
-    ``means`` expresses each result as a function of the arguments, ``start`` is the same without cancellation at 0, and
-    ``step`` is coefficient n >= 1.
+    ``start`` expresses order 0 of each result by order 0 of the arguments, without cancellation at 0, and ``step`` is
+    coefficient n >= 1. ``definition`` states the results as functions of the arguments if they are not those of
+    ``start``.
     """
 
     name: str
     results: tuple[IndexedBase, ...]
     arguments: tuple[IndexedBase, ...]
-    means: tuple[Expr, ...]
     start: tuple[Expr, ...]
     step: tuple[Expr, ...]
+    definition: tuple[Expr, ...] = ()
+
+    @property
+    def means(self) -> tuple[Expr, ...]:
+        """Results as functions of the arguments."""
+        return self.definition or tuple(map(unfold, self.start))
 
 
 D = IndexedBase("d")
@@ -69,48 +75,33 @@ _t = Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
 OPERATIONS = {
     o.name: o
     for o in (
-        SeriesOperation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (A[0] * B[n] + A[n] * B[0] + _sum(A, B),)),
-        SeriesOperation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (2 * A[0] * A[n] + _sum(A, A),)),
+        SeriesOperation("mul", (D,), (A, B), (A * B,), (A[0] * B[n] + A[n] * B[0] + _sum(A, B),)),
+        SeriesOperation("sqr", (D,), (A,), (A**2,), (2 * A[0] * A[n] + _sum(A, A),)),
         SeriesOperation(
             "powers",
             POWERS,
             (X,),
             tuple(X**power for power in range(2, DEGREE + 1)),
-            tuple(X[0] ** power for power in range(2, DEGREE + 1)),
             tuple(X[0] * lower[n] + X[n] * lower[0] + _sum(X, lower) for lower in (X, *POWERS[:-1])),
         ),
-        SeriesOperation("tim", (Q,), (A,), (_t * Derivative(A, _t),), (Integer(0),), (n * A[n],)),
+        SeriesOperation("tim", (Q,), (A,), (Integer(0),), (n * A[n],), (_t * Derivative(A, _t),)),
         SeriesOperation(
             "turn",
             (S, V),
             (Q, X),
-            (sin(X), 1 - cos(X)),
-            (sin(X[0]), 2 * sin(X[0] / 2) ** 2),
+            (sin(X), 2 * sin(X / 2) ** 2),
             ((Q[n] - Q[n] * V[0] - _sum(Q, V)) / n, (Q[n] * S[0] + _sum(Q, S)) / n),
+            (sin(X), 1 - cos(X)),
         ),
-        SeriesOperation(
-            "exp",
-            (E, M),
-            (Q, Z),
-            (exp(Z), exp(Z) - 1),
-            (exp(Z[0]), expm1(Z[0])),
-            ((Q[n] * E[0] + _sum(Q, E)) / n, E[n]),
-        ),
-        SeriesOperation(
-            "rec",
-            (H, M),
-            (Z,),
-            (1 / (1 + Z), 1 / (1 + Z) - 1),
-            (1 / (1 + Z[0]), -Z[0] / (1 + Z[0])),
-            (-H[0] * (Z[n] * H[0] + _sum(Z, H)), H[n]),
-        ),
+        SeriesOperation("exp", (E, M), (Q, Z), (exp(Z), expm1(Z)), ((Q[n] * E[0] + _sum(Q, E)) / n, E[n])),
+        SeriesOperation("rec", (H, M), (Z,), (1 / (1 + Z), -Z / (1 + Z)), (-H[0] * (Z[n] * H[0] + _sum(Z, H)), H[n])),
         SeriesOperation(
             "log",
             (U, L),
             (Q, Z),
-            (_t * Derivative(Z, _t) / (1 + Z), log(1 + Z)),
-            (Integer(0), log1p(Z[0])),
+            (Integer(0), log1p(Z)),
             ((Q[n] - _sum(U, Z)) / (1 + Z[0]), U[n] / n),
+            (_t * Derivative(Z, _t) / (1 + Z), log(1 + Z)),
         ),
     )
 }
@@ -125,7 +116,8 @@ def prove(order: int = 6) -> Texts:
         coefficients = _coefficients(o, order)
         for i in range(order + 1):
             for result, start, step in zip(o.results, o.start, o.step, strict=True):
-                stated = unfold(at(step.subs(n, i).doit() if i else start, coefficients))
+                of_order_0 = unfold(start.xreplace({x: coefficients[x][0] for x in o.arguments}))
+                stated = at(step.subs(n, i).doit(), coefficients) if i else of_order_0
                 prove_zero(expand(stated - coefficients[result][i]), f"{o.name}: coefficient {i}")
         claims.append(f"{o.name}: {order + 1} coefficients")
     return claims
@@ -175,8 +167,6 @@ def evaluate(
             registers[results[0]] = Add(constant, *map(Mul, factors, values))
             continue
         operation = OPERATIONS[kind]
-        known: dict[Any, Any] = {}
-        for x, value in zip(operation.arguments, values, strict=True):
-            known |= {x: value, x[0]: value}
+        known = dict(zip(operation.arguments, values, strict=True))
         for result, form in zip(results, forms(operation), strict=True):
             registers[result] = form.xreplace(known)

@@ -23,14 +23,14 @@ class _Target(NamedTuple):
 
 
 C = _Target(
-    Language("vector", "const V {name} = {text};", repr, ""),
+    Language("vector", "const V {name} = {text};", repr),
     "(V){0}",
     ";",
     "const V {name} = {name}_[0] + {name}_[1];",
     "V {name} = 2.0 * ({name}_[0] + {name}_[1]);\nif (n % 2 == 0) {name} += {a}[n / 2] * {a}[n / 2];",
 )
 NUMPY = _Target(
-    Language("python", "{name} = {text}", repr, "", "np"),
+    Language("python", "{name} = {text}", repr, "np"),
     "0.0",
     "",
     "{name} = _over({a}, {b}, n, n - 1)",
@@ -104,7 +104,8 @@ def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ())
 
 def _body(o: SeriesOperation, target: _Target) -> tuple[Texts, Texts]:
     """Return statements for order 0 and for order n. A result may be used by later results."""
-    start, texts = _texts(o.start, target.language)
+    of_order_0 = {x: x[0] for x in o.arguments}
+    start, texts = _texts([e.xreplace(of_order_0) for e in o.start], target.language)
     for x, e, text in zip(o.results, o.start, texts, strict=True):
         start.append(f"{x}[0] = {text if e else target.zero}{target.end}")
     sums = _sums(o)

@@ -3,7 +3,7 @@
 from types import SimpleNamespace
 from typing import Any
 
-from sympy import Catalan, EulerGamma, Expr, Rational, cos, nsimplify, pi, sin, symbols
+from sympy import Add, Catalan, EulerGamma, Expr, Rational, cos, nsimplify, pi, sin, symbols
 
 from derive.algebra import phase_plane, pieces
 from derive.algebra.prove import prove_rational, prove_zero
@@ -68,31 +68,29 @@ def _peak(speed: Any, net: Any, after: Any) -> list[Any]:
     return [top, now + length * level.subs(numbers), behind + length * way]
 
 
-def _turn(factors: list[Any], rise: list[Any], square: Any) -> list[Expr]:
-    """Return rotation, speed, sine and 1 - cosine of a turning mass as polynomials of the time in a piece."""
-    names = ("x", "omega", "net", "sine", "versine")
-    series: dict[str, list[Any]] = {name: [0] * STRIDE for name in names}
+def _turn(moments: list[Any], rise: list[Any], square: Any) -> list[Expr]:
+    """Return rotation, speed, net moment, sine and 1 - cosine of a turning mass as polynomials of the time."""
+    x, omega, net, sine, versine = every = [[0] * STRIDE for _ in range(5)]
     s = SimpleNamespace(x=0, omega=Rational(2, 7), sine_x=Rational(3, 7), versine_x=Rational(4, 7), net_square=square)
     s.inverse = [0, *(Rational(1, k) for k in range(1, STRIDE))]
-    s.series = SimpleNamespace(**series)
-    shaken.expand_piece(s, factors, rise, series["sine"], series["versine"])
-    del series["net"]
-    return [sum(c * pieces.time**k for k, c in enumerate(of)) for of in series.values()]
+    s.series = SimpleNamespace(x=x, omega=omega, net=net)
+    shaken.expand_piece(s, moments, rise, sine, versine)
+    return [Add(*(c * pieces.time**k for k, c in enumerate(of))) for of in every]
 
 
 def _prove_series() -> None:
     """Prove that the series of a turning mass satisfy the equation of motion to their order, for rational numbers."""
     *numbers, square = (Rational(k, 5) for k in range(2, 9))
-    factors, rise = numbers[:3], numbers[3:]
-    x, omega, sine, versine = _turn(factors, rise, square)
-    moments = (a + b * pieces.time for a, b in zip(factors, rise, strict=True))
-    given = dict(zip((phase_plane.drive, phase_plane.sine, phase_plane.vers), moments, strict=True))
+    moments, rise = numbers[:3], numbers[3:]
+    rotation, speed, _, sine, versine = _turn(moments, rise, square)
+    linear = (a + b * pieces.time for a, b in zip(moments, rise, strict=True))
+    given = dict(zip((phase_plane.drive, phase_plane.sine, phase_plane.vers), linear, strict=True))
     given |= {sin(phase_plane.x): sine, cos(phase_plane.x): 1 - versine}
     rates = {
-        x: omega,
-        omega: phase_plane.NET.subs(given) + square * omega**2,
-        sine: (1 - versine) * omega,
-        versine: sine * omega,
+        rotation: speed,
+        speed: phase_plane.NET.subs(given) + square * speed**2,
+        sine: (1 - versine) * speed,
+        versine: sine * speed,
     }
     for state, rate in rates.items():
         missing = (state.diff(pieces.time) - rate).expand()

@@ -6,19 +6,21 @@ differ in cells only share a function: a section of the ground, a cohesion and a
 """
 
 from collections.abc import Iterator
-from itertools import product
 
 from sympy import Symbol
 
-from derive.declare.effects import EFFECTS, K_H, K_V, LAWS, WATER
+from derive.declare.effects import EFFECTS, K_H, K_V, WATER
 from derive.flow.link import lookup
 from derive.flow.link.definitions import Recipe
 from derive.flow.link.integers import encoded
 from derive.flow.link.program import Program, build
 from derive.kinds import TextDict
 
-# Parameters that change along the motion: none, a level of water, a record in one direction or in two.
-MOVING: tuple[tuple[Symbol, ...], ...] = ((), (WATER,), (K_H,), (K_H, K_V))
+# Parameters that change along the motion: a level of water, a record in one direction or in two.
+MOVING: tuple[tuple[Symbol, ...], ...] = ((WATER,), (K_H,), (K_H, K_V))
+# Laws with these parameters. Without any, constant and linear friction are solved in the phase plane, without
+# operations on series.
+SERVED = {"constant": MOVING, "exponential": ((), *MOVING), "rate_weakening": ((), *MOVING), "linear": MOVING}
 FUNCTIONS = """\
 INLINE void rates_{k}(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
 {{
@@ -33,26 +35,19 @@ EACH_ORDER({k})
 
 
 def programs() -> Iterator[Program]:
-    """Link the first smooth law without argument, of slip, of speed, and one in pieces, each with all of `MOVING`.
-
-    Where nothing moves, the first and the last are solved in the phase plane, without operations on series.
-    """
-    smooth = [law for law in LAWS if law.coefficient is not None and not law.kinks]
-    laws = {law.depends_on: law for law in reversed(smooth)}
-    laws["slip", "kinks"] = next(law for law in LAWS if law.kinks)
+    """Link each law with each choice of its moving parameters, on a mass that turns."""
     parts = lookup()
-    for dependence, moving in product(((), ("slip",), ("speed",), ("slip", "kinks")), MOVING):
-        if not moving and dependence in ((), ("slip", "kinks")):
-            continue
-        effects = [e for e in EFFECTS if not e.parameters or not e.symbols.keys().isdisjoint(moving)]
-        absent = [x for e in effects for x in e.symbols if x not in moving]
-        recipe = Recipe(
-            effects=tuple(effect.name for effect in effects),
-            laws=(laws[dependence].name,),
-            moving=tuple(map(str, moving)),
-            absent=tuple(map(str, absent)),
-        )
-        yield build(recipe, parts)
+    for law, choices in SERVED.items():
+        for moving in choices:
+            effects = [e for e in EFFECTS if not e.parameters or not e.symbols.keys().isdisjoint(moving)]
+            absent = [x for e in effects for x in e.symbols if x not in moving]
+            recipe = Recipe(
+                effects=tuple(effect.name for effect in effects),
+                laws=(law,),
+                moving=tuple(map(str, moving)),
+                absent=tuple(map(str, absent)),
+            )
+            yield build(recipe, parts)
 
 
 def c_programs() -> TextDict:
@@ -60,19 +55,18 @@ def c_programs() -> TextDict:
     patterns = functions = rows = ""
     for k, program in enumerate(programs()):
         integers = list[str]()
-        calls = list[str]()
-        begins = list[int]()
-        rates, others = program.split
-        for operation in (*rates, *others):
-            begins.append(len(integers))
-            condition = "if (squares) " if operation.kind == "sqr" and not integers else ""
-            cells = ["CELL"] * len(operation.cells)  # any cell
-            row = [*map(str, encoded(operation._replace(cells=cells)))]
-            calls.append(f"    {condition}OPERATION({len(integers)}, {', '.join(row)});")
-            integers += row
-        count = len(rates)
-        patterns += f"    {{{begins[count]}, {len(integers)}, (const int32_t[]){{{', '.join(integers)}}}}},\n"
-        first, last = ("\n".join(x) for x in (calls[:count], calls[count:]))
-        functions += FUNCTIONS.format(k=k, rates=first, others=last)
+        parts = list[tuple[int, str]]()
+        for operations in program.split:
+            calls = list[str]()
+            for operation in operations:
+                condition = "if (squares) " if operation.kind == "sqr" and not integers else ""
+                cells = ["CELL"] * len(operation.cells)  # any cell
+                row = [*map(str, encoded(operation._replace(cells=cells)))]
+                calls.append(f"    {condition}OPERATION({len(integers)}, {', '.join(row)});")
+                integers += row
+            parts.append((len(integers), "\n".join(calls)))
+        (begin, rates), (end, others) = parts
+        patterns += f"    {{{begin}, {end}, (const int32_t[]){{{', '.join(integers)}}}}},\n"
+        functions += FUNCTIONS.format(k=k, rates=rates, others=others)
         rows += f"    {{order_{k}, later_{k}}},\n"
     return {"PATTERNS": patterns, "STRAIGHT": functions, "STRAIGHT_ROWS": rows}

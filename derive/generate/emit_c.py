@@ -5,7 +5,6 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -32,11 +31,7 @@ def _number(value: float) -> str:
 
 
 C = Language(
-    "c",
-    "const double {name} = {text};",
-    _number,
-    "POLY{degree}({x}, {coefficients})",
-    several="double {names}; {function}({arguments}, {places});",
+    "c", "const double {name} = {text};", _number, several="double {names}; {function}({arguments}, {places});"
 )
 FORMS = {"fused": "__builtin_fma(a, b, c)", "plain": "((a) * (b) + (c))"}  # definition of FMA(a, b, c)
 
@@ -51,7 +46,8 @@ class CText:
             name = operation.c.partition("(")[0]
             if name.isidentifier():
                 scope[name] = partial(self.reader.builder.put, kind)
-        scope |= {f"POLY{degree}": self._polynomial for degree in range(1, MOST)}
+        polynomial = self.reader.builder.polynomial
+        scope |= {f"POLY{degree}": lambda x, *c: polynomial(x, c, form == "fused") for degree in range(1, MOST)}
         if form == "plain":
             scope["FMA"] = lambda a, b, c: a * b + c
         self.parts: list[Part] = []
@@ -60,12 +56,6 @@ class CText:
         comment = "/* ln b of a b >= 0; at 0 something finite, which a factor 0 waits for. */"
         self.text = f"{comment}\n{self.body(part.name, part.program)}"
         self.parts.append(part)
-
-    def _polynomial(self, x: Any, *coefficients: float) -> Any:
-        result: Any = coefficients[-1]
-        for c in coefficients[-2::-1]:
-            result = self.reader.scope["FMA"](result, x, c)
-        return result
 
     def body(self, name: str, program: Program, parts: Sequence[Part] = ()) -> str:
         """Return the inline function of one program."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 import mpmath as mp
@@ -63,15 +64,16 @@ class Claim:
     kind: Literal["form", "number", "range", "small", "appendix"] = "form"
     causes: tuple[Cause, ...] = ()
     shows: str = "{}"  # format of the derived value
-    note: str | Callable[[], str] = ""  # remark if the claim is correct, or a function that computes it
+    remark: str = ""  # if the claim is correct
     unit: str = ""
-    law: Callable[[Expr], Iterable[Expr]] | None = None
+    law: Callable[[Expr], Iterable[Expr]] = lambda form: ()
     weight: Expr | None = None
     given: Names = ()
     domain: tuple[tuple[str, Any, Any], ...] = ()
     subject: Appendix | None = None
 
-    @property
-    def remark(self) -> str:
-        """Note as text."""
-        return self.note if isinstance(self.note, str) else self.note()
+    @cached_property
+    def derived(self) -> tuple[Any, ...]:
+        """Forms or values that the transcription must equal."""
+        forms = self.definition()
+        return tuple(forms) if isinstance(forms, (tuple, list)) else (forms,)

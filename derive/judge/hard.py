@@ -188,7 +188,8 @@ def measured() -> list[Result]:
             size = abs(exact)
             ulp = float(np.spacing(float(size)))
             error = abs(computed - exact)
-            errors = abs(naive - exact) / size, error / size, error / ulp, abs(solved.get(case, math.nan) - size) / size
+            of_solve = abs(solved.get(case, math.nan) - size)
+            errors = (abs(naive - exact) / size, error / size, error / ulp, of_solve / size)
             results.append(Result(*case, form.words, *map(float, errors)))
     return results
 
@@ -220,7 +221,7 @@ def hard_case_report() -> str:
             if x.function != name:
                 continue
             arguments = ", ".join(map(repr, x.arguments))
-            cells = f"{x.naive_error:9.0e}", f"{x.our_error:8.0e}", f"{x.our_ulp:6.1f}", f"{x.solve_error:8.0e}"
+            cells = (f"{x.naive_error:9.0e}", f"{x.our_error:8.0e}", f"{x.our_ulp:6.1f}", f"{x.solve_error:8.0e}")
             lines.append(f"{' '.join(cells).replace('nan ', '  - ')}   ({arguments})")
             lines += textwrap.wrap(f"{x.why}; {x.naive}", width, initial_indent=indent, subsequent_indent=indent)
     return "\n".join(lines)

@@ -199,7 +199,7 @@ def dimensional() -> Forms:
     rate = simplify(clock * angular_velocity)
     phi = simplify(rotation)
     velocity = (R * rate).subs(c0, c1 / R)
-    return {"omega": rate, "phi": phi, "v": velocity, "s": (R * phi).subs(c0, c1 / R)}
+    return {"omega": rate, "omega*": rate / clock, "phi": phi, "v": velocity, "s": (R * phi).subs(c0, c1 / R)}
 
 
 def expanded_in_time(motion: Expr) -> tuple[Expr, Expr, Expr]:

@@ -42,9 +42,7 @@ class PaperState:
 
     def normal(self, u: Any) -> mpf:
         """Return the normal stress over rho g R at u, rad from the bisector."""
-        if self.stress:
-            return self.stress(u)
-        return self.total / (2 * HALF)
+        return self.stress(u) if self.stress else self.total / (2 * HALF)
 
 
 def sum_of(f: Along) -> mpf:
@@ -99,11 +97,6 @@ def _centripetal_share(as_printed: bool = False) -> mpf:
     return PaperState(omega=reached("omega*", as_printed)).total / PaperState().total - 1
 
 
-def _changes(name: str) -> Callable[[PaperState], mpf]:
-    """Return the function of a state that computes the relative change of a moment by the state's dip."""
-    return lambda x: moment(name, psi=x.psi) / moment(name) - 1
-
-
 # In the order in which the paper first needs them.
 POSTULATES = (
     Postulate(
@@ -146,7 +139,7 @@ POSTULATES = (
     Postulate(
         "J_r frozen",
         ((j_r, j_r.subs(turn, 0)),),
-        _changes("radial_weight"),
+        lambda x: change_by_rotation("radial_weight", DIP - x.psi),
         "the mass turns",
         lambda: PaperState(psi=DIP - reached("phi", as_printed=True)),
         "{} over the paper's rotation in 30 s",
@@ -155,7 +148,7 @@ POSTULATES = (
     Postulate(
         "J_theta frozen",
         ((j_theta, j_theta.subs(turn, 0)),),
-        _changes("weight_moment"),
+        lambda x: change_by_rotation("weight_moment", DIP - x.psi),
         "the mass turns by twice its dip, which reverses J_theta and leaves J_r",
         lambda: PaperState(psi=-DIP),
         "{} over the paper's rotation in 30 s",

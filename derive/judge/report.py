@@ -134,9 +134,8 @@ def wrong_claims(rows: Sequence[Row], width: int) -> str:
 
 def _in_full(x: Row, width: int) -> str:
     """Return a claim with all its fields as text with this number of columns."""
-    lines = {"printed": x.printed, "correct": x.computed, "cause": x.cause, "assumes": x.assumes}
-    if x.verdict in SIMPLY:
-        lines = {"printed": x.printed, "derived": x.computed, "remark": x.cause, "assumes": x.assumes}
+    computed, cause = ("derived", "remark") if x.verdict in SIMPLY else ("correct", "cause")
+    lines = {"printed": x.printed, computed: x.computed, cause: x.cause, "assumes": x.assumes}
     indent = " " * 12
     wrapped = [
         textwrap.fill(text, width, initial_indent=f"    {name:<8}", subsequent_indent=indent)

@@ -10,14 +10,14 @@ from functools import cache
 from typing import Any
 
 import mpmath as mp
-from mpmath import acos, atan, cosh, log, mpf, pi, radians, sqrt, tan, tanh, workdps
+from mpmath import acos, atan, mpf, pi, radians, sqrt, tan, workdps
 from sympy import Expr, lambdify
 
 from derive.algebra.appendices import APPENDIX_II, simplify
-from derive.algebra.dynamics import R
+from derive.algebra.dynamics import R, g
 from derive.algebra.integrate import PSI, Derivation, derive
 from derive.declare.quantities import MOMENTS
-from derive.declare.symbols import alpha, theta_m
+from derive.declare.symbols import alpha, t, theta_m
 from derive.judge import mechanics
 
 # Table 2-1 in m, kN/m^3 and degrees; the residual friction angle, and the seconds that section 4 shows.
@@ -130,23 +130,12 @@ def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mpf:
     inertia = moment("moment_of_inertia", angle)
     a = moment("radial_weight") * (limit_friction(as_printed) - RESIDUAL) / inertia
     b = factor() * dynamic(angle) * RESIDUAL / inertia
-    radius = given("R")
-    clock = sqrt(mpf(gravity) / radius)
+    numbers = {R: given("R"), g: mpf(gravity), t: given("span")}
+    clock = sqrt(numbers[g] / numbers[R])
     c0 = sqrt(a / b) * clock
-    c2 = sqrt(a * b) * clock
-    span = c2 * given("span")
-    omega = c0 * tanh(span)
-    phi = c0 / c2 * log(cosh(span))
-    quantities = {
-        "c0": c0,
-        "c1": c0 * radius,
-        "c2": c2,
-        "phi": phi,
-        "omega*": omega / clock,
-        "v": omega * radius,
-        "s": phi * radius,
-    }
-    return quantities[name]
+    numbers |= {mechanics.c0: c0, mechanics.c1: c0 * numbers[R], mechanics.c2: sqrt(a * b) * clock}
+    forms = mechanics.dimensional() | {x.name: x for x in numbers}
+    return lambdify([*numbers], forms[name], "mpmath")(*numbers.values())
 
 
 def both_results(name: str) -> list[mpf]:

@@ -110,15 +110,8 @@ def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
     for x in sorted(form.free_symbols, key=lambda x: x.name):
         low, high = limits(domain).get(x.name, (0, oo))
         size = Symbol(x.name, positive=True)
-        choices = []
-        if low == high:
-            choices.append((x, low))
-        else:
-            if high > 0:
-                choices.append((x, size))
-            if low < 0:
-                choices.append((x, -size))
-        yield choices
+        signed = ((size, high > 0), (-size, low < 0))
+        yield [(x, low)] if low == high else [(x, value) for value, exists in signed if exists]
 
 
 def _has_unit(form: Expr, unit: str) -> bool:
@@ -138,15 +131,14 @@ def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
     """Return whether transcribed forms equal the derived forms after the postulates are put into these."""
     printed = m.parse_forms(forms)
-    derived = _derived(claim)
     replaced = [pair for x in postulates for pair in x.put]
-    if len(printed) != len(derived):
+    if len(printed) != len(claim.derived):
         return False
     for form in printed:
         for integral in form.atoms(Integral):
             if any(x in Tuple(*ends).free_symbols for x, *ends in integral.limits):
                 return False  # nor is a variable in its own limits
-    for form, right in zip(printed, derived, strict=True):
+    for form, right in zip(printed, claim.derived, strict=True):
         right = right.subs(replaced)
         if form != right and not vanishes(form - right, claim.domain):
             return False
@@ -154,16 +146,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
         return False
     if claim.weight is not None and not _integrates(printed[0], claim.weight, claim.domain):
         return False
-    if claim.law is None:
-        return True
     return all(vanishes(x.subs(replaced), claim.domain) for x in claim.law(printed[0]))
-
-
-@cache
-def _derived(claim: Claim) -> tuple[Expr, ...]:
-    """Return the forms that the transcription of a claim must equal."""
-    forms = claim.definition()
-    return tuple(forms) if isinstance(forms, (tuple, list)) else (forms,)
 
 
 Judgement = tuple[str, str, str]  # computed, verdict, cause
@@ -183,7 +166,7 @@ def _assumed(claim: Claim) -> Texts:
     """Return the assumptions of a claim in words: domains of its symbols, and given relations."""
     symbols = {name for name, *_ in claim.domain}
     if claim.kind == "form" and claim.expression:
-        for form in (*m.parse_forms(claim.expression), *_derived(claim)):
+        for form in (*m.parse_forms(claim.expression), *claim.derived):
             symbols |= {x.name for x in form.free_symbols}
     assumed = []
     for x, (low, high) in limits(claim.domain).items():
@@ -200,23 +183,15 @@ def _assumed(claim: Claim) -> Texts:
 
 def _number(claim: Claim) -> Judgement:
     """Return the verdict on a printed number compared with a value, or with the range that other numbers imply."""
-    value = claim.definition()
-    values = value if isinstance(value, list) else [value]
-    least = values[0]
-    single = len(values) == 1
-    computed = claim.shows.format(" to ".join(map(_digits, values)))
+    least, *more = claim.derived
+    computed = claim.shows.format(" to ".join(map(_digits, claim.derived)))
     printed, low, high = s.printed_as(claim.printed)
-    if single and abs(least - printed) < abs(printed) * _TINY:
+    if not more and abs(least - printed) < abs(printed) * _TINY:
         return computed, "holds", claim.remark
-    if least < high and low <= values[-1]:
-        cut = single and least - printed >= printed - low
+    if least < high and low <= claim.derived[-1]:
+        cut = not more and least - printed >= printed - low
         return computed, "holds to the printed digits", "cut off, not rounded" if cut else claim.remark
     return computed, *_explained(claim, lambda value: low <= value < high)
-
-
-def _bounds(claim: Claim) -> Iterator[mp.mpf]:
-    """Yield the least and the greatest value that a claim allows."""
-    return (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.parse_forms(claim.expression))
 
 
 def _small(claim: Claim) -> Judgement:
@@ -224,32 +199,27 @@ def _small(claim: Claim) -> Judgement:
 
     It holds if the change stays within the bounds up to the rotation that the paper itself reaches.
     """
-    change = claim.definition()
-    low, high = _bounds(claim)
+    (change,) = claim.derived
+    low, high = m.parse_forms(claim.expression)
     largest = s.reached("phi", as_printed=True)
-    rotations = [mp.radians(x) for x in (1, 2, 5)]
-    rotations.append(largest)
-    changes = [change(x) for x in rotations]
-    computed = claim.shows.format(*(mp.nstr(x, 4) for x in changes))
-    last = changes[-1]
+    *first, last = (change(x) for x in (*map(mp.radians, (1, 2, 5)), largest))
+    computed = claim.shows.format(*(mp.nstr(x, 4) for x in (*first, last)))
     if low <= last <= high:
         return computed, "holds", claim.remark
     limit = low if last < low else high
     threshold = mp.findroot(lambda phi: change(phi) - limit, (0, largest), solver="anderson")
-    holds_to = mp.nstr(mp.degrees(threshold), 3)
-    reaches = mp.nstr(mp.degrees(largest), 3)
+    holds_to, reaches = (mp.nstr(mp.degrees(phi), 3) for phi in (threshold, largest))
     cause = f"no range is stated; true up to {holds_to} degrees, but the paper reaches {reaches}"
     return computed, "imprecise", cause
 
 
 def _range(claim: Claim) -> Judgement:
     """Return the verdict on a statement of size: every value lies between two bounds."""
-    values = claim.definition()
-    low, high = _bounds(claim)
-    computed = claim.shows.format(*map(_digits, values))
-    if all(low <= x <= high for x in values):
+    low, high = m.parse_forms(claim.expression)
+    computed = claim.shows.format(*map(_digits, claim.derived))
+    if all(low <= x <= high for x in claim.derived):
         return computed, "holds", claim.remark
-    return computed, *_explained(claim, lambda value: min(abs(value - x) for x in values) < _TINY)
+    return computed, *_explained(claim, lambda value: min(abs(value - x) for x in claim.derived) < _TINY)
 
 
 def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> TextPair:
@@ -268,12 +238,11 @@ def _form(claim: Claim) -> Judgement:
     A cause is an edit of the print that makes it hold, a postulate something that has to be put into the derived form
     before it does: the least number of these is sought. Without a transcription there is nothing to compare.
     """
-    derived = _derived(claim)
     if not claim.expression:
-        computed = claim.shows.format(*map(_digits, derived)) if derived else "-"
+        computed = claim.shows.format(*map(_digits, claim.derived)) if claim.derived else "-"
         return computed, "not machine-checkable", claim.remark
-    computed = claim.shows.format("; ".join(dict.fromkeys(map(words, derived))))
-    edits = (None, *(x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression))
+    computed = claim.shows.format("; ".join(dict.fromkeys(map(words, claim.derived))))
+    edits = (None, *(x for x in claim.causes if x.edit[0] in claim.expression))
     for postulates, cause in product(_candidates(claim), edits):
         if _form_holds(claim, claim.expression.replace(*cause.edit) if cause else claim.expression, postulates):
             return computed, *_form_verdict(claim, postulates, cause)
@@ -282,8 +251,7 @@ def _form(claim: Claim) -> Judgement:
 
 def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
     """Yield combinations of postulates that change the derived form of a claim or its law, the smallest first."""
-    derived = _derived(claim)
-    forms = (*derived, *(claim.law(derived[0]) if claim.law else ()))
+    forms = (*claim.derived, *claim.law(claim.derived[0]))
     relevant = [p for p in POSTULATES if any(x.subs(p.put) != x for x in forms)]
     for count in range(len(relevant) + 1):
         yield from combinations(relevant, count)
@@ -314,7 +282,7 @@ def _appendix(claim: Claim) -> Judgement:
         proof = simplify(appendix)
     except (ProofError, ValueError) as error:
         return "nothing: it is no such integral", "wrong", f"cause not found ({error})"
-    before, after = proof.operations
+    before, *_, after = (step.operations for step in proof.steps)
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
     brackets = _brackets(appendix)
     (claimed,) = m.parse_forms(claim.expression)

@@ -71,7 +71,6 @@ def first_swing(slide: Slide) -> Swing:
     alpha = ((slide.theta_2 - slide.theta_1) / 2).min(arb.pi() / 2)
     inertia = _moment("r^3", alpha)
     over_stress = 2 * alpha / (slide.radius * inertia)  # lambda/Theta* over sigma_ref = gamma f R
-    peak = slide.friction if slide.peak_friction is None else slide.peak_friction
     return Swing(
         dip=abs(arb.pi() * 3 / 2 - middle),
         weight=_moment("r^2 cos u", alpha) / inertia,
@@ -80,7 +79,7 @@ def first_swing(slide: Slide) -> Swing:
         cohesion=slide.cohesion * over_stress,
         pore=slide.pore_pressure * over_stress,
         residual=slide.friction,
-        drop=peak - slide.friction if slide.peak_friction is not None else arb(0),
+        drop=arb(0) if slide.peak_friction is None else slide.peak_friction - slide.friction,
         decay=slide.radius / slide.length,
     )
 

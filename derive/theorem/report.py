@@ -1,7 +1,7 @@
 """Theorems from the command line: exact decimals as input, and decimals that bound each proved number as output."""
 
 import json
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Iterator, Mapping
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
@@ -151,7 +151,7 @@ def divided(whole: dict[str, _Interval], parts: int, **switches: bool) -> tuple[
     The largest part is halved until it is decided and its share is at most `FINE`, or until ``parts`` parts are judged.
     """
     waiting = deque([Division(1.0, whole)])  # the largest part first
-    shares: dict[str, float] = {}
+    shares = defaultdict[str, float](float)
     numbers: dict[str, arb] = {}
     reason = ""
     for _ in track(range(parts), "parts of the inputs", parts):
@@ -163,10 +163,9 @@ def divided(whole: dict[str, _Interval], parts: int, **switches: bool) -> tuple[
             reason = proof.reason
             waiting += part.halves()
             continue
-        shares[proof.status] = shares.get(proof.status, 0.0) + part.share
+        shares[proof.status] += part.share
         known = numbers or proof.numbers
-        shared = known.keys() & proof.numbers.keys()
-        numbers = {key: x.union(proof.numbers[key]) for key, x in known.items() if key in shared}
+        numbers = {key: x.union(proof.numbers[key]) for key, x in known.items() if key in proof.numbers}
     undecided = sum(part.share for part in waiting)
     proved = [f"{status}: {100 * share:.6g} % of the inputs" for status, share in shares.items()]
     status = " or ".join(shares) if shares and not undecided else "undecided"
@@ -195,18 +194,13 @@ def theorem_report(options: Values, digits: int, form: str, parts: int = PARTS) 
             )
         elif undecided:
             proof.reason += "; more --digits may decide"
-        rows.append(_plain(name, proof, digits, undecided))
+        about: ValueDict = {"name": name, "status": proof.status, "reason": proof.reason, "undecided_share": undecided}
+        numbers = {key: pair(x, digits) for key, x in proof.numbers.items()}
+        rows.append(about | numbers | {"proved": proof.proved})
     decided = not any(row["undecided_share"] for row in rows)
     if form == "json":
         return json.dumps(rows[0] if options else rows, indent=2), decided
     return "\n\n".join(_text(**row) for row in rows), decided
-
-
-def _plain(name: str, proof: Theorem, digits: int, undecided: float) -> ValueDict:
-    """Return the theorem on the slide ``name`` as plain data; ``undecided`` is the undecided share of its inputs."""
-    numbers = {key: pair(x, digits) for key, x in proof.numbers.items()}
-    about = {"name": name, "status": proof.status, "reason": proof.reason, "undecided_share": undecided}
-    return about | numbers | {"proved": proof.proved}
 
 
 def _text(name: str, status: str, reason: str, undecided_share: float, proved: Texts, **numbers: Texts) -> str:
