@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2f2e5c81da5d1320c81d217ca452d6228647d1b9b045e63906955a1a369d50c7"
+#define DIGEST "2396fce9a8a5b4bb458c595a2d7993f63156523dfed9f008ab1edc84d94d712f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -4046,6 +4046,18 @@ INLINE V passed_to(Batch *b, V x)
     return x;
 }
 
+/* Compute the functions of which E consists, and return E. */
+INLINE V energy_at(Batch *b, V *e, V *f, V x)
+{
+    const Job *const job = b->job;
+    if (SOFTENS(job->role)) {
+        softening_functions(b, e, f, x);
+        return (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
+    }
+    functions(f, x, e[4]);
+    return energy(e, f);
+}
+
 /* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. The derivatives
  * follow from the equation of motion, in which friction softens or is constant. */
 static void evaluate_at(Batch *b, V *e, V *f, V x)
@@ -4057,9 +4069,8 @@ static void evaluate_at(Batch *b, V *e, V *f, V x)
     V of_vers = 1.0 * c[job->role->net_vers];
     V of_square = 1.0 * c[job->role->net_square];
     V by_loss = broadcast(0.0);
+    f[5] = energy_at(b, e, f, x);
     if (SOFTENS(job->role)) {
-        softening_functions(b, e, f, x);
-        f[5] = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
         V left = 1.0 + f[4];
         V rate = c[job->role->loss_rate] * left;
         if (job->role->per_pole >= 0) {
@@ -4071,10 +4082,6 @@ static void evaluate_at(Batch *b, V *e, V *f, V x)
         of_sine = of_sine + (f[4] * c[job->role->net_loss_sine]);
         of_vers = of_vers + (f[4] * c[job->role->net_loss_vers]);
         of_square = of_square + (f[4] * c[job->role->net_loss_square]);
-    }
-    if (!SOFTENS(job->role)) {
-        functions(f, x, e[4]);
-        f[5] = energy(e, f);
     }
     V of_cosine = of_sine * (1.0 - f[2]);
     V turns = of_cosine + (of_vers * (f[0] - f[3]));

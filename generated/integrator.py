@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c88af7afd94b95646ab0c5c67656c44a631d68538194ef555508a9a19bb2b7ff
+# sha256 of the text below: aceb6dd639e44b115563f3a66e08f2f1c05336be9dcfdd398e455dbee7ca8a21
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2627,6 +2627,15 @@ def passed_to(s: Lanes, x: Floats) -> Floats:
     return x
 
 
+def energy_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> Floats:
+    """Compute the functions of which E consists, and return E."""
+    if s.roles.loss_rate >= 0:
+        softening_functions(s, e, f, x)
+        return hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
+    functions(f, x, e[4])
+    return energy(e, f)
+
+
 def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
     c = s.cells
@@ -2635,9 +2644,8 @@ def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
     of_vers = 1.0 * c[s.roles.net_vers]
     of_square = 1.0 * c[s.roles.net_square]
     by_loss: Floats = 0.0
+    f[5] = energy_at(s, e, f, x)
     if s.roles.loss_rate >= 0:
-        softening_functions(s, e, f, x)
-        f[5] = hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
         left = 1.0 + f[4]
         rate = c[s.roles.loss_rate] * left
         if s.roles.per_pole >= 0:
@@ -2648,9 +2656,6 @@ def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
         of_sine = of_sine + f[4] * c[s.roles.net_loss_sine]
         of_vers = of_vers + f[4] * c[s.roles.net_loss_vers]
         of_square = of_square + f[4] * c[s.roles.net_loss_square]
-    if not s.roles.loss_rate >= 0:
-        functions(f, x, e[4])
-        f[5] = energy(e, f)
     of_cosine = of_sine * (1.0 - f[2])
     turns = of_cosine + of_vers * (f[0] - f[3])
     twice = 2.0 * of_square

@@ -172,6 +172,15 @@ def passed_to(s: Lanes, x: V) -> V:
     return x
 
 
+def energy_at(s: Lanes, e: S, f: S, x: V) -> V:
+    """Compute the functions of which E consists, and return E."""
+    if s.has.loss_rate:
+        softening_functions(s, e, f, x)
+        return hyperbolic_energy(e, f, passed_to(s, x)) if s.has.per_pole else softening_energy(e, f)
+    functions(f, x, e[4])
+    return energy(e, f)
+
+
 def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
     """Compute the functions of which E consists, and from place 5 on E and its first two derivatives.
 
@@ -182,9 +191,8 @@ def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
     of_vers = 1.0 * s.net_vers
     of_square = 1.0 * s.net_square
     by_loss: V = 0.0
+    f[5] = energy_at(s, e, f, x)
     if s.has.loss_rate:
-        softening_functions(s, e, f, x)
-        f[5] = hyperbolic_energy(e, f, passed_to(s, x)) if s.has.per_pole else softening_energy(e, f)
         left = 1.0 + f[4]
         rate = s.loss_rate * left
         if s.has.per_pole:
@@ -195,9 +203,6 @@ def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
         of_sine = of_sine + f[4] * s.net_loss_sine
         of_vers = of_vers + f[4] * s.net_loss_vers
         of_square = of_square + f[4] * s.net_loss_square
-    if not s.has.loss_rate:
-        functions(f, x, e[4])
-        f[5] = energy(e, f)
     of_cosine = of_sine * (1.0 - f[2])
     turns = of_cosine + of_vers * (f[0] - f[3])
     twice = 2.0 * of_square
