@@ -23,7 +23,7 @@ from derive.judge import section as s
 from derive.judge.claims import VERDICTS, Claim
 from derive.judge.paper import CLAIMS
 from derive.judge.report import ERRORS, SIMPLY, judge_paper, selected
-from derive.judge.verify import KEYS, Row, judge, judged
+from derive.judge.verify import Row, judge, judged
 
 ROOT = Path(__file__).parents[1]
 BY_ID = {claim.id: claim for claim in CLAIMS}
@@ -285,7 +285,7 @@ def test_json_is_valid_and_always_the_same() -> None:
     text = judge_paper("json")
     assert hashlib.sha256(text.encode()).hexdigest() == REPORT
     found = json.loads(text)
-    assert all(tuple(entry) == KEYS for entry in found)
+    assert all(tuple(entry) == Row._fields for entry in found)
     assert all(isinstance(x, str) for entry in found for x in entry.values())
     assert [(entry["id"], entry["printed"]) for entry in found] == [(claim.id, claim.printed) for claim in CLAIMS]
 

@@ -171,6 +171,9 @@ def _solved() -> dict[HardCase, float]:
     return dict(zip(arcs, map(float, done.stdout.split()), strict=True))
 
 
+_DIGITS = 1600  # more bits than cancel
+
+
 def measured() -> list[Result]:
     """Run all forms of every case and return their errors relative to the exact form."""
     solved = _solved()
@@ -183,8 +186,9 @@ def measured() -> list[Result]:
         with np.errstate(all="ignore"):
             naive = float(form.program.run(*arrays))
             computed = float(ours[case.function](*arrays)) if case.function in ours else math.nan
-        exact = _exact(form, case.arguments)
+        symbols = sp.symbols(form.program.inputs, real=True)
         with mpmath.workdps(_DIGITS):
+            exact = lambdify(symbols, form.exact, "mpmath")(*map(mpmath.mpf, case.arguments))
             size = abs(exact)
             ulp = float(np.spacing(float(size)))
             error = abs(computed - exact)
@@ -192,16 +196,6 @@ def measured() -> list[Result]:
             errors = (abs(naive - exact) / size, error / size, error / ulp, of_solve / size)
             results.append(Result(*case, form.words, *map(float, errors)))
     return results
-
-
-_DIGITS = 1600  # more bits than cancel
-
-
-def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
-    """Return the exact value of a form at these arguments, with enough digits for all cancellation."""
-    symbols = sp.symbols(form.program.inputs, real=True)
-    with mpmath.workdps(_DIGITS):
-        return lambdify(symbols, form.exact, "mpmath")(*map(mpmath.mpf, arguments))
 
 
 def hard_case_report() -> str:

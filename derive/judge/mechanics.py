@@ -5,6 +5,7 @@ The paper's postulates about them and about the stress are in `derive.judge.post
 """
 
 from functools import cache
+from itertools import islice
 
 import sympy as sp
 from sympy import (
@@ -17,7 +18,6 @@ from sympy import (
     O,
     Symbol,
     cos,
-    degree,
     expand,
     numer,
     parse_expr,
@@ -207,9 +207,8 @@ def expanded_in_time(motion: Expr) -> tuple[Expr, Expr, Expr]:
 
     ``motion`` is an expression in t.
     """
-    terms = sorted(Add.make_args(sp.series(motion, t, 0, 6).removeO()), key=lambda x: degree(x, t))
-    first, second = terms[:2]
-    return motion, first, O(t ** degree(second, t))
+    first, second = islice(motion.series(t, n=None), 2)
+    return motion, first, O(second, t)
 
 
 @cache

@@ -69,9 +69,6 @@ class Row(NamedTuple):
     assumes: str
 
 
-KEYS = Row._fields
-
-
 # How (2.19) writes artanh(sin alpha): of a number that is positive for every |alpha| < pi/2, and both vanish at 0.
 _LOG = log(Abs(tan(pi / 4 + alpha / 2)))
 _ARTANH = atanh(sin(alpha))
