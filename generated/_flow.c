@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2396fce9a8a5b4bb458c595a2d7993f63156523dfed9f008ab1edc84d94d712f"
+#define DIGEST "aca9b7b572055a8caae6420b9c2819be34b925054d3911ef0429055d9c95eb1c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2813,15 +2813,11 @@ INLINE void on_standstill(Batch *b, M here)
 /* Lose or regain contact with the slip surface. */
 INLINE void change_contact(Batch *b, M here)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
     c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
     note_lift_off(b, here & (c[LIFTED] > 0.0));
-    if (job->notes_room > 0) {
-        note(b, here & (c[LIFTED] == 0.0), NOTE_LANDS);
-    }
 }
 
 /* Place lanes exactly at an edge of a table of slip, speed or rotation, in the next piece. */
@@ -2880,6 +2876,7 @@ INLINE void end_motion(Batch *b, M here, V rate, V status)
 /* Apply the consequences of the event that ends a step. */
 INLINE void settle(Batch *b, M here, V rate)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     c[STATUS] = pick(here, pick(c[EVENT] == (double)EVENT_ENDLESS, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
@@ -2889,6 +2886,9 @@ INLINE void settle(Batch *b, M here, V rate)
     on_standstill(b, here & (c[EVENT] == (double)EVENT_STANDSTILL));
     M lifts = here & (c[EVENT] == (double)EVENT_LIFT_OFF);
     change_contact(b, lifts);
+    if (job->notes_room > 0) {
+        note(b, lifts & (c[LIFTED] == 0.0), NOTE_LANDS);
+    }
     enter_phase(b, lifts, rate);
     end_motion(b, here & (c[EVENT] == (double)EVENT_CHORD_UPRIGHT), rate, broadcast(UPRIGHT));
     on_breakpoints(b, here & (c[EVENT] >= (double)EVENT_BREAKPOINT), rate);

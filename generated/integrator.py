@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: aceb6dd639e44b115563f3a66e08f2f1c05336be9dcfdd398e455dbee7ca8a21
+# sha256 of the text below: b39800d3c015a7b27918caab14e64c52181a5218d6c64567e5bce891a097d111
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1588,8 +1588,6 @@ def change_contact(s: Lanes, here: Mask) -> None:
     c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
     c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
-    if s.logged:
-        note(s, here & (c[ix.LIFTED] == 0.0), ix.NOTE_LANDS)
 
 
 def on_breakpoint(s: Lanes, here: Mask, t: Table, upwards: Mask) -> None:
@@ -1651,6 +1649,8 @@ def settle(s: Lanes, here: Mask, rate: Floats) -> None:
     on_standstill(s, here & (c[ix.EVENT] == ix.EVENT_STANDSTILL))
     lifts = here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF)
     change_contact(s, lifts)
+    if s.logged:
+        note(s, lifts & (c[ix.LIFTED] == 0.0), ix.NOTE_LANDS)
     enter_phase(s, lifts, rate)
     end_motion(s, here & (c[ix.EVENT] == ix.EVENT_CHORD_UPRIGHT), rate, ix.UPRIGHT)
     on_breakpoints(s, here & (c[ix.EVENT] >= ix.EVENT_BREAKPOINT), rate)

@@ -73,8 +73,6 @@ def change_contact(s: Lanes, here: M) -> None:
     s.lifted = 1.0 - s.lifted
     s.passed = Passed.LIFT
     note_lift_off(s, here and s.lifted > 0.0)
-    if s.logged:
-        note(s, here and s.lifted == 0.0, Note.LANDS)
 
 
 def on_breakpoint(s: Lanes, here: M, t: T, upwards: M) -> None:
@@ -123,6 +121,8 @@ def settle(s: Lanes, here: M, rate: V) -> None:
     on_standstill(s, here and s.event == Event.STANDSTILL)
     lifts = here and s.event == Event.LIFT_OFF
     change_contact(s, lifts)
+    if s.logged:
+        note(s, lifts and s.lifted == 0.0, Note.LANDS)
     enter_phase(s, lifts, rate)
     end_motion(s, here and s.event == Event.CHORD_UPRIGHT, rate, Status.UPRIGHT)
     on_breakpoints(s, here and s.event >= Event.BREAKPOINT, rate)
