@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "aca9b7b572055a8caae6420b9c2819be34b925054d3911ef0429055d9c95eb1c"
+#define DIGEST "0b48ce51997d31a963e0192836e29d88db0c8447ffa223424e512f311d1c0c3a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1315,7 +1315,7 @@ static void read_samples_of(Batch *b, unsigned k, double begin, double end, int 
         const double time = times[i * across], since = time - begin;
         if (!(time < end || (closed && time == end))) break;
         const int paced = moving && job->role->pace >= 0;
-        const double past = paced ? variable_at(b, top, broadcast(since))[k] : since;
+        const double past = paced ? fmin(variable_at(b, top, broadcast(since))[k], c[STEP][k]) : since;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
             const int32_t of = j < 0 ? net : job->state[j].series;
@@ -1366,7 +1366,6 @@ static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
-#define CORRECTIONS 10
 #define LARGEST 0x1.f400000000000p+49
 #define TIE 0x1.0000000000000p-44
 #define CLOSEST 0x1.56e1fc2f8f359p-997
@@ -1385,7 +1384,7 @@ static const double NEXT_SHARES[] = {0.6506981459528086, -1.3904518577536216, 0.
 #define NEWTON 3
 #define NEAREST 0x1.ccccccccccccdp-1
 #define EVEN 0x1.0000000000000p-20
-#define FINEST 18
+#define FINEST 17
 #define CLOSER 0x1.0000000000000p-25
 #define MOST_HALVINGS 30
 #define BRIEFEST 0x1.ad7f29abcaf48p-24
@@ -1406,7 +1405,8 @@ static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664,
 #define DRIVEN 0x1.0000000000000p+10
 #define ALIKE 0x1.0000000000000p-18
 #define PER_STEP 0x1.0000000000000p+2
-#define PER_STEP_TO_ROUNDING 0x1.d8e64b8d4ddaep+2
+#define PER_STEP_TO_ROUNDING 0x1.638e38e38e38fp+2
+#define BETWEEN 0x1.eb851eb851eb8p-3
 #define BENT 0x1.4cccccccccccdp-2
 #define CLOSER_TO_POLE 0x1.8000000000000p+1
 #define LEAST_EXPONENT -0x1.0000000000000p-1
@@ -1930,33 +1930,44 @@ INLINE V per_time(Batch *b, V rate, V omega)
     return rate;
 }
 
+/* Compute the time since the beginning of a step as a series in tau. */
+INLINE void find_clock(Batch *b, V *t, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    t[0] = broadcast(0.0);
+    for (int k = 0; k <= top - 1; k++) {
+        t[k + 1] = (c[job->role->pace] * (b->r + job->role->omega)[k]) * b->inverse[k + 1];
+    }
+    t[1] = 1.0 + t[1];
+}
+
 /* Return the time since the beginning of a step from its variable. */
 INLINE V elapsed(Batch *b, int top, V at)
 {
     const Job *const job = b->job;
-    V *const c = b->c;
     if (job->role->pace >= 0) {
-        V mean[STRIDE];
-        for (int k = 0; k <= top; k++) {
-            mean[k] = (b->r + job->role->omega)[k] * b->inverse[k + 1];
-        }
-        return at * (1.0 + (c[job->role->pace] * value(mean, top, at)));
+        V t[STRIDE];
+        find_clock(b, t, top);
+        return value(t, top, at);
     }
     return at;
 }
 
-/* Return the variable of a step from the time since its beginning, by Newton's method. */
-INLINE V variable_at(Batch *b, int top, V time)
+/* Return the variable of a step from the time since its beginning, infinite if the step does not last so long. In
+ * tau the time rises up to a standstill, beyond which it falls. */
+static V variable_at(Batch *b, int top, V time)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V at = minimum(time, c[STEP]);
-    for (int _ = 1; _ <= CORRECTIONS; _++) {
-        V omega = value(b->r + job->role->omega, top, at);
-        V left = time - elapsed(b, top, at);
-        at = at + per_time(b, left, omega);
+    if (job->role->pace >= 0) {
+        V left[STRIDE];
+        find_clock(b, left, top);
+        M limited = time < INFINITY;
+        margin_of(left, left, top, broadcast(-1.0), pick(limited, time, broadcast(0.0)), (M){0});
+        return first_root(left, top, c[STEP], limited);
     }
-    return at;
+    return pick(time <= c[STEP], time, broadcast(INFINITY));
 }
 
 /* Compute order 0 of all registers. Rates of states are per time. */
@@ -2111,20 +2122,24 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
     return top;
 }
 
-/* Return the least radius suggested by the last four coefficients, each with the largest of the first five. The
- * radius is |c_k/c_n|^(1/(n - k)) with k < 5 and n one of the last four orders, and 2^1000 if these coefficients
- * are zero. */
-INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
+/* Return the longest step at the end of which each of the last four terms is small beside one of the first five.
+ * Term n is at most factor^n of the largest of the first five, so that the step is the factor times the radius of
+ * convergence if the series is geometric. Entire functions, whose terms decrease ever faster, allow longer steps.
+ * The step is 2^1000 if these coefficients are zero. */
+INLINE V longest_step(Batch *b, V *p, int top, V order)
 {
+    V *const c = b->c;
     V first[STRIDE];
     M comparable = p[0] != 0.0;
     for (int k = 0; k <= 4; k++) {
         first[k] = log2_of(p[k]);
         comparable = comparable | (p[k] != 0.0);
     }
+    V one = broadcast(1.0);
+    V share = log2_of(c[FACTOR]) - log2_of(one);
     V lowest = broadcast(LARGEST);
     for (int n = (least(order) - 3) > 5 ? (least(order) - 3) : 5; n <= top; n++) {
-        V last = log2_of(p[n]);
+        V last = log2_of(p[n]) - ((double)n * share);
         V most = broadcast(-LARGEST);
         for (int k = 0; k <= 4; k++) {
             most = maximum((first[k] - last) * b->inverse[n - k], most);
@@ -2905,18 +2920,15 @@ INLINE void consider(Batch *b, M here, V at, int event)
 }
 
 /* Shorten the step to the time left, up to a break of a function of time or the end time. */
-INLINE void reach_limit(Batch *b, M here, V room, int top)
+static void reach_limit(Batch *b, M here, V room, int top)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     M reaches = here & (room < INFINITY);
     if (bits(reaches)) {
-        reaches = reaches & (elapsed(b, top, c[STEP]) >= room);
-        if ((job->role->pace >= 0) && bits(reaches)) {
-            V at = variable_at(b, top, room);
-            c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
-        }
+        V at = variable_at(b, top, room);
+        reaches = reaches & (at < INFINITY);
+        c[STEP] = pick(here, pick(reaches, at, c[STEP]), c[STEP]);
     }
     c[EVENT] = pick(here, pick(reaches, broadcast(EVENT_LIMIT), broadcast(EVENT_NONE)), c[EVENT]);
 }
@@ -3025,8 +3037,9 @@ static void find_events(Batch *b, M here, int top, int by_rotation)
     find_contact_change(b, here, top);
 }
 
-/* Shorten the step to a fraction of the least radius of convergence, except where series end early. The radius of
- * the rotation equals the radius of the angular velocity. */
+/* Shorten the step to the longest one that the series of the states allow, except where series end early. The
+ * rotation is the integral of the angular velocity and allows the same step. In tau it is the integral of an
+ * expression with the square of the angular velocity, so that its series alone decides. */
 INLINE void choose_step(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
@@ -3034,13 +3047,14 @@ INLINE void choose_step(Batch *b, M here, int top)
     if (!bits(here)) return;
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
-        V radius = broadcast(INFINITY);
+        V step = broadcast(INFINITY);
         for (const State *q = job->state; q < job->state + job->states; q++) {
-            if (q->series != job->role->x) {
-                radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+            int decides = (q->series != job->role->x) != (job->role->pace >= 0);
+            if (decides) {
+                step = minimum(longest_step(b, b->r + q->series, top, c[SERIES_ORDER]), step);
             }
         }
-        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, c[STEP]), c[STEP]), c[STEP]);
+        c[STEP] = pick(here, pick(complete, minimum(step, c[STEP]), c[STEP]), c[STEP]);
     }
 }
 
@@ -3061,7 +3075,7 @@ INLINE void advance_states(Batch *b, M here, int top)
 }
 
 /* End motions that continue for ever. If the rate depends on the speed alone and hardly changes it, the rate never
- * becomes negative again. */
+ * becomes negative again. Neither does a mass come to rest that nothing but its speed brakes. */
 INLINE void find_endless(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
@@ -3069,8 +3083,9 @@ INLINE void find_endless(Batch *b, M here, V room)
     if (!bits(here)) return;
     V change = (b->r + job->role->net)[0] * c[STEP];
     M settled = change >= ((double)(-SETTLED) * (b->r + job->role->omega)[0]);
+    M unopposed = magnitude(c[job->role->drive]) <= ((double)SETTLED * c[job->role->drive_scale]);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
-    here = here & uneventful & settled & (room == INFINITY) & (c[LIFTED] == 0.0);
+    here = here & uneventful & (settled | unopposed) & (room == INFINITY) & (c[LIFTED] == 0.0);
     c[EVENT] = pick(here, broadcast(EVENT_ENDLESS), c[EVENT]);
     c[STEP] = pick(here, broadcast(0.0), c[STEP]);
 }
@@ -4148,7 +4163,7 @@ static V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 }
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
- * change the step over the radius of convergence, and with it the rules, which they so compare. */
+ * change the factor of a lane, and with it the rules, which they so compare. */
 static Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
@@ -4157,7 +4172,7 @@ static Pair duration_of_softening(Batch *b, V *e, V end, V peak)
     V to_end = passed_to(b, end);
     V unit = to_peak / (to_end - to_peak);
     V softened = 1.0 - (peak * c[job->role->loss_rate]);
-    V unchanged = pick(c[FACTOR] < 0.2, broadcast(PER_STEP_TO_ROUNDING), broadcast(PER_STEP));
+    V unchanged = pick(c[FACTOR] < BETWEEN, broadcast(PER_STEP_TO_ROUNDING), broadcast(PER_STEP));
     V change = c[FACTOR] * unchanged;
     V bend = (change * BENT) * sqrt_of(softened);
     if (job->role->per_pole >= 0) {
@@ -4608,8 +4623,8 @@ static void look_ahead(Batch *b, M here, V room)
     V *net = b->r + job->role->net;
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
-        V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
-        c[STEP] = pick(here, pick(complete, minimum(c[FACTOR] * radius, c[STEP]), c[STEP]), c[STEP]);
+        V step = longest_step(b, net, top - 1, c[SERIES_ORDER] - 1.0);
+        c[STEP] = pick(here, pick(complete, minimum(step, c[STEP]), c[STEP]), c[STEP]);
     }
     M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
     M jumps = (net[0] > 0.0) & ~touches;
@@ -4621,10 +4636,10 @@ static void look_ahead(Batch *b, M here, V room)
     c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
     c[SUDDEN] = pick(here, pick(sooner, pick(jumps, broadcast(1.0), broadcast(0.0)), c[SUDDEN]), c[SUDDEN]);
     look_for_quiet(b, here);
-    V step = 1.0 * c[STEP];
-    c[STEP] = pick(here, minimum(step * (1.0 + TOGETHER), room), c[STEP]);
+    V known = 1.0 * c[STEP];
+    c[STEP] = pick(here, minimum(known * (1.0 + TOGETHER), room), c[STEP]);
     find_contact_change(b, here, top);
-    c[STEP] = pick(here, pick(c[EVENT] == (double)EVENT_LIFT_OFF, c[STEP], step), c[STEP]);
+    c[STEP] = pick(here, pick(c[EVENT] == (double)EVENT_LIFT_OFF, c[STEP], known), c[STEP]);
 }
 
 /* Reverse the direction at rest. */

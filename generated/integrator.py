@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b39800d3c015a7b27918caab14e64c52181a5218d6c64567e5bce891a097d111
+# sha256 of the text below: b3714b649cfbe329c74e8cefa527bba474ec6f160dafa51bb6ed3b74498efa04
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -205,7 +205,8 @@ def read_samples(s: Lanes, here: Mask, begin: Floats, end: Any, moving: int, top
         if moving:
             paced = s.roles.pace >= 0
             if paced:
-                since = np.array([variable_at(s, top, np.full(s.columns.size, t))[lane] for t in since])
+                passed = [variable_at(s, top, np.full(s.columns.size, t))[lane] for t in since]
+                since = np.minimum(passed, s.cells[ix.STEP, lane])
             x, omega, *further = (value(s.registers[r, :, lane], top, since) for r in registers)
             rate = value(s.registers[s.roles.net, :, lane], top - 1, since)
             if paced:
@@ -347,7 +348,6 @@ NEXT_SHARES = (0.6506981459528086, -1.3904518577536216, 0.739753711800813, 0.739
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
-CORRECTIONS = 10
 LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
@@ -366,7 +366,7 @@ STRAIGHT = 16.0
 NEWTON = 3
 NEAREST = 0.9
 EVEN = 9.5367431640625e-07
-FINEST = 18
+FINEST = 17
 CLOSER = 2.9802322387695312e-08
 MOST_HALVINGS = 30
 BRIEFEST = 1e-07
@@ -392,7 +392,8 @@ GREATEST = 0.0625
 DRIVEN = 1024.0
 ALIKE = 3.814697265625e-06
 PER_STEP = 4.0
-PER_STEP_TO_ROUNDING = 7.38905609893065
+PER_STEP_TO_ROUNDING = 5.555555555555556
+BETWEEN = 0.24
 BENT = 0.325
 CLOSER_TO_POLE = 3.0
 LEAST_EXPONENT = -0.5
@@ -828,26 +829,34 @@ def per_time(s: Lanes, rate: Floats, omega: Floats) -> Floats:
     return rate
 
 
+def find_clock(s: Lanes, t: Floats, top: int) -> None:
+    """Compute the time since the beginning of a step as a series in tau."""
+    c = s.cells
+    t[0] = 0.0
+    for k in range(top - 1 + 1):
+        t[k + 1] = c[s.roles.pace] * s.registers[s.roles.omega][k] * (1.0 / (k + 1))
+    t[1] = 1.0 + t[1]
+
+
 def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
     """Return the time since the beginning of a step from its variable."""
-    c = s.cells
     if s.roles.pace >= 0:
-        mean = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-        for k in range(top + 1):
-            mean[k] = s.registers[s.roles.omega][k] * (1.0 / (k + 1))
-        return at * (1.0 + c[s.roles.pace] * value(mean, top, at))
+        t = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+        find_clock(s, t, top)
+        return value(t, top, at)
     return at
 
 
 def variable_at(s: Lanes, top: int, time: Floats) -> Floats:
-    """Return the variable of a step from the time since its beginning, by Newton's method."""
+    """Return the variable of a step from the time since its beginning, infinite if the step does not last so long."""
     c = s.cells
-    at = np.minimum(time, c[ix.STEP])
-    for _ in range(1, CORRECTIONS + 1):
-        omega = value(s.registers[s.roles.omega], top, at)
-        left = time - elapsed(s, top, at)
-        at = at + per_time(s, left, omega)
-    return at
+    if s.roles.pace >= 0:
+        left = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+        find_clock(s, left, top)
+        limited = time < INFINITY
+        margin_of(left, left, top, -1.0, np.where(limited, time, 0.0), none_of(s))
+        return first_root(left, top, c[ix.STEP], limited)
+    return np.where(time <= c[ix.STEP], time, INFINITY)
 
 
 def evaluate(s: Lanes) -> None:
@@ -962,16 +971,19 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     return top
 
 
-def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Floats:
-    """Return the least radius suggested by the last four coefficients, each with the largest of the first five."""
+def longest_step(s: Lanes, p: Floats, top: int, order: Floats) -> Floats:
+    """Return the longest step at the end of which each of the last four terms is small beside one of the first five."""
+    c = s.cells
     first = np.zeros((ix.STRIDE, p.shape[1]))
     comparable = p[0] != 0.0
     for k in range(4 + 1):
         first[k] = log2_of(p[k])
         comparable = comparable | (p[k] != 0.0)
+    one: Floats = 1.0
+    share = log2_of(c[ix.FACTOR]) - log2_of(one)
     lowest: Floats = LARGEST
     for n in range(max(least(order) - 3, 5), top + 1):
-        last = log2_of(p[n])
+        last = log2_of(p[n]) - float(n) * share
         most: Floats = -LARGEST
         for k in range(4 + 1):
             most = np.maximum((first[k] - last) * (1.0 / (n - k)), most)
@@ -1672,10 +1684,9 @@ def reach_limit(s: Lanes, here: Mask, room: Floats, top: int) -> None:
         return
     reaches = here & (room < INFINITY)
     if np.any(reaches):
-        reaches = reaches & (elapsed(s, top, c[ix.STEP]) >= room)
-        if s.roles.pace >= 0 and np.any(reaches):
-            at = variable_at(s, top, room)
-            c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
+        at = variable_at(s, top, room)
+        reaches = reaches & (at < INFINITY)
+        c[ix.STEP] = np.where(here, np.where(reaches, at, c[ix.STEP]), c[ix.STEP])
     c[ix.EVENT] = np.where(here, np.where(reaches, ix.EVENT_LIMIT, ix.EVENT_NONE), c[ix.EVENT])
 
 
@@ -1767,18 +1778,18 @@ def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
 
 
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
-    """Shorten the step to a fraction of the least radius of convergence, except where series end early."""
+    """Shorten the step to the longest one that the series of the states allow, except where series end early."""
     c = s.cells
     if not np.any(here):
         return
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
-        radius: Floats = INFINITY
+        step: Floats = INFINITY
         for q in s.states:
-            if q.register != s.roles.x:
-                radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
-        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, c[ix.STEP]), c[ix.STEP]),
-            c[ix.STEP])
+            decides = (q.register != s.roles.x) != (s.roles.pace >= 0)
+            if decides:
+                step = np.minimum(longest_step(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), step)
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(step, c[ix.STEP]), c[ix.STEP]), c[ix.STEP])
 
 
 def advance_states(s: Lanes, here: Mask, top: int) -> None:
@@ -1801,8 +1812,9 @@ def find_endless(s: Lanes, here: Mask, room: Floats) -> None:
         return
     change = s.registers[s.roles.net][0] * c[ix.STEP]
     settled = change >= -ix.SETTLED * s.registers[s.roles.omega][0]
+    unopposed = np.abs(c[s.roles.drive]) <= ix.SETTLED * c[s.roles.drive_scale]
     uneventful = c[ix.EVENT] == ix.EVENT_NONE
-    here = here & uneventful & settled & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
+    here = here & uneventful & (settled | unopposed) & (room == INFINITY) & (c[ix.LIFTED] == 0.0)
     c[ix.EVENT] = np.where(here, ix.EVENT_ENDLESS, c[ix.EVENT])
     c[ix.STEP] = np.where(here, 0.0, c[ix.STEP])
 
@@ -2717,7 +2729,7 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
     to_end = passed_to(s, end)
     unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * c[s.roles.loss_rate]
-    unchanged = np.where(c[ix.FACTOR] < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
+    unchanged = np.where(c[ix.FACTOR] < BETWEEN, PER_STEP_TO_ROUNDING, PER_STEP)
     change = c[ix.FACTOR] * unchanged
     bend = change * BENT * np.sqrt(softened)
     if s.roles.per_pole >= 0:
@@ -3108,9 +3120,8 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     net = s.registers[s.roles.net]
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
-        radius = radius_of_convergence(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
-        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(c[ix.FACTOR] * radius, c[ix.STEP]), c[ix.STEP]),
-            c[ix.STEP])
+        step = longest_step(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(step, c[ix.STEP]), c[ix.STEP]), c[ix.STEP])
     touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
     jumps = (net[0] > 0.0) & np.logical_not(touches)
     at_once = jumps | touches & (net[1] > 0.0)
@@ -3122,10 +3133,10 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
         c[ix.START_DIRECTION])
     c[ix.SUDDEN] = np.where(here, np.where(sooner, np.where(jumps, 1.0, 0.0), c[ix.SUDDEN]), c[ix.SUDDEN])
     look_for_quiet(s, here)
-    step = 1.0 * c[ix.STEP]
-    c[ix.STEP] = np.where(here, np.minimum(step * (1.0 + TOGETHER), room), c[ix.STEP])
+    known = 1.0 * c[ix.STEP]
+    c[ix.STEP] = np.where(here, np.minimum(known * (1.0 + TOGETHER), room), c[ix.STEP])
     find_contact_change(s, here, top)
-    c[ix.STEP] = np.where(here, np.where(c[ix.EVENT] == ix.EVENT_LIFT_OFF, c[ix.STEP], step), c[ix.STEP])
+    c[ix.STEP] = np.where(here, np.where(c[ix.EVENT] == ix.EVENT_LIFT_OFF, c[ix.STEP], known), c[ix.STEP])
 
 
 def turn_back(s: Lanes, here: Mask) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 77e5cbbc6bbe685011fd81a4c4e886a117dc0dd7deb8b7f1118bc189e1a5836d
+# sha256 of the text below: 5284ba9dfafc074818b4d3ee9b45d9ee8007fe42d5a59ad5e9b0d11662af34ec
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -12,7 +12,7 @@ STATUS = 5  # state of the lane
 STEPS = 6  # steps since the last rest or break
 PHASES = 7  # phases ended
 ORDER = 8  # order of its series
-FACTOR = 9  # length of a step over the radius of convergence
+FACTOR = 9  # ratio of consecutive terms of a series at the end of a step
 END_TIME = 10  # latest end, t*
 ONE_WAY = 11  # 1 if shaking may start it down-slope only
 FIRST_ONLY = 12  # 1 if the first standstill ends it

@@ -50,11 +50,11 @@ def agrees(number: int, motion: Any) -> None:
 
 # Steps of all scenes of a group together, and the operations on series in them.
 WORK = {
-    "frozen": (210, 500), "constant": (273, 1523), "exponential": (299, 3373), "linear": (117, 946),
-    "hyperbolic": (261, 2596), "tabulated": (1315, 13207), "viscous": (53, 250), "pulse": (307, 3249),
-    "series": (328, 3800), "rate": (138, 1158), "rate table": (596, 7623), "prescribed": (67, 530),
-    "product": (195, 2804), "heated": (122, 1598), "water": (54, 367), "all": (578, 13855),
-    "sections": (324, 4100), "that ship": (323, 4357),
+    "frozen": (186, 441), "constant": (264, 1477), "exponential": (266, 3001), "linear": (113, 910),
+    "hyperbolic": (227, 2267), "tabulated": (1312, 13174), "viscous": (50, 237), "pulse": (294, 2676),
+    "series": (313, 3192), "rate": (122, 1025), "rate table": (488, 6729), "prescribed": (65, 448),
+    "product": (164, 2359), "heated": (108, 1404), "water": (53, 308), "all": (501, 11335),
+    "sections": (293, 3528), "that ship": (305, 3893),
 }  # fmt: skip
 
 

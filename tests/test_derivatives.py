@@ -53,6 +53,18 @@ def test_a_function_has_the_derivatives_of_the_law_that_it_is() -> None:
             assert abs(free.derivative(output, name) - named.derivative(output, name)) <= error + near
 
 
+@pytest.mark.parametrize("accuracy", [1e-6, 1e-9, 1e-12])
+def test_ensembles_of_a_function_have_the_digits_of_the_law_that_it_is(accuracy: float) -> None:
+    """Pieces of its table are never as narrow as the rounding of their edges, and coefficients do not overflow."""
+    vaiont: Scene[Any] = load("vaiont")
+    scene = replace(vaiont, initial_velocity=np.array([0.0, 1e-9, 0.1]))
+    law = {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": 3.0}
+    free = solve(replace(scene, friction=lambda slip: 0.17 + 0.2 * np.exp(-slip / 3.0)), accuracy)
+    named = solve(replace(scene, friction=law), 1e-14)
+    np.testing.assert_allclose(free.run_out, named.run_out, rtol=accuracy)
+    assert np.all(free.error_estimate < accuracy)
+
+
 def test_derivatives_where_a_pulse_ends() -> None:
     """Newmark's block under a rectangular pulse is fastest there, whatever the size of the circle."""
     motion = solve(load("newmark-pulse"))

@@ -27,7 +27,7 @@ def alike(one: Any, other: Any, within: float) -> bool:
 # --- faults in the written text --------------------------------------------------------------------------------------
 
 FAULTS = {
-    "a mask is dropped": ("step", "reach_limit", "reaches and elapsed(s, top, s.step) >= room", "reaches"),
+    "a mask is dropped": ("step", "reach_limit", "reaches and at < INFINITY", "reaches"),
     "branches are swapped": ("step", "make_step", "where(s.event == Event.LIMIT, limit, time)",
                              "where(s.event == Event.LIMIT, time, limit)"),
     "a bound is wrong": ("roots", "value_and_slope", "down(n - 1, 0)", "down(n - 1, 1)"),

@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slipcircle import Arc, Scene, load, solve
+from slipcircle import Arc, Scene, Status, load, solve
 from tests.support import combinations, golden, oracle, taylor
 from tests.support.vaiont import ARC as VAIONT
 
@@ -24,6 +24,9 @@ def test_a_slide_that_never_rests_needs_an_end(effects: tuple[str, ...]) -> None
     for mu, velocity in ((0.1, 0.0), (0.0, 0.0), (0.0, -3.0), (limit_friction(VAIONT), 5.0)):
         with pytest.raises(ValueError, match=r"^end_time: .*never rests.* give end_time in s$"):
             solve(Scene(VAIONT, mu, effects, velocity))
+        for accuracy in (1e-6, 1e-9):
+            together = solve(Scene(VAIONT, mu, effects, np.array([velocity, velocity])), accuracy)
+            assert together.status.tolist() == [Status.ENDLESS] * 2
 
 
 @pytest.mark.parametrize("shape", [(), (0,), (12, 1), (2, 2, 3)])

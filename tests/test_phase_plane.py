@@ -321,7 +321,7 @@ def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch:
         monkeypatch.setattr(softening, "softening_functions", lambda *_: None)
         monkeypatch.setattr(softening, "softening_energy", lambda *_, given=energies: next(given))
         monkeypatch.setattr(softening, "count_from_end", lambda *_: None)
-        lane = SimpleNamespace(highest=18, has=SimpleNamespace(per_pole=False))
+        lane = SimpleNamespace(highest=17, has=SimpleNamespace(per_pole=False))
         time = softening.time_of_part(lane, [], 1.0, unit, 0.0, 1)
         assert time == (math.inf if uncertain else pytest.approx(2 * unit, rel=1e-6))
 

@@ -15,7 +15,7 @@ CELLS = {
     "STEPS": "steps since the last rest or break",
     "PHASES": "phases ended",
     "ORDER": "order of its series",
-    "FACTOR": "length of a step over the radius of convergence",
+    "FACTOR": "ratio of consecutive terms of a series at the end of a step",
     "END_TIME": "latest end, t*",
     "ONE_WAY": "1 if shaking may start it down-slope only",
     "FIRST_ONLY": "1 if the first standstill ends it",

@@ -81,6 +81,8 @@ def sampled(function: Function, end: float, table: Data | None = None) -> Data:
             pieces.append(piece)
             left += width
             width *= 2
+            if end - left < NARROWEST * end:  # rounding of the sum of widths
+                left = end
             continue
         width /= 2
         if width < NARROWEST * end:

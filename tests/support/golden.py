@@ -120,7 +120,9 @@ def differences(name: str, motion: Motion, kept: Data) -> list[str]:
     radius, gravity, stress = float(arc.radius), float(arc.gravity), float(arc.static_normal_stress)
     # A place of greatest speed or of no pressure is a root of what is known with an error of this size.
     flat = 30 * math.sqrt(error)
-    place = flat * duration
+    # A mass that approaches its terminal velocity is as fast from some time on to the end, which only rounding finds.
+    uniform = 0.0 < peak <= abs(kept["end"]["velocity"]) * (1.0 + error) and abs(kept["end"]["acceleration"]) < error
+    place = duration if uniform else flat * duration
     near = {"time": error * duration, "rotation": error * run_out / radius, "displacement": error * run_out,
             "velocity": error * peak, "angular_velocity": error * peak / radius,
             "acceleration": 300 * error * gravity, "normal_stress": 300 * error * stress}  # fmt: skip

@@ -817,7 +817,7 @@ static void read_samples_of(Batch *b, unsigned k, double begin, double end, int 
         const double time = times[i * across], since = time - begin;
         if (!(time < end || (closed && time == end))) break;
         const int paced = moving && job->role->pace >= 0;
-        const double past = paced ? variable_at(b, top, broadcast(since))[k] : since;
+        const double past = paced ? fmin(variable_at(b, top, broadcast(since))[k], c[STEP][k]) : since;
         double states[4 + MOST_STATES];
         for (int j = -1; j < job->states; j++) { /* the rate of the second state, and the states */
             const int32_t of = j < 0 ? net : job->state[j].series;

@@ -30,7 +30,7 @@ phases     stick or slip at a standstill; the numbers of the phase that begins; 
 records    samples that a resting or gliding mass passes without series
 shaken     samples that a turning mass passes by short series
 tables     the piece of each table that applies to a lane
-series     the series of a step, and their radius of convergence
+series     the series of a step, and how long they allow it to be
 roots      polynomials of many lanes: values and roots
 one_lane   definitions that execute the text for one lane, as plain Python with numbers of any kind
 

@@ -25,7 +25,7 @@ from derive.flow.integrator.records import enter_pieces, look_for_quiet, slide_t
 from derive.flow.integrator.recurrence import has_recurrence
 from derive.flow.integrator.roots import crossing, increment
 from derive.flow.integrator.rotation import turn_on
-from derive.flow.integrator.series import expand, radius_of_convergence
+from derive.flow.integrator.series import expand, longest_step
 from derive.flow.integrator.shaken import turn_through
 from derive.flow.integrator.step import change_contact, consider, find_contact_change, make_step
 from derive.flow.integrator.swing import swing
@@ -45,8 +45,8 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     net = s.series.net
     complete = here and s.series_order == s.order
     if any_lane(complete):
-        radius = radius_of_convergence(s, net, top - 1, s.series_order - 1.0)
-        s.step = where(complete, minimum(s.factor * radius, s.step), s.step)
+        step = longest_step(s, net, top - 1, s.series_order - 1.0)
+        s.step = where(complete, minimum(step, s.step), s.step)
     touches = abs(net[0]) <= TOUCHES * s.drive_scale
     jumps = net[0] > 0.0 and not touches
     at_once = jumps or (touches and net[1] > 0.0)
@@ -57,10 +57,10 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     s.start_direction = where(sooner, s.direction, s.start_direction)
     s.sudden = where(sooner, where(jumps, 1.0, 0.0), s.sudden)
     look_for_quiet(s, here)
-    step = 1.0 * s.step
-    s.step = minimum(step * (1.0 + TOGETHER), room)
+    known = 1.0 * s.step
+    s.step = minimum(known * (1.0 + TOGETHER), room)
     find_contact_change(s, here, top)  # in which case the mass does not start
-    s.step = where(s.event == Event.LIFT_OFF, s.step, step)
+    s.step = where(s.event == Event.LIFT_OFF, s.step, known)
 
 
 def turn_back(s: Lanes, here: M) -> None:

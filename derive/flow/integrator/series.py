@@ -16,6 +16,7 @@ from derive.flow.integrator.one_lane import (
     maximum,
     minimum,
     new_series,
+    none_of,
     number,
     operate,
     operate_later,
@@ -24,11 +25,10 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
-from derive.flow.integrator.roots import value
+from derive.flow.integrator.roots import first_root, margin_of, value
 from derive.flow.integrator.tables import expand_sine
 
 ROUNDING = 2.0**-56  # size over the largest term of a series below which a term is rounding
-CORRECTIONS = 10  # of the variable of a step
 LARGEST = 1000.0 * 2.0**40  # greatest log2 of a radius, scaled like `log2_of`
 
 
@@ -48,24 +48,35 @@ def per_time(s: Lanes, rate: V, omega: V) -> V:
     return rate
 
 
+def find_clock(s: Lanes, t: S, top: N) -> None:
+    """Compute the time since the beginning of a step as a series in tau."""
+    t[0] = 0.0
+    for k in up(0, top - 1):
+        t[k + 1] = s.pace * s.series.omega[k] * s.inverse[k + 1]
+    t[1] = 1.0 + t[1]
+
+
 def elapsed(s: Lanes, top: N, at: V) -> V:
     """Return the time since the beginning of a step from its variable."""
     if s.has.pace:
-        mean = new_series()
-        for k in up(0, top):
-            mean[k] = s.series.omega[k] * s.inverse[k + 1]
-        return at * (1.0 + s.pace * value(mean, top, at))
+        t = new_series()
+        find_clock(s, t, top)
+        return value(t, top, at)
     return at
 
 
 def variable_at(s: Lanes, top: N, time: V) -> V:
-    """Return the variable of a step from the time since its beginning, by Newton's method."""
-    at = minimum(time, s.step)
-    for _ in up(1, CORRECTIONS):
-        omega = value(s.series.omega, top, at)
-        left = time - elapsed(s, top, at)
-        at = at + per_time(s, left, omega)
-    return at
+    """Return the variable of a step from the time since its beginning, infinite if the step does not last so long.
+
+    In tau the time rises up to a standstill, beyond which it falls.
+    """
+    if s.has.pace:
+        left = new_series()
+        find_clock(s, left, top)
+        limited = time < INFINITY
+        margin_of(left, left, top, -1.0, where(limited, time, 0.0), none_of(s))
+        return first_root(left, top, s.step, limited)
+    return where(time <= s.step, time, INFINITY)
 
 
 def evaluate(s: Lanes) -> None:
@@ -188,20 +199,23 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
     return top
 
 
-def radius_of_convergence(s: Lanes, p: S, top: N, order: V) -> V:
-    """Return the least radius suggested by the last four coefficients, each with the largest of the first five.
+def longest_step(s: Lanes, p: S, top: N, order: V) -> V:
+    """Return the longest step at the end of which each of the last four terms is small beside one of the first five.
 
-    The radius is |c_k/c_n|^(1/(n - k)) with k < 5 and n one of the last four orders, and 2^1000 if these coefficients
-    are zero.
+    Term n is at most factor^n of the largest of the first five, so that the step is the factor times the radius of
+    convergence if the series is geometric. Entire functions, whose terms decrease ever faster, allow longer steps. The
+    step is 2^1000 if these coefficients are zero.
     """
     first = new_series()
     comparable = p[0] != 0.0
     for k in up(0, 4):
         first[k] = log2_of(p[k])
         comparable = comparable or p[k] != 0.0
+    one: V = 1.0
+    share = log2_of(s.factor) - log2_of(one)
     lowest: V = LARGEST
     for n in up(maximum(least(order) - 3, 5), top):
-        last = log2_of(p[n])
+        last = log2_of(p[n]) - number(n) * share
         most: V = -LARGEST
         for k in up(0, 4):
             most = maximum((first[k] - last) * s.inverse[n - k], most)

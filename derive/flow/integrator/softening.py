@@ -43,9 +43,10 @@ TERMS = 8  # of the series
 GREATEST = 0.0625  # brake/slope, of which powers above the last term are below rounding
 DRIVEN = 1024.0  # greatest load that friction loses over the drive, with which the digits lost by the sum increase
 ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate, `CLOSER` beyond `FINEST`
-# Factors by which a step is the one that lanes usually have, over the radius of convergence, to rounding or not.
+# Reciprocals of the factor that lanes usually have, the ratio of terms at the end of a step.
 PER_STEP = 4.0
-PER_STEP_TO_ROUNDING = 7.38905609893065
+PER_STEP_TO_ROUNDING = 5.555555555555556
+BETWEEN = 0.24  # factors of lanes that are solved to rounding are smaller, all others greater
 BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
 CLOSER_TO_POLE = 3.0  # of nodes in the logarithm of the distance from the pole
 LEAST_EXPONENT = -0.5  # p of hyperbolic friction
@@ -263,13 +264,13 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
 def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain.
 
-    Error estimates change the step over the radius of convergence, and with it the rules, which they so compare.
+    Error estimates change the factor of a lane, and with it the rules, which they so compare.
     """
     to_peak = passed_to(s, peak)
     to_end = passed_to(s, end)
     unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * s.loss_rate
-    unchanged = where(s.factor < 0.2, PER_STEP_TO_ROUNDING, PER_STEP)
+    unchanged = where(s.factor < BETWEEN, PER_STEP_TO_ROUNDING, PER_STEP)
     change = s.factor * unchanged
     bend = change * BENT * sqrt(softened)
     if s.has.per_pole:

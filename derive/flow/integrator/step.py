@@ -37,7 +37,7 @@ from derive.flow.integrator.roots import (
     value,
     value_and_slope,
 )
-from derive.flow.integrator.series import elapsed, expand, per_time, radius_of_convergence, variable_at
+from derive.flow.integrator.series import elapsed, expand, longest_step, per_time, variable_at
 from derive.flow.integrator.tables import end_of_piece, next_break, pass_breaks
 
 FAR = 1e300  # unreachable bound
@@ -144,10 +144,9 @@ def reach_limit(s: Lanes, here: M, room: V, top: N) -> None:
     """Shorten the step to the time left, up to a break of a function of time or the end time."""
     reaches = here and room < INFINITY
     if any_lane(reaches):
-        reaches = reaches and elapsed(s, top, s.step) >= room
-        if s.has.pace and any_lane(reaches):
-            at = variable_at(s, top, room)
-            s.step = where(reaches, at, s.step)
+        at = variable_at(s, top, room)
+        reaches = reaches and at < INFINITY
+        s.step = where(reaches, at, s.step)
     s.event = where(reaches, Event.LIMIT, Event.NONE)
 
 
@@ -230,17 +229,19 @@ def find_events(s: Lanes, here: M, top: N, by_rotation: N) -> None:
 
 
 def choose_step(s: Lanes, here: M, top: N) -> None:
-    """Shorten the step to a fraction of the least radius of convergence, except where series end early.
+    """Shorten the step to the longest one that the series of the states allow, except where series end early.
 
-    The radius of the rotation equals the radius of the angular velocity.
+    The rotation is the integral of the angular velocity and allows the same step. In tau it is the integral of an
+    expression with the square of the angular velocity, so that its series alone decides.
     """
     complete = here and s.series_order == s.order
     if any_lane(complete):
-        radius: V = INFINITY
+        step: V = INFINITY
         for q in s.states:
-            if q.has_own_radius:
-                radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
-        s.step = where(complete, minimum(s.factor * radius, s.step), s.step)
+            decides: N = q.has_own_radius != s.has.pace
+            if decides:
+                step = minimum(longest_step(s, q.series, top, s.series_order), step)
+        s.step = where(complete, minimum(step, s.step), s.step)
 
 
 def advance_states(s: Lanes, here: M, top: N) -> None:
@@ -255,12 +256,14 @@ def advance_states(s: Lanes, here: M, top: N) -> None:
 def find_endless(s: Lanes, here: M, room: V) -> None:
     """End motions that continue for ever.
 
-    If the rate depends on the speed alone and hardly changes it, the rate never becomes negative again.
+    If the rate depends on the speed alone and hardly changes it, the rate never becomes negative again. Neither does a
+    mass come to rest that nothing but its speed brakes.
     """
     change = s.series.net[0] * s.step
     settled = change >= -Share.SETTLED * s.series.omega[0]
+    unopposed = abs(s.drive) <= Share.SETTLED * s.drive_scale
     uneventful = s.event == Event.NONE
-    here = here and uneventful and settled and room == INFINITY and s.lifted == 0.0
+    here = here and uneventful and (settled or unopposed) and room == INFINITY and s.lifted == 0.0
     s.event = Event.ENDLESS
     s.step = 0.0
 

@@ -25,12 +25,13 @@ from slipcircle.core.scene.mass import Farther
 from slipcircle.core.scene.piecewise import Data
 
 FINEST = 1e-14  # accuracy of single scenes, since lower orders save little time
-# Step over the radius of convergence: the truncation error of a series of order n is STEP^n. It is smaller for single
-# scenes, because coefficients of high order overflow and extrema within a step are lost in the rounding of its terms.
+# Ratio of consecutive terms at the end of a step: the truncation error of a series of order n is STEP^n. It is smaller
+# for single scenes, because coefficients of high order overflow and extrema within a step are lost in the rounding of
+# its terms.
 STEP = 0.25
-STEP_TO_ROUNDING = math.exp(-2.0)
+STEP_TO_ROUNDING = 0.18
 NEAR = 2e13  # margin of a decision at rest, in units of rounding, from which the rounded limit friction is accurate
-LOWEST = 7  # least order, since the radius of convergence is estimated from several coefficients
+LOWEST = 8  # least order, since steps depend on the first five and the last four coefficients
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 COHESIVE = frozenset(("layered_cohesion", "growing_cohesion"))  # functions of the rotation
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # followed by the number of a soil
@@ -283,14 +284,15 @@ def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
 
 @lru_cache(maxsize=256)
 def _cells_of_method(program: Program, accuracy: float, lanes: int, shaken: bool) -> Mapping[str, float]:
-    """Return the constants of a program, the order of the series, and the step over the radius of convergence.
+    """Return the constants of a program, the order of the series, and the ratio of their terms at the end of a step.
 
     ``accuracy`` is the requested relative error, and ``shaken`` is true for scenes with shaking. Single scenes (one
     lane) are solved to rounding.
     """
     attainable = max(accuracy if lanes > 1 else min(accuracy, FINEST), 1e-16)
-    step = STEP if attainable > FINEST else STEP_TO_ROUNDING
-    margin = 4.0 if shaken and attainable > FINEST else 3.0  # displacements of shaken masses are small sums of steps
+    step, margin = (STEP, 2.0) if attainable > FINEST else (STEP_TO_ROUNDING, 1.0)
+    if shaken:
+        margin = 3.0  # displacements are small sums of steps, which end where the terms of a series are negligible
     terms = math.ceil(margin + math.log(attainable) / math.log(step))
     return {**program.constants, "ORDER": max(terms, LOWEST), "FACTOR": step}
 
