@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "f64999f89fab0f1c4343da44f08ebaa800422f75b9904878771873b5414affe7"
+#define DIGEST "0b48ce51997d31a963e0192836e29d88db0c8447ffa223424e512f311d1c0c3a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -135,13 +135,13 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #include <string.h>
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -19, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
+enum { PENDING = -16, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, START_DIRECTION, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
 enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE, REST };
-enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
+enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_START, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
@@ -546,13 +546,13 @@ typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
-enum { PENDING = -19, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
+enum { PENDING = -16, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, START_DIRECTION, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
 enum { READY, START_MOVING, RESOLVE, START_AGAIN, ENTER_PHASE, DISCONTINUITY, BEGIN_PHASE, REST };
-enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
+enum { EVENT_NONE = -1, EVENT_STANDSTILL, EVENT_LIFT_OFF, EVENT_CHORD_UPRIGHT, EVENT_START, EVENT_LIMIT, EVENT_ENDLESS, EVENT_BREAKPOINT };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
@@ -1544,15 +1544,6 @@ static V first_root(V *p, int n, V h, M which)
     return root;
 }
 
-/* Return whether sign p + constant may have a zero in (0, t], from its value and slope at t. */
-INLINE M may_cross(V *p, int n, V t, V sign, V constant, M divided)
-{
-    const Pair last_slope = value_and_slope(p, n, t);
-    V last = last_slope.one, slope = last_slope.other;
-    M falls_and_rises = ((sign * p[1]) < 0.0) & ((sign * slope) > 0.0);
-    return (((sign * last) + constant) <= 0.0) | falls_and_rises | divided;
-}
-
 /* Compute the coefficients of sign p + constant, divided by the time if its root at 0 is to be removed. */
 INLINE void margin_of(V *e, V *p, int n, V sign, V constant, M divided)
 {
@@ -1566,6 +1557,23 @@ INLINE void margin_of(V *e, V *p, int n, V sign, V constant, M divided)
         }
         e[n] = pick(divided, broadcast(0.0), e[n]);
     }
+}
+
+/* Return the first time in (0, t] at which sign p + constant falls through zero, infinity without a zero. A root
+ * at 0 is removed where it is to be ``divided`` out. */
+static V crossing(V *p, int n, V t, V sign, V constant, M divided, M here)
+{
+    const Pair last_slope = value_and_slope(p, n, t);
+    V last = last_slope.one, slope = last_slope.other;
+    M falls_and_rises = ((sign * p[1]) < 0.0) & ((sign * slope) > 0.0);
+    M asked = here & ((((sign * last) + constant) <= 0.0) | falls_and_rises | divided);
+    V at = broadcast(INFINITY);
+    if (bits(asked)) {
+        V e[STRIDE];
+        margin_of(e, p, n, sign, constant, divided);
+        at = first_root(e, n, t, asked);
+    }
+    return at;
 }
 
 /* Return the zero in (0, t] at which polynomials become negative, possibly beyond a maximum, otherwise infinity.
@@ -2002,27 +2010,25 @@ INLINE void find_negligible(Batch *b, M here)
     c[NEGLIGIBLE] = pick(here, maximum(negligible, broadcast(ROUNDING)), c[NEGLIGIBLE]);
 }
 
-/* Return whether a term is negligible compared with the largest term. */
-INLINE M is_negligible(Batch *b, V term, V largest)
+/* Set the coefficients of a series from each lane's order on to zero. */
+INLINE void truncate(V *p, V order, int top)
 {
-    V *const c = b->c;
-    return (term <= (c[NEGLIGIBLE] * largest)) & (largest > 0.0) & (largest < INFINITY);
+    for (int n = least(order); n <= top - 1; n++) {
+        p[n] = pick(order > (double)n, p[n], broadcast(0.0));
+    }
 }
 
 /* Truncate the series that events use at each lane's order. */
 INLINE void cut(Batch *b, V order, int top)
 {
     const Job *const job = b->job;
-    for (int n = least(order); n <= top - 1; n++) {
-        M within = order > (double)n;
-        (b->r + job->role->omega)[n + 1] = pick(within, (b->r + job->role->omega)[n + 1], broadcast(0.0));
-        (b->r + job->role->net)[n] = pick(within, (b->r + job->role->net)[n], broadcast(0.0));
-        if (job->role->normal >= 0) {
-            (b->r + job->role->normal)[n] = pick(within, (b->r + job->role->normal)[n], broadcast(0.0));
-        }
-        if (job->role->upright >= 0) {
-            (b->r + job->role->upright)[n] = pick(within, (b->r + job->role->upright)[n], broadcast(0.0));
-        }
+    truncate(b->r + job->role->omega + 1, order, top);
+    truncate(b->r + job->role->net, order, top);
+    if (job->role->normal >= 0) {
+        truncate(b->r + job->role->normal, order, top);
+    }
+    if (job->role->upright >= 0) {
+        truncate(b->r + job->role->upright, order, top);
     }
 }
 
@@ -2066,9 +2072,10 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     V *const c = b->c;
     V *omega = at_rest ? (b->r + job->role->net) : (b->r + job->role->omega);
     V term = magnitude(omega[n]) * power;
-    M counts = ~is_negligible(b, term, c[LARGEST_OMEGA]);
-    c[LARGEST_OMEGA] = maximum(term, c[LARGEST_OMEGA]);
-    return counts;
+    V largest = 1.0 * c[LARGEST_OMEGA];
+    M negligible = (term <= (c[NEGLIGIBLE] * largest)) & (largest > 0.0) & (largest < INFINITY);
+    c[LARGEST_OMEGA] = maximum(term, largest);
+    return ~negligible;
 }
 
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
@@ -2228,6 +2235,17 @@ static void start(Batch *b, M here)
     find_pieces(b, here);
 }
 
+/* Count a phase that begins in the current direction. */
+INLINE void count_phase(Batch *b, M here)
+{
+    V *const c = b->c;
+    if (!bits(here)) return;
+    M turns = (c[LAST_WAY] * c[DIRECTION]) < 0.0;
+    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
+    c[TURNS] = pick(here, c[TURNS] + pick(turns, broadcast(1.0), broadcast(0.0)), c[TURNS]);
+    c[LAST_WAY] = pick(here, c[DIRECTION], c[LAST_WAY]);
+}
+
 /* Start slip in the current direction. */
 INLINE void start_moving(Batch *b, M here, V rate)
 {
@@ -2236,10 +2254,7 @@ INLINE void start_moving(Batch *b, M here, V rate)
     if (!bits(here)) return;
     c[STATUS] = pick(here, broadcast(MOVING), c[STATUS]);
     c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
-    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
-    M turns = (c[LAST_WAY] * c[DIRECTION]) < 0.0;
-    c[TURNS] = pick(here, c[TURNS] + pick(turns, broadcast(1.0), broadcast(0.0)), c[TURNS]);
-    c[LAST_WAY] = pick(here, c[DIRECTION], c[LAST_WAY]);
+    count_phase(b, here);
     if (job->notes_room > 0) {
         note(b, here, NOTE_BEGINS);
     }
@@ -2460,16 +2475,18 @@ INLINE void stand_before(Batch *b, M here, int t, V piece, V now)
     c[job->table[t].cell + WAY] = pick(here, broadcast(INFINITY), c[job->table[t].cell + WAY]);
 }
 
-/* Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign. */
+/* Bound the values of the function of time, without its factor, for which sign p certainly keeps its sign. p is
+ * linear in the function. */
 INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
-    V now = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
+    V now = (c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC]) / c[job->table[t].cell + SCALED_BY];
+    V rise = c[job->table[t].cell + RISE] / c[job->table[t].cell + SCALED_BY];
     M level = c[job->table[t].cell + RISE] == 0.0;
-    V way = (sign * p[1]) * c[job->table[t].cell + RISE];
-    V room = ((SURE * p[0]) * c[job->table[t].cell + RISE]) / p[1];
+    V way = (sign * p[1]) * rise;
+    V room = ((SURE * p[0]) * rise) / p[1];
     V bound = pick(level, now, now - room);
     M straight = (p[2] == 0.0) & (c[SERIES_ORDER] <= 4.0);
     V rounding = ROUNDINGS * terms;
@@ -2496,14 +2513,11 @@ INLINE void look_for_quiet(Batch *b, M here)
     }
 }
 
-/* Return the least and the greatest value of a record, without its factor, at which lanes certainly rest. */
-INLINE Pair heights_at_rest(Batch *b, int t)
+/* Return whether masses certainly rest at a value of the record, without its factor. */
+INLINE M is_quiet(Batch *b, V height)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
-    V one = c[QUIET_FROM] / c[job->table[t].cell + SCALED_BY];
-    V other = c[QUIET_TO] / c[job->table[t].cell + SCALED_BY];
-    return (Pair){minimum(one, other), maximum(one, other)};
+    return (c[QUIET_FROM] <= height) & (height <= c[QUIET_TO]);
 }
 
 /* Return the place in a record, up to rounding, at which the end time is reached. */
@@ -2522,15 +2536,13 @@ static void rest_through(Batch *b, M here, int t)
     V *const c = b->c;
     if (!bits(here)) return;
     V last = broadcast((double)((int)job->data[t].pieces - 1));
-    const Pair low_high = heights_at_rest(b, t);
-    V low = low_high.one, high = low_high.other;
     V before = latest_end(b, t);
     V piece = 1.0 * c[job->table[t].cell + PIECE];
     M rests = here;
     while (bits(rests)) {
         V following = minimum(piece + 1.0, last);
         V height = coefficients_at(b, t, following, 0);
-        rests = rests & (low <= height) & (height <= high) & (end_of_piece(b, t, following) < before);
+        rests = rests & is_quiet(b, height) & (end_of_piece(b, t, following) < before);
         piece = pick(rests, following, piece);
     }
     M passes = here & (piece > c[job->table[t].cell + PIECE]);
@@ -2596,83 +2608,41 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
 }
 
-/* Count phases that begin down-slope. */
-INLINE void count_starts(Batch *b, M here)
+/* Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path. Lanes
+ * start at its beginning, or stop within it. ``span`` and path are over the length of the piece. */
+INLINE Pair pass_part(Batch *b, M here, V now, V length, V span, V omega, V net, V rise)
 {
     V *const c = b->c;
-    if (!bits(here)) return;
-    M back = c[LAST_WAY] < 0.0;
-    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
-    c[TURNS] = pick(here, c[TURNS] + pick(back, broadcast(1.0), broadcast(0.0)), c[TURNS]);
-    c[LAST_WAY] = pick(here, broadcast(1.0), c[LAST_WAY]);
-}
-
-/* Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length.
- * ``share`` is the fraction of the piece at which the net moment, from ``net`` to ``after``, is zero. A lane that
- * stops and is driven later stops before it. */
-INLINE Pair turn(Batch *b, M here, V now, V length, V share, V omega, V net, V after)
-{
-    V *const c = b->c;
+    V mean = net + ((0.5 * span) * rise);
+    V end = omega + (span * mean);
     M moves = omega > 0.0;
-    V rise = after - net;
-    V root = standstill(omega, net, rise);
-    V stop = pick(moves, root, broadcast(0.0));
-    V later = maximum(1.0 - share, broadcast(0.0));
-    V left = pick(net < 0.0, later, broadcast(1.0));
-    V push = maximum(net, broadcast(0.0));
-    V rate = push + after;
-    V speed = (0.5 * left) * rate;
-    M goes_on = speed > 0.0;
-    V end = pick(goes_on, speed, broadcast(0.0));
-    M pushed = (net > 0.0) & ~moves;
-    M again = pushed & ~goes_on;
-    M starts = pushed | goes_on;
-    V span = pick(again, 2.0 * share, left);
-    V stopped = now + (length * stop);
-    V stops_later = now + (length * span);
-    V since = pick(moves, stopped, c[REST_SINCE]);
-    c[REST_SINCE] = pick(here, pick(again, stops_later, since), c[REST_SINCE]);
-    count_starts(b, here & starts);
-    V nothing = 0.0 * span;
-    V behind = path(span, nothing, push, rise);
-    V further = pick(starts, behind, broadcast(0.0));
-    V before = path(stop, omega, net, rise);
-    V way = before + further;
-    return (Pair){end, way};
+    M goes_on = end > 0.0;
+    count_phase(b, here & goes_on & ~moves);
+    V time = 1.0 * span;
+    M stops = here & moves & ~goes_on;
+    if (bits(stops)) {
+        time = pick(stops, standstill(omega, net, rise), span);
+        c[REST_SINCE] = pick(here, pick(stops, now + (length * time), c[REST_SINCE]), c[REST_SINCE]);
+    }
+    V way = path(time, omega, net, rise);
+    M slides = moves | goes_on;
+    return (Pair){pick(goes_on, end, broadcast(0.0)), pick(slides, way, broadcast(0.0))};
 }
 
 /* Pass a piece in which lanes start, stop, or have their greatest or lowest speed. Return the speed at its end and
- * the path over its length. No decision waits for a division. */
+ * the path over its length. Where the net moment changes its sign the piece has two parts. */
 INLINE Pair pass_change(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
 {
-    V share = net / (net - after);
     V rise = after - net;
-    V one = broadcast(1.0);
-    V way = path(one, omega, net, rise);
-    V twice = net + after;
-    V end = omega + (0.5 * twice);
-    M dips = (net <= 0.0) & (after > 0.0);
-    V square = net * net;
-    V decrease = (2.0 * rise) * omega;
-    M reaches_zero = square >= decrease;
-    M stops = (end <= 0.0) | (dips & reaches_zero);
-    M peaks = here & (net > 0.0) & (after <= 0.0);
-    if (bits(peaks)) {
-        V gain = (0.5 * share) * net;
-        V extreme = omega + gain;
-        V until = path(share, omega, net, rise);
-        V there = x + (length * until);
-        V then = now + (length * share);
-        keep_faster(b, peaks, extreme, then, there, broadcast(0.0));
-    }
-    M turns = here & ((omega == 0.0) | stops);
-    if (bits(turns)) {
-        const Pair speed_further = turn(b, turns, now, length, share, omega, net, after);
-        V speed = speed_further.one, further = speed_further.other;
-        end = pick(turns, speed, end);
-        way = pick(turns, further, way);
-    }
-    return (Pair){end, way};
+    M changes = here & ((net > 0.0) != (after > 0.0));
+    V share = pick(changes, (-net) / rise, broadcast(1.0));
+    const Pair speed_way = pass_part(b, here, now, length, share, omega, net, rise);
+    V speed = speed_way.one, way = speed_way.other;
+    V until = now + (length * share);
+    keep_faster(b, changes & (net > 0.0), speed, until, x + (length * way), broadcast(0.0));
+    const Pair end_further = pass_part(b, changes, until, length, 1.0 - share, speed, broadcast(0.0), rise);
+    V end = end_further.one, further = end_further.other;
+    return (Pair){pick(changes, end, speed), (way + pick(changes, further, broadcast(0.0)))};
 }
 
 /* Return the speed at the end of a piece and the path over its length; lanes outside the mask ``here`` rest. */
@@ -2720,20 +2690,20 @@ INLINE V height_after(Batch *b, int t, int piece)
 }
 
 /* Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
- * They rest between two values of the record, in pieces that end before a place. */
-INLINE M rests_through(Batch *b, int t, int piece, V before, V low, V high)
+ * They leave where the following piece does not end before a place. */
+INLINE M rests_through(Batch *b, int t, int piece, V before)
 {
     const Job *const job = b->job;
     V height = height_after(b, t, piece);
-    return (low <= height) & (height <= high) & (job->data[t].breaks[piece + 2] < before);
+    return is_quiet(b, height) & (job->data[t].breaks[piece + 2] < before);
 }
 
 /* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
-static int last_at_rest(Batch *b, M on, int t, int piece, V before, V low, V high)
+static int last_at_rest(Batch *b, M on, int t, int piece, V before)
 {
     const Job *const job = b->job;
     int last = piece;
-    while (((last + 3) < (int)job->data[t].pieces) && !bits(on & ~rests_through(b, t, last + 1, before, low, high))) {
+    while (((last + 3) < (int)job->data[t].pieces) && !bits(on & ~rests_through(b, t, last + 1, before))) {
         last = last + 1;
     }
     return last;
@@ -2757,8 +2727,6 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     V *const c = b->c;
     if (!bits(here)) return;
     V per = 1.0 / c[job->table[t].cell + SCALE];
-    const Pair low_high = heights_at_rest(b, t);
-    V low = low_high.one, high = low_high.other;
     V before = latest_end(b, t);
     int piece = first;
     V now = c[TIME];
@@ -2781,7 +2749,7 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
             x = x + (length * way);
         }
         if (!bits(acts)) {
-            piece = last_at_rest(b, on, t, piece, before, low, high);
+            piece = last_at_rest(b, on, t, piece, before);
             until = end_of(b, t, piece, per);
             after = base + (slope * height_after(b, t, piece));
         }
@@ -2857,19 +2825,14 @@ INLINE void on_standstill(Batch *b, M here)
     c[PENDING] = pick(here, pick(one_way, broadcast(REST), broadcast(RESOLVE)), c[PENDING]);
 }
 
-/* Change contact with the slip surface. */
-INLINE void on_contact_change(Batch *b, M here, V rate)
+/* Lose or regain contact with the slip surface. */
+INLINE void change_contact(Batch *b, M here)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
-    note_lift_off(b, here & (c[LIFTED] > 0.0));
-    if (job->notes_room > 0) {
-        note(b, here & (c[LIFTED] == 0.0), NOTE_LANDS);
-    }
-    enter_phase(b, here, rate);
     c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
+    note_lift_off(b, here & (c[LIFTED] > 0.0));
 }
 
 /* Place lanes exactly at an edge of a table of slip, speed or rotation, in the next piece. */
@@ -2928,6 +2891,7 @@ INLINE void end_motion(Batch *b, M here, V rate, V status)
 /* Apply the consequences of the event that ends a step. */
 INLINE void settle(Batch *b, M here, V rate)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     c[STATUS] = pick(here, pick(c[EVENT] == (double)EVENT_ENDLESS, broadcast(TOO_LONG), c[STATUS]), c[STATUS]);
@@ -2935,7 +2899,12 @@ INLINE void settle(Batch *b, M here, V rate)
     pass_breaks(b, limits & (c[TIME] < c[END_TIME]));
     end_motion(b, limits & (c[TIME] >= c[END_TIME]), rate, broadcast(ENDED));
     on_standstill(b, here & (c[EVENT] == (double)EVENT_STANDSTILL));
-    on_contact_change(b, here & (c[EVENT] == (double)EVENT_LIFT_OFF), rate);
+    M lifts = here & (c[EVENT] == (double)EVENT_LIFT_OFF);
+    change_contact(b, lifts);
+    if (job->notes_room > 0) {
+        note(b, lifts & (c[LIFTED] == 0.0), NOTE_LANDS);
+    }
+    enter_phase(b, lifts, rate);
     end_motion(b, here & (c[EVENT] == (double)EVENT_CHORD_UPRIGHT), rate, broadcast(UPRIGHT));
     on_breakpoints(b, here & (c[EVENT] >= (double)EVENT_BREAKPOINT), rate);
 }
@@ -2983,8 +2952,9 @@ static void find_standstill(Batch *b, M here, int top)
     if (bits(asked)) {
         V e[STRIDE];
         margin_of(e, omega, top, broadcast(1.0), broadcast(0.0), from_rest);
-        margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
-        margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
+        for (int _ = 1; _ <= 2; _++) {
+            margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
+        }
         V at = first_root(e, top, c[STEP], asked);
         M vanishes = from_rest & (e[0] == 0.0) & (last == 0.0);
         M at_once = asked & ((e[0] < 0.0) | vanishes);
@@ -2997,11 +2967,20 @@ static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M p
 {
     V *const c = b->c;
     if (!bits(here)) return;
-    M asked = here & may_cross(p, n, c[STEP], sign, constant, passed);
-    if (bits(asked)) {
-        V e[STRIDE];
-        margin_of(e, p, n, sign, constant, passed);
-        consider(b, here, first_root(e, n, c[STEP], asked), event);
+    V at = crossing(p, n, c[STEP], sign, constant, passed, here);
+    consider(b, here, at, event);
+}
+
+/* Find the time at which contact with the slip surface is lost or regained. */
+static void find_contact_change(Batch *b, M here, int top)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    if (job->role->normal >= 0) {
+        V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
+        M passed = c[PASSED] == (double)LIFT;
+        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
     }
 }
 
@@ -3055,11 +3034,7 @@ static void find_events(Batch *b, M here, int top, int by_rotation)
             }
         }
     }
-    if (job->role->normal >= 0) {
-        V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
-        M passed = c[PASSED] == (double)LIFT;
-        find_crossing(b, here, b->r + job->role->normal, top - 1, sign, broadcast(0.0), passed, EVENT_LIFT_OFF);
-    }
+    find_contact_change(b, here, top);
 }
 
 /* Shorten the step to the longest one that the series of the states allow, except where series end early. The
@@ -3188,22 +3163,22 @@ INLINE V at_rotation(Batch *b, V constant, V sine, V versine)
     return constant + turned;
 }
 
-/* Return the net moment of a mass at rest after a change of the function of time. */
-INLINE V net_at_rest(Batch *b, V change)
+/* Return the net moment of a mass at rest where its phase began, and its rate with the function of time. */
+INLINE Pair net_at_rest(Batch *b)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V steady = at_rotation(b, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers]);
-    return steady + (change * at_rotation(b, c[job->role->net_record], c[job->role->net_record_sine], c[job->role->net_record_vers]));
+    V moment = at_rotation(b, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers]);
+    return (Pair){moment, at_rotation(b, c[job->role->net_record], c[job->role->net_record_sine], c[job->role->net_record_vers])};
 }
 
-/* Return the normal force of a mass at rest after a change of the function of time. */
-INLINE V force_at_rest(Batch *b, V change)
+/* Return the normal force of a mass at rest where its phase began, and its rate with the function of time. */
+INLINE Pair force_at_rest(Batch *b)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V steady = at_rotation(b, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers]);
-    return steady + (change * at_rotation(b, c[job->role->normal_record], c[job->role->normal_record_sine], c[job->role->normal_record_vers]));
+    V force = at_rotation(b, c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers]);
+    return (Pair){force, at_rotation(b, c[job->role->normal_record], c[job->role->normal_record_sine], c[job->role->normal_record_vers])};
 }
 
 /* Return coefficient n of the product of two series. */
@@ -3327,7 +3302,9 @@ INLINE M fits(Batch *b, int t)
     V moments = (magnitude(c[job->role->net_sine]) + magnitude(c[job->role->net_vers])) + (turning * magnitude(c[job->table[t].cell + LOWER]));
     V path = length * (c[OMEGA] + ((32.0 * length) * moments));
     V terms = magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]);
-    return inside & drives & (path < SHORT) & (force_at_rest(b, c[job->table[t].cell + LOWER]) > (PRESSED * terms));
+    const Pair force_by_record = force_at_rest(b);
+    V force = force_by_record.one, by_record = force_by_record.other;
+    return inside & drives & (path < SHORT) & ((force + (by_record * c[job->table[t].cell + LOWER])) > (PRESSED * terms));
 }
 
 /* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. The
@@ -3338,18 +3315,22 @@ static M wait_for_start(Batch *b, M here, int t)
     V *const c = b->c;
     V *net = b->r + job->role->net;
     V *normal = b->r + job->role->normal;
-    net[0] = net_at_rest(b, c[job->table[t].cell + INC]);
-    net[1] = net_at_rest(b, c[job->table[t].cell + INC] + c[job->table[t].cell + RISE]) - net[0];
+    const Pair moment_by_record = net_at_rest(b);
+    V moment = moment_by_record.one, by_record = moment_by_record.other;
+    const Pair force_force_by_record = force_at_rest(b);
+    V force = force_force_by_record.one, force_by_record = force_force_by_record.other;
+    net[0] = moment + (by_record * c[job->table[t].cell + INC]);
+    net[1] = by_record * c[job->table[t].cell + RISE];
     net[2] = broadcast(0.0);
-    normal[0] = force_at_rest(b, c[job->table[t].cell + INC]);
-    normal[1] = force_at_rest(b, c[job->table[t].cell + INC] + c[job->table[t].cell + RISE]) - normal[0];
+    normal[0] = force + (force_by_record * c[job->table[t].cell + INC]);
+    normal[1] = force_by_record * c[job->table[t].cell + RISE];
     normal[2] = broadcast(0.0);
     c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
     c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
     look_for_quiet(b, here);
     enter_pieces(b, here);
-    V now = minimum(net_at_rest(b, c[job->table[t].cell + INC]), broadcast(0.0));
-    V then = net_at_rest(b, c[job->table[t].cell + LOWER]);
+    V now = minimum(moment + (by_record * c[job->table[t].cell + INC]), broadcast(0.0));
+    V then = moment + (by_record * c[job->table[t].cell + LOWER]);
     M starts = here & (then > (SURELY * c[job->role->drive_scale])) & fits(b, t);
     V share = pick(starts, now / (now - then), broadcast(0.0));
     c[TIME] = pick(here, c[TIME] + (share * (c[job->table[t].cell + UPPER] - c[TIME])), c[TIME]);
@@ -3389,7 +3370,7 @@ static void turn_through(Batch *b, M here, int t)
         }
         M goes = starts | (moves & fits(b, t));
         leave_series(b, here & ~goes, since);
-        count_starts(b, starts & goes);
+        count_phase(b, starts & goes);
         here = goes;
         move_within(b, here, t);
         pass_break(b, here & (c[TIME] == c[job->table[t].cell + UPPER]), t);
@@ -3705,17 +3686,6 @@ INLINE void shorten(Batch *b, M here)
     c[STEP] = pick(here, pick(bends, shorter, c[STEP]), c[STEP]);
 }
 
-/* Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity. */
-static V greatest_speed(Batch *b, M here, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    V *net = b->r + job->role->net;
-    const Pair rate_slope = value_and_slope(net, top - 1, c[STEP]);
-    V rate = rate_slope.one, slope = rate_slope.other;
-    return falling_root(net, top - 1, c[STEP], rate, slope, here);
-}
-
 /* Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``. */
 INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
 {
@@ -3746,6 +3716,7 @@ INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
  * exceeds the end time, the lane stays where it is and is integrated in time. */
 static void turn_on(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     V omega = 1.0 * c[OMEGA];
@@ -3762,7 +3733,9 @@ static void turn_on(Batch *b, M here)
     M unsure = here;
     int count = 0;
     while (bits(unsure) && (count <= MOST_HALVINGS)) {
-        peak = greatest_speed(b, here, top);
+        const Pair rate_slope = value_and_slope(b->r + job->role->net, top - 1, c[STEP]);
+        V rate = rate_slope.one, slope = rate_slope.other;
+        peak = falling_root(b->r + job->role->net, top - 1, c[STEP], rate, slope, here);
         const Pair before_after = times_of_step(b, here, top, peak);
         before = before_after.one, after = before_after.other;
         unsure = here & ~((before + after) < INFINITY);
@@ -3851,26 +3824,11 @@ INLINE V energy(V *e, V *f)
     return (e[0] * f[0]) + (faded_part + turned_part);
 }
 
-/* Return the derivative of E. */
-INLINE V slope_of(V *e, V *f)
+/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
+static V force_at(V start, V sine, V vers, V *f)
 {
-    V sine = f[0] - f[3];
-    V lost = f[0] - (e[4] * f[1]);
-    V faded_part = e[1] * lost;
-    V turned_part = (e[2] * sine) + (e[3] * f[2]);
-    return e[0] + (faded_part + turned_part);
-}
-
-/* Return the second derivative of E. */
-INLINE V bend_of(V *e, V *f)
-{
-    V sine = f[0] - f[3];
-    V cosine = 1.0 - f[2];
-    V lost = f[0] - (e[4] * f[1]);
-    V kept = 1.0 - (e[4] * lost);
-    V faded_part = e[1] * kept;
-    V turned_part = (e[2] * cosine) + (e[3] * sine);
-    return faded_part + turned_part;
+    V sine_there = sine * (f[0] - f[3]);
+    return start + (sine_there + (vers * f[2]));
 }
 
 /* Compute drive, sine and vers of the negative moment as a function of the distance from the end of a phase. They
@@ -4103,31 +4061,48 @@ INLINE V passed_to(Batch *b, V x)
     return x;
 }
 
-/* Compute E and its first two derivatives behind the functions of which it consists. */
-INLINE void soften(Batch *b, V *e, V *f, V x)
+/* Compute the functions of which E consists, and return E. */
+INLINE V energy_at(Batch *b, V *e, V *f, V x)
+{
+    const Job *const job = b->job;
+    if (SOFTENS(job->role)) {
+        softening_functions(b, e, f, x);
+        return (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
+    }
+    functions(f, x, e[4]);
+    return energy(e, f);
+}
+
+/* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. The derivatives
+ * follow from the equation of motion, in which friction softens or is constant. */
+static void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    softening_functions(b, e, f, x);
-    V left = 1.0 + f[4];
-    V rate = c[job->role->loss_rate] * left;
-    if (job->role->per_pole >= 0) {
-        rate = rate * left;
+    V drive = 1.0 * c[job->role->drive];
+    V of_sine = 1.0 * c[job->role->net_sine];
+    V of_vers = 1.0 * c[job->role->net_vers];
+    V of_square = 1.0 * c[job->role->net_square];
+    V by_loss = broadcast(0.0);
+    f[5] = energy_at(b, e, f, x);
+    if (SOFTENS(job->role)) {
+        V left = 1.0 + f[4];
+        V rate = c[job->role->loss_rate] * left;
+        if (job->role->per_pole >= 0) {
+            rate = rate * left;
+        }
+        V weight = force_at(c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], f);
+        by_loss = rate * (weight + (c[job->role->net_loss_square] * f[5]));
+        drive = drive + (f[4] * c[job->role->net_loss]);
+        of_sine = of_sine + (f[4] * c[job->role->net_loss_sine]);
+        of_vers = of_vers + (f[4] * c[job->role->net_loss_vers]);
+        of_square = of_square + (f[4] * c[job->role->net_loss_square]);
     }
-    V at = (job->role->per_pole >= 0) ? hyperbolic_energy(e, f, passed_to(b, x)) : softening_energy(e, f);
-    V sine = f[0] - f[3];
-    V of_sine = c[job->role->net_sine] + (f[4] * c[job->role->net_loss_sine]);
-    V of_vers = c[job->role->net_vers] + (f[4] * c[job->role->net_loss_vers]);
-    V of_square = c[job->role->net_square] + (f[4] * c[job->role->net_loss_square]);
-    V lost = (c[job->role->net_loss_vers] * f[2]) + (c[job->role->net_loss_square] * at);
-    V loss = c[job->role->net_loss] + ((c[job->role->net_loss_sine] * sine) + lost);
-    V bent = (of_vers * f[2]) + (of_square * at);
-    V drive = c[job->role->drive] + (f[4] * c[job->role->net_loss]);
-    V slope = 2.0 * (drive + ((of_sine * sine) + bent));
-    V turns = (of_sine * (1.0 - f[2])) + ((of_vers * sine) + (of_square * slope));
-    f[5] = at;
-    f[6] = slope;
-    f[7] = 2.0 * (turns + (rate * loss));
+    V of_cosine = of_sine * (1.0 - f[2]);
+    V turns = of_cosine + (of_vers * (f[0] - f[3]));
+    V twice = 2.0 * of_square;
+    f[6] = (2.0 * force_at(drive, of_sine, of_vers, f)) + (twice * f[5]);
+    f[7] = (2.0 * (turns + by_loss)) + (twice * f[6]);
 }
 
 /* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
@@ -4300,8 +4275,10 @@ INLINE M is_uneven(V *w, int n)
 
 /* Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move. The
  * search begins at the angle u in ``there``, to which it is added together with the slope of the time. */
-static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
+static void find_state(Batch *b, V *there, M here, V *e, V *back, V *w, V end, V time)
 {
+    const Job *const job = b->job;
+    V *const c = b->c;
     if (!bits(here)) return;
     V u = there[ANGLE_THERE];
     V slope = broadcast(1.0);
@@ -4326,7 +4303,7 @@ static void find_state(V *there, M here, V *e, V *back, V *w, V end, V time)
     functions(f, x, e[4]);
     V square = energy(e, f);
     there[0] = x;
-    there[RATE_THERE] = 0.5 * slope_of(e, f);
+    there[RATE_THERE] = force_at(c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], f) + (c[job->role->net_square] * square);
     M late = versine > 1.0;
     if (bits(here & late)) {
         const Pair __versine_back = turned(PI - (2.0 * u));
@@ -4356,25 +4333,11 @@ static void keep_samples(Batch *b, M here, V *e, V *back, V *w, V end, V until)
             V ahead = (time - before) / there[SLOPE_THERE];
             there[ANGLE_THERE] = pick(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE]);
             before = pick(inside, time, before);
-            find_state(there, inside, e, back, w, end, time - c[TIME]);
+            find_state(b, there, inside, e, back, w, end, time - c[TIME]);
             keep_sample(b, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE]);
         }
         k = k + 1;
     }
-}
-
-/* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. */
-INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
-{
-    const Job *const job = b->job;
-    if (SOFTENS(job->role)) {
-        soften(b, e, f, x);
-        return;
-    }
-    functions(f, x, e[4]);
-    f[5] = energy(e, f);
-    f[6] = slope_of(e, f);
-    f[7] = bend_of(e, f);
 }
 
 /* Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest. */
@@ -4428,13 +4391,6 @@ static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
         count = count + 1;
     }
     return x;
-}
-
-/* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
-static V force_at(V start, V sine, V vers, V *f)
-{
-    V sine_there = sine * (f[0] - f[3]);
-    return start + (sine_there + (vers * f[2]));
 }
 
 /* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
@@ -4556,7 +4512,7 @@ static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
     V there[STRIDE];
     V time = c[END_TIME] - c[TIME];
     there[ANGLE_THERE] = (0.5 * time) / w[0];
-    find_state(there, here, e, back, w, end, time);
+    find_state(b, there, here, e, back, w, end, time);
     c[X] = pick(here, there[0], c[X]);
     c[OMEGA] = pick(here, there[OMEGA_THERE], c[OMEGA]);
     V rate = there[RATE_THERE];
@@ -4655,25 +4611,6 @@ static M swing(Batch *b, M which)
     return complete_swing(b, fits, e, back, f, end, peak);
 }
 
-/* Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead. */
-static void look_for_lift_off(Batch *b, M here, int top)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    if (!bits(here)) return;
-    V *normal = b->r + job->role->normal;
-    V sign = pick(c[LIFTED] > 0.0, broadcast(-1.0), broadcast(1.0));
-    M passed = c[PASSED] == (double)LIFT;
-    M asked = here & may_cross(normal, top - 1, c[STRETCH], sign, broadcast(0.0), passed);
-    if (bits(asked)) {
-        V e[STRIDE];
-        margin_of(e, normal, top - 1, sign, broadcast(0.0), passed);
-        V at = first_root(e, top - 1, c[STRETCH], asked);
-        c[LIFT_AHEAD] = pick(here, minimum(at, c[LIFT_AHEAD]), c[LIFT_AHEAD]);
-        c[STRETCH] = pick(here, minimum(at, c[STRETCH]), c[STRETCH]);
-    }
-}
-
 /* Find the next change of a mass at rest in its direction, if it precedes the changes that are known already. The
  * net moment at rest is a series of time alone. Slip begins at its root, where the drive is zero, or immediately
  * if the net moment is zero and rises, or has jumped above zero. */
@@ -4684,33 +4621,25 @@ static void look_ahead(Batch *b, M here, V room)
     if (!bits(here)) return;
     int top = expand(b, room, here, 1);
     V *net = b->r + job->role->net;
-    M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
-    M jumps = (net[0] > 0.0) & ~touches;
-    V reach = room;
     M complete = here & (c[SERIES_ORDER] == c[ORDER]);
     if (bits(complete)) {
         V step = longest_step(b, net, top - 1, c[SERIES_ORDER] - 1.0);
-        reach = pick(complete, minimum(step, room), room);
+        c[STEP] = pick(here, pick(complete, minimum(step, c[STEP]), c[STEP]), c[STEP]);
     }
-    c[STRETCH] = pick(here, minimum(reach, c[STRETCH]), c[STRETCH]);
-    V e[STRIDE];
-    margin_of(e, net, top - 1, broadcast(-1.0), broadcast(0.0), touches);
-    V at = broadcast(INFINITY);
-    M crosses = may_cross(net, top - 1, c[STRETCH], broadcast(-1.0), broadcast(0.0), touches);
-    M asked = here & ~jumps & crosses;
-    if (bits(asked)) {
-        at = first_root(e, top - 1, c[STRETCH], asked);
-    }
-    M rises = touches & (e[0] < 0.0);
-    at = pick(jumps | rises, broadcast(0.0), at);
-    M sooner = at < c[START_AHEAD];
-    c[START_AHEAD] = pick(here, pick(sooner, at, c[START_AHEAD]), c[START_AHEAD]);
+    M touches = magnitude(net[0]) <= (TOUCHES * c[job->role->drive_scale]);
+    M jumps = (net[0] > 0.0) & ~touches;
+    M at_once = jumps | (touches & (net[1] > 0.0));
+    V later = crossing(net, top - 1, c[STEP], broadcast(-1.0), broadcast(0.0), touches, here & ~at_once);
+    V at = pick(at_once, broadcast(0.0), later);
+    consider(b, here, at, EVENT_START);
+    M sooner = at <= c[STEP];
     c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
     c[SUDDEN] = pick(here, pick(sooner, pick(jumps, broadcast(1.0), broadcast(0.0)), c[SUDDEN]), c[SUDDEN]);
     look_for_quiet(b, here);
-    if (job->role->normal >= 0) {
-        look_for_lift_off(b, here, top);
-    }
+    V known = 1.0 * c[STEP];
+    c[STEP] = pick(here, minimum(known * (1.0 + TOGETHER), room), c[STEP]);
+    find_contact_change(b, here, top);
+    c[STEP] = pick(here, pick(c[EVENT] == (double)EVENT_LIFT_OFF, c[STEP], known), c[STEP]);
 }
 
 /* Reverse the direction at rest. */
@@ -4720,17 +4649,6 @@ INLINE void turn_back(Batch *b, M here)
     if (!bits(here)) return;
     c[DIRECTION] = pick(here, -c[DIRECTION], c[DIRECTION]);
     c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
-}
-
-/* Lift masses at rest, or let them land. */
-INLINE void change_contact(Batch *b, M here)
-{
-    V *const c = b->c;
-    if (!bits(here)) return;
-    c[LIFTED] = pick(here, 1.0 - c[LIFTED], c[LIFTED]);
-    c[PASSED] = pick(here, broadcast(LIFT), c[PASSED]);
-    c[PENDING] = pick(here, broadcast(BEGIN_PHASE), c[PENDING]);
-    note_lift_off(b, here & (c[LIFTED] > 0.0));
 }
 
 /* Start slip from rest. */
@@ -4743,22 +4661,21 @@ INLINE void start_again(Batch *b, M here)
 }
 
 /* Advance to the first change: start of slip, change of contact, break or end. */
-static void leave_rest(Batch *b, M here, V limit, V room)
+static void leave_rest(Batch *b, M here, V limit)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
-    V stretch = c[STRETCH];
-    M lifts = c[LIFT_AHEAD] <= stretch;
-    M starts = c[START_AHEAD] <= stretch;
-    M breaks = (stretch >= room) & ~starts & ~lifts;
-    V until = pick(breaks, limit, c[TIME] + stretch);
+    M lifts = c[EVENT] == (double)EVENT_LIFT_OFF;
+    M starts = c[EVENT] == (double)EVENT_START;
+    M breaks = c[EVENT] == (double)EVENT_LIMIT;
+    V until = pick(breaks, limit, c[TIME] + c[STEP]);
     M for_ever = ~starts & ~(until < INFINITY);
     if (job->samples) {
         read_samples(b, here, c[TIME], minimum(until, c[END_TIME]), 0, 0);
     }
     V least = TOGETHER * until;
-    M rested = starts & (stretch > least);
+    M rested = starts & (c[STEP] > least);
     c[STEPS] = pick(here, pick(breaks | rested, broadcast(0.0), c[STEPS] + 1.0), c[STEPS]);
     c[PASSED] = pick(here, broadcast(NOTHING), c[PASSED]);
     M ends = here & (for_ever | (until >= c[END_TIME]));
@@ -4766,7 +4683,8 @@ static void leave_rest(Batch *b, M here, V limit, V room)
     stay(b, ends, pick(for_ever, broadcast(ARRESTED), broadcast(PAUSED)));
     here = here & ~ends;
     start_again(b, here & starts);
-    change_contact(b, here & lifts & ~starts);
+    change_contact(b, here & lifts);
+    c[PENDING] = pick(here, pick(lifts, broadcast(BEGIN_PHASE), c[PENDING]), c[PENDING]);
     enter_pieces(b, here & breaks);
 }
 
@@ -4780,18 +4698,16 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
     if (bits(both)) {
         turn_back(b, both);
         begin_phases(b);
-        look_ahead(b, both, room);
+        look_ahead(b, both, c[STEP]);
     }
-    V latest = c[START_AHEAD] * (1.0 + TOGETHER);
-    M lifts = c[LIFT_AHEAD] <= latest;
-    c[START_AHEAD] = pick(here, pick(lifts, broadcast(INFINITY), c[START_AHEAD]), c[START_AHEAD]);
-    c[STRETCH] = pick(here, minimum(c[START_AHEAD], c[STRETCH]), c[STRETCH]);
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
-            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STRETCH]), c[job->table[t].cell + INC]);
+            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STEP]), c[job->table[t].cell + INC]);
         }
     }
-    leave_rest(b, here, limit, room);
+    M reaches = (c[EVENT] == (double)EVENT_NONE) & (c[STEP] >= room);
+    c[EVENT] = pick(here, pick(reaches, broadcast(EVENT_LIMIT), c[EVENT]), c[EVENT]);
+    leave_rest(b, here, limit);
 }
 
 /* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
@@ -4802,11 +4718,7 @@ static void rest_on(Batch *b, M here)
     if (!bits(here)) return;
     V limit = next_break(b);
     V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
-    c[STRETCH] = pick(here, room, c[STRETCH]);
-    c[START_AHEAD] = pick(here, broadcast(INFINITY), c[START_AHEAD]);
-    c[START_DIRECTION] = pick(here, broadcast(0.0), c[START_DIRECTION]);
-    c[SUDDEN] = pick(here, broadcast(0.0), c[SUDDEN]);
-    c[LIFT_AHEAD] = pick(here, broadcast(INFINITY), c[LIFT_AHEAD]);
+    c[EVENT] = pick(here, broadcast(EVENT_NONE), c[EVENT]);
     c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
     c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
     look_ahead(b, here, room);

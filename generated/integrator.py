@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9c98793586318f0de4cfc5ea75b900e280dcac8d890c8a880e4ae7e0d1375481
+# sha256 of the text below: b3714b649cfbe329c74e8cefa527bba474ec6f160dafa51bb6ed3b74498efa04
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -511,13 +511,6 @@ def first_root(p: Floats, n: int, h: Floats, which: Mask) -> Floats:
     return root
 
 
-def may_cross(p: Floats, n: int, t: Floats, sign: Floats, constant: Floats, divided: Mask) -> Mask:
-    """Return whether sign p + constant may have a zero in (0, t], from its value and slope at t."""
-    last, slope = value_and_slope(p, n, t)
-    falls_and_rises = (sign * p[1] < 0.0) & (sign * slope > 0.0)
-    return (sign * last + constant <= 0.0) | falls_and_rises | divided
-
-
 def margin_of(e: Floats, p: Floats, n: int, sign: Floats, constant: Floats, divided: Mask) -> None:
     """Compute the coefficients of sign p + constant, divided by the time if its root at 0 is to be removed."""
     for k in range(n + 1):
@@ -527,6 +520,19 @@ def margin_of(e: Floats, p: Floats, n: int, sign: Floats, constant: Floats, divi
         for k in range(n - 1 + 1):
             e[k] = np.where(divided, e[k + 1], e[k])
         e[n] = np.where(divided, 0.0, e[n])
+
+
+def crossing(p: Floats, n: int, t: Floats, sign: Floats, constant: Floats, divided: Mask, here: Mask) -> Floats:
+    """Return the first time in (0, t] at which sign p + constant falls through zero, infinity without a zero."""
+    last, slope = value_and_slope(p, n, t)
+    falls_and_rises = (sign * p[1] < 0.0) & (sign * slope > 0.0)
+    asked = here & ((sign * last + constant <= 0.0) | falls_and_rises | divided)
+    at: Floats = INFINITY
+    if np.any(asked):
+        e = np.zeros((ix.STRIDE, p.shape[1]))
+        margin_of(e, p, n, sign, constant, divided)
+        at = first_root(e, n, t, asked)
+    return at
 
 
 def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here: Mask) -> Floats:
@@ -883,22 +889,20 @@ def find_negligible(s: Lanes, here: Mask) -> None:
     c[ix.NEGLIGIBLE] = np.where(here, np.maximum(negligible, ROUNDING), c[ix.NEGLIGIBLE])
 
 
-def is_negligible(s: Lanes, term: Floats, largest: Floats) -> Mask:
-    """Return whether a term is negligible compared with the largest term."""
-    c = s.cells
-    return (term <= c[ix.NEGLIGIBLE] * largest) & (largest > 0.0) & (largest < INFINITY)
+def truncate(p: Floats, order: Floats, top: int) -> None:
+    """Set the coefficients of a series from each lane's order on to zero."""
+    for n in range(least(order), top - 1 + 1):
+        p[n] = np.where(order > float(n), p[n], 0.0)
 
 
 def cut(s: Lanes, order: Floats, top: int) -> None:
     """Truncate the series that events use at each lane's order."""
-    for n in range(least(order), top - 1 + 1):
-        within = order > float(n)
-        s.registers[s.roles.omega][n + 1] = np.where(within, s.registers[s.roles.omega][n + 1], 0.0)
-        s.registers[s.roles.net][n] = np.where(within, s.registers[s.roles.net][n], 0.0)
-        if s.roles.normal >= 0:
-            s.registers[s.roles.normal][n] = np.where(within, s.registers[s.roles.normal][n], 0.0)
-        if s.roles.upright >= 0:
-            s.registers[s.roles.upright][n] = np.where(within, s.registers[s.roles.upright][n], 0.0)
+    truncate(s.registers[s.roles.omega][1:], order, top)
+    truncate(s.registers[s.roles.net], order, top)
+    if s.roles.normal >= 0:
+        truncate(s.registers[s.roles.normal], order, top)
+    if s.roles.upright >= 0:
+        truncate(s.registers[s.roles.upright], order, top)
 
 
 def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int) -> None:
@@ -927,9 +931,10 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     c = s.cells
     omega = s.registers[s.roles.net] if at_rest else s.registers[s.roles.omega]
     term = np.abs(omega[n]) * power
-    counts = np.logical_not(is_negligible(s, term, c[ix.LARGEST_OMEGA]))
-    c[ix.LARGEST_OMEGA] = np.maximum(term, c[ix.LARGEST_OMEGA])
-    return counts
+    largest = 1.0 * c[ix.LARGEST_OMEGA]
+    negligible = (term <= c[ix.NEGLIGIBLE] * largest) & (largest > 0.0) & (largest < INFINITY)
+    c[ix.LARGEST_OMEGA] = np.maximum(term, largest)
+    return np.logical_not(negligible)
 
 
 def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
@@ -1067,6 +1072,17 @@ def start(s: Lanes, here: Mask) -> None:
     find_pieces(s, here)
 
 
+def count_phase(s: Lanes, here: Mask) -> None:
+    """Count a phase that begins in the current direction."""
+    c = s.cells
+    if not np.any(here):
+        return
+    turns = c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0
+    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
+    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(turns, 1.0, 0.0), c[ix.TURNS])
+    c[ix.LAST_WAY] = np.where(here, c[ix.DIRECTION], c[ix.LAST_WAY])
+
+
 def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
     """Start slip in the current direction."""
     c = s.cells
@@ -1074,10 +1090,7 @@ def start_moving(s: Lanes, here: Mask, rate: Floats) -> None:
         return
     c[ix.STATUS] = np.where(here, ix.MOVING, c[ix.STATUS])
     c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
-    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
-    turns = c[ix.LAST_WAY] * c[ix.DIRECTION] < 0.0
-    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(turns, 1.0, 0.0), c[ix.TURNS])
-    c[ix.LAST_WAY] = np.where(here, c[ix.DIRECTION], c[ix.LAST_WAY])
+    count_phase(s, here)
     if s.logged:
         note(s, here, ix.NOTE_BEGINS)
     note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
@@ -1281,14 +1294,15 @@ def stand_before(s: Lanes, here: Mask, t: Table, piece: Floats, now: Floats) -> 
 
 
 def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: Floats) -> None:
-    """Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign."""
+    """Bound the values of the function of time, without its factor, for which sign p certainly keeps its sign."""
     c = s.cells
     if not np.any(here):
         return
-    now = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
+    now = (c[t.cells + ix.VALUE] + c[t.cells + ix.INC]) / c[t.cells + ix.SCALED_BY]
+    rise = c[t.cells + ix.RISE] / c[t.cells + ix.SCALED_BY]
     level = c[t.cells + ix.RISE] == 0.0
-    way = sign * p[1] * c[t.cells + ix.RISE]
-    room = SURE * p[0] * c[t.cells + ix.RISE] / p[1]
+    way = sign * p[1] * rise
+    room = SURE * p[0] * rise / p[1]
     bound = np.where(level, now, now - room)
     straight = (p[2] == 0.0) & (c[ix.SERIES_ORDER] <= 4.0)
     rounding = ROUNDINGS * terms
@@ -1313,12 +1327,10 @@ def look_for_quiet(s: Lanes, here: Mask) -> None:
                 keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
 
 
-def heights_at_rest(s: Lanes, t: Table) -> tuple[Floats, Floats]:
-    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
+def is_quiet(s: Lanes, height: Floats) -> Mask:
+    """Return whether masses certainly rest at a value of the record, without its factor."""
     c = s.cells
-    one = c[ix.QUIET_FROM] / c[t.cells + ix.SCALED_BY]
-    other = c[ix.QUIET_TO] / c[t.cells + ix.SCALED_BY]
-    return (np.minimum(one, other), np.maximum(one, other))
+    return (c[ix.QUIET_FROM] <= height) & (height <= c[ix.QUIET_TO])
 
 
 def latest_end(s: Lanes, t: Table) -> Floats:
@@ -1333,14 +1345,13 @@ def rest_through(s: Lanes, here: Mask, t: Table) -> None:
     if not np.any(here):
         return
     last: Floats = float(t.pieces - 1)
-    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
     piece = 1.0 * c[t.cells + ix.PIECE]
     rests = here
     while np.any(rests):
         following = np.minimum(piece + 1.0, last)
         height = coefficients_at(s, t, following, 0)
-        rests = rests & (low <= height) & (height <= high) & (end_of_piece(s, t, following) < before)
+        rests = rests & is_quiet(s, height) & (end_of_piece(s, t, following) < before)
         piece = np.where(rests, following, piece)
     passes = here & (piece > c[t.cells + ix.PIECE])
     now = breaks_at(s, t, piece) / c[t.cells + ix.SCALE]
@@ -1398,77 +1409,36 @@ def end_slide(s: Lanes, here: Mask, t: Table, piece: int, x: Floats, omega: Floa
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
-def count_starts(s: Lanes, here: Mask) -> None:
-    """Count phases that begin down-slope."""
+def pass_part(s: Lanes, here: Mask, now: Floats, length: Floats, span: Floats, omega: Floats, net: Floats,
+        rise: Floats) -> tuple[Floats, Floats]:
+    """Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path."""
     c = s.cells
-    if not np.any(here):
-        return
-    back = c[ix.LAST_WAY] < 0.0
-    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
-    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(back, 1.0, 0.0), c[ix.TURNS])
-    c[ix.LAST_WAY] = np.where(here, 1.0, c[ix.LAST_WAY])
-
-
-def turn(s: Lanes, here: Mask, now: Floats, length: Floats, share: Floats, omega: Floats, net: Floats,
-        after: Floats) -> tuple[Floats, Floats]:
-    """Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length."""
-    c = s.cells
+    mean = net + 0.5 * span * rise
+    end = omega + span * mean
     moves = omega > 0.0
-    rise = after - net
-    root = standstill(omega, net, rise)
-    stop = np.where(moves, root, 0.0)
-    later = np.maximum(1.0 - share, 0.0)
-    left = np.where(net < 0.0, later, 1.0)
-    push = np.maximum(net, 0.0)
-    rate = push + after
-    speed = 0.5 * left * rate
-    goes_on = speed > 0.0
-    end = np.where(goes_on, speed, 0.0)
-    pushed = (net > 0.0) & np.logical_not(moves)
-    again = pushed & np.logical_not(goes_on)
-    starts = pushed | goes_on
-    span = np.where(again, 2.0 * share, left)
-    stopped = now + length * stop
-    stops_later = now + length * span
-    since = np.where(moves, stopped, c[ix.REST_SINCE])
-    c[ix.REST_SINCE] = np.where(here, np.where(again, stops_later, since), c[ix.REST_SINCE])
-    count_starts(s, here & starts)
-    nothing = 0.0 * span
-    behind = path(span, nothing, push, rise)
-    further = np.where(starts, behind, 0.0)
-    before = path(stop, omega, net, rise)
-    way = before + further
-    return (end, way)
+    goes_on = end > 0.0
+    count_phase(s, here & goes_on & np.logical_not(moves))
+    time = 1.0 * span
+    stops = here & moves & np.logical_not(goes_on)
+    if np.any(stops):
+        time = np.where(stops, standstill(omega, net, rise), span)
+        c[ix.REST_SINCE] = np.where(here, np.where(stops, now + length * time, c[ix.REST_SINCE]), c[ix.REST_SINCE])
+    way = path(time, omega, net, rise)
+    slides = moves | goes_on
+    return (np.where(goes_on, end, 0.0), np.where(slides, way, 0.0))
 
 
 def pass_change(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
         after: Floats) -> tuple[Floats, Floats]:
     """Pass a piece in which lanes start, stop, or have their greatest or lowest speed."""
-    share = net / (net - after)
     rise = after - net
-    one: Floats = 1.0
-    way = path(one, omega, net, rise)
-    twice = net + after
-    end = omega + 0.5 * twice
-    dips = (net <= 0.0) & (after > 0.0)
-    square = net * net
-    decrease = 2.0 * rise * omega
-    reaches_zero = square >= decrease
-    stops = (end <= 0.0) | dips & reaches_zero
-    peaks = here & (net > 0.0) & (after <= 0.0)
-    if np.any(peaks):
-        gain = 0.5 * share * net
-        extreme = omega + gain
-        until = path(share, omega, net, rise)
-        there = x + length * until
-        then = now + length * share
-        keep_faster(s, peaks, extreme, then, there, 0.0)
-    turns = here & ((omega == 0.0) | stops)
-    if np.any(turns):
-        speed, further = turn(s, turns, now, length, share, omega, net, after)
-        end = np.where(turns, speed, end)
-        way = np.where(turns, further, way)
-    return (end, way)
+    changes = here & ((net > 0.0) != (after > 0.0))
+    share = np.where(changes, -net / rise, 1.0)
+    speed, way = pass_part(s, here, now, length, share, omega, net, rise)
+    until = now + length * share
+    keep_faster(s, changes & (net > 0.0), speed, until, x + length * way, 0.0)
+    end, further = pass_part(s, changes, until, length, 1.0 - share, speed, 0.0, rise)
+    return (np.where(changes, end, speed), way + np.where(changes, further, 0.0))
 
 
 def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
@@ -1506,16 +1476,16 @@ def height_after(s: Lanes, t: Table, piece: int) -> Floats:
     return t.heights[2 * piece + 2]
 
 
-def rests_through(s: Lanes, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> Mask:
+def rests_through(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
     """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it."""
     height = height_after(s, t, piece)
-    return (low <= height) & (height <= high) & (t.places[piece + 2] < before)
+    return is_quiet(s, height) & (t.places[piece + 2] < before)
 
 
-def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, before: Floats, low: Floats, high: Floats) -> int:
+def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, before: Floats) -> int:
     """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
     last = piece
-    while last + 3 < t.pieces and (not np.any(on & np.logical_not(rests_through(s, t, last + 1, before, low, high)))):
+    while last + 3 < t.pieces and (not np.any(on & np.logical_not(rests_through(s, t, last + 1, before)))):
         last = last + 1
     return last
 
@@ -1536,7 +1506,6 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     if not np.any(here):
         return
     per = 1.0 / c[t.cells + ix.SCALE]
-    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
     piece = first
     now = c[ix.TIME].copy()
@@ -1557,7 +1526,7 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
             omega = speed
             x = x + length * way
         if not np.any(acts):
-            piece = last_at_rest(s, on, t, piece, before, low, high)
+            piece = last_at_rest(s, on, t, piece, before)
             until = end_of(s, t, piece, per)
             after = base + slope * height_after(s, t, piece)
         now = until
@@ -1623,17 +1592,14 @@ def on_standstill(s: Lanes, here: Mask) -> None:
     c[ix.PENDING] = np.where(here, np.where(one_way, ix.REST, ix.RESOLVE), c[ix.PENDING])
 
 
-def on_contact_change(s: Lanes, here: Mask, rate: Floats) -> None:
-    """Change contact with the slip surface."""
+def change_contact(s: Lanes, here: Mask) -> None:
+    """Lose or regain contact with the slip surface."""
     c = s.cells
     if not np.any(here):
         return
     c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
-    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
-    if s.logged:
-        note(s, here & (c[ix.LIFTED] == 0.0), ix.NOTE_LANDS)
-    enter_phase(s, here, rate)
     c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
+    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
 
 
 def on_breakpoint(s: Lanes, here: Mask, t: Table, upwards: Mask) -> None:
@@ -1693,7 +1659,11 @@ def settle(s: Lanes, here: Mask, rate: Floats) -> None:
     pass_breaks(s, limits & (c[ix.TIME] < c[ix.END_TIME]))
     end_motion(s, limits & (c[ix.TIME] >= c[ix.END_TIME]), rate, ix.ENDED)
     on_standstill(s, here & (c[ix.EVENT] == ix.EVENT_STANDSTILL))
-    on_contact_change(s, here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF), rate)
+    lifts = here & (c[ix.EVENT] == ix.EVENT_LIFT_OFF)
+    change_contact(s, lifts)
+    if s.logged:
+        note(s, lifts & (c[ix.LIFTED] == 0.0), ix.NOTE_LANDS)
+    enter_phase(s, lifts, rate)
     end_motion(s, here & (c[ix.EVENT] == ix.EVENT_CHORD_UPRIGHT), rate, ix.UPRIGHT)
     on_breakpoints(s, here & (c[ix.EVENT] >= ix.EVENT_BREAKPOINT), rate)
 
@@ -1736,8 +1706,8 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     if np.any(asked):
         e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
         margin_of(e, omega, top, 1.0, 0.0, from_rest)
-        margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
-        margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
+        for _ in range(1, 2 + 1):
+            margin_of(e, e, top, 1.0, 0.0, from_rest & (e[0] == 0.0))
         at = first_root(e, top, c[ix.STEP], asked)
         vanishes = from_rest & (e[0] == 0.0) & (last == 0.0)
         at_once = asked & ((e[0] < 0.0) | vanishes)
@@ -1750,11 +1720,19 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
     c = s.cells
     if not np.any(here):
         return
-    asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
-    if np.any(asked):
-        e = np.zeros((ix.STRIDE, p.shape[1]))
-        margin_of(e, p, n, sign, constant, passed)
-        consider(s, here, first_root(e, n, c[ix.STEP], asked), event)
+    at = crossing(p, n, c[ix.STEP], sign, constant, passed, here)
+    consider(s, here, at, event)
+
+
+def find_contact_change(s: Lanes, here: Mask, top: int) -> None:
+    """Find the time at which contact with the slip surface is lost or regained."""
+    c = s.cells
+    if not np.any(here):
+        return
+    if s.roles.normal >= 0:
+        sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
+        passed = c[ix.PASSED] == ix.LIFT
+        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
 
 
 def find_edges(s: Lanes, here: Mask, t: Table, top: int, by_rotation: int) -> None:
@@ -1796,10 +1774,7 @@ def find_events(s: Lanes, here: Mask, top: int, by_rotation: int) -> None:
                 known = not np.any(here & (np.minimum(c[t.cells + ix.UPPER], FAR) != c[t.before.cells + ix.UPPER]))
             if not known:
                 find_edges(s, here, t, top, by_rotation)
-    if s.roles.normal >= 0:
-        sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
-        passed = c[ix.PASSED] == ix.LIFT
-        find_crossing(s, here, s.registers[s.roles.normal], top - 1, sign, 0.0, passed, ix.EVENT_LIFT_OFF)
+    find_contact_change(s, here, top)
 
 
 def choose_step(s: Lanes, here: Mask, top: int) -> None:
@@ -1909,20 +1884,19 @@ def at_rotation(s: Lanes, constant: Floats, sine: Floats, versine: Floats) -> Fl
     return constant + turned
 
 
-def net_at_rest(s: Lanes, change: Floats) -> Floats:
-    """Return the net moment of a mass at rest after a change of the function of time."""
+def net_at_rest(s: Lanes) -> tuple[Floats, Floats]:
+    """Return the net moment of a mass at rest where its phase began, and its rate with the function of time."""
     c = s.cells
-    steady = at_rotation(s, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers])
-    return steady + change * at_rotation(s, c[s.roles.net_record], c[s.roles.net_record_sine],
-        c[s.roles.net_record_vers])
+    moment = at_rotation(s, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers])
+    return (moment, at_rotation(s, c[s.roles.net_record], c[s.roles.net_record_sine], c[s.roles.net_record_vers]))
 
 
-def force_at_rest(s: Lanes, change: Floats) -> Floats:
-    """Return the normal force of a mass at rest after a change of the function of time."""
+def force_at_rest(s: Lanes) -> tuple[Floats, Floats]:
+    """Return the normal force of a mass at rest where its phase began, and its rate with the function of time."""
     c = s.cells
-    steady = at_rotation(s, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers])
-    return steady + change * at_rotation(s, c[s.roles.normal_record], c[s.roles.normal_record_sine],
-        c[s.roles.normal_record_vers])
+    force = at_rotation(s, c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers])
+    return (force, at_rotation(s, c[s.roles.normal_record], c[s.roles.normal_record_sine],
+        c[s.roles.normal_record_vers]))
 
 
 def coefficient_of_product(p: Floats, q: Floats, n: int) -> Floats:
@@ -2029,7 +2003,8 @@ def fits(s: Lanes, t: Table) -> Mask:
     moments = np.abs(c[s.roles.net_sine]) + np.abs(c[s.roles.net_vers]) + turning * np.abs(c[t.cells + ix.LOWER])
     path = length * (c[ix.OMEGA] + 32.0 * length * moments)
     terms = np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope])
-    return inside & drives & (path < SHORT) & (force_at_rest(s, c[t.cells + ix.LOWER]) > PRESSED * terms)
+    force, by_record = force_at_rest(s)
+    return inside & drives & (path < SHORT) & (force + by_record * c[t.cells + ix.LOWER] > PRESSED * terms)
 
 
 def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
@@ -2037,18 +2012,20 @@ def wait_for_start(s: Lanes, here: Mask, t: Table) -> Mask:
     c = s.cells
     net = s.registers[s.roles.net]
     normal = s.registers[s.roles.normal]
-    net[0] = net_at_rest(s, c[t.cells + ix.INC])
-    net[1] = net_at_rest(s, c[t.cells + ix.INC] + c[t.cells + ix.RISE]) - net[0]
+    moment, by_record = net_at_rest(s)
+    force, force_by_record = force_at_rest(s)
+    net[0] = moment + by_record * c[t.cells + ix.INC]
+    net[1] = by_record * c[t.cells + ix.RISE]
     net[2] = 0.0
-    normal[0] = force_at_rest(s, c[t.cells + ix.INC])
-    normal[1] = force_at_rest(s, c[t.cells + ix.INC] + c[t.cells + ix.RISE]) - normal[0]
+    normal[0] = force + force_by_record * c[t.cells + ix.INC]
+    normal[1] = force_by_record * c[t.cells + ix.RISE]
     normal[2] = 0.0
     c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
     c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
     look_for_quiet(s, here)
     enter_pieces(s, here)
-    now = np.minimum(net_at_rest(s, c[t.cells + ix.INC]), 0.0)
-    then = net_at_rest(s, c[t.cells + ix.LOWER])
+    now = np.minimum(moment + by_record * c[t.cells + ix.INC], 0.0)
+    then = moment + by_record * c[t.cells + ix.LOWER]
     starts = here & (then > SURELY * c[s.roles.drive_scale]) & fits(s, t)
     share = np.where(starts, now / (now - then), 0.0)
     c[ix.TIME] = np.where(here, c[ix.TIME] + share * (c[t.cells + ix.UPPER] - c[ix.TIME]), c[ix.TIME])
@@ -2087,7 +2064,7 @@ def turn_through(s: Lanes, here: Mask, t: Table) -> None:
             starts = wait_for_start(s, rests, t)
         goes = starts | moves & fits(s, t)
         leave_series(s, here & np.logical_not(goes), since)
-        count_starts(s, starts & goes)
+        count_phase(s, starts & goes)
         here = goes
         move_within(s, here, t)
         pass_break(s, here & (c[ix.TIME] == c[t.cells + ix.UPPER]), t)
@@ -2340,14 +2317,6 @@ def shorten(s: Lanes, here: Mask) -> None:
     c[ix.STEP] = np.where(here, np.where(bends, shorter, c[ix.STEP]), c[ix.STEP])
 
 
-def greatest_speed(s: Lanes, here: Mask, top: int) -> Floats:
-    """Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity."""
-    c = s.cells
-    net = s.registers[s.roles.net]
-    rate, slope = value_and_slope(net, top - 1, c[ix.STEP])
-    return falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
-
-
 def complete(s: Lanes, here: Mask, top: int, peak: Floats, before: Floats, until: Floats) -> None:
     """Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``."""
     c = s.cells
@@ -2390,7 +2359,8 @@ def turn_on(s: Lanes, here: Mask) -> None:
     unsure = here
     count = 0
     while np.any(unsure) and count <= MOST_HALVINGS:
-        peak = greatest_speed(s, here, top)
+        rate, slope = value_and_slope(s.registers[s.roles.net], top - 1, c[ix.STEP])
+        peak = falling_root(s.registers[s.roles.net], top - 1, c[ix.STEP], rate, slope, here)
         before, after = times_of_step(s, here, top, peak)
         unsure = here & np.logical_not(before + after < INFINITY)
         c[ix.STEP] = np.where(here, np.where(unsure, 0.5 * c[ix.STEP], c[ix.STEP]), c[ix.STEP])
@@ -2467,24 +2437,10 @@ def energy(e: Floats, f: Floats) -> Floats:
     return e[0] * f[0] + (faded_part + turned_part)
 
 
-def slope_of(e: Floats, f: Floats) -> Floats:
-    """Return the derivative of E."""
-    sine = f[0] - f[3]
-    lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * lost
-    turned_part = e[2] * sine + e[3] * f[2]
-    return e[0] + (faded_part + turned_part)
-
-
-def bend_of(e: Floats, f: Floats) -> Floats:
-    """Return the second derivative of E."""
-    sine = f[0] - f[3]
-    cosine = 1.0 - f[2]
-    lost = f[0] - e[4] * f[1]
-    kept = 1.0 - e[4] * lost
-    faded_part = e[1] * kept
-    turned_part = e[2] * cosine + e[3] * sine
-    return faded_part + turned_part
+def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
 
 
 def look_back(back: Floats, first: int, drive: Floats, sine: Floats, vers: Floats, f: Floats) -> None:
@@ -2683,28 +2639,40 @@ def passed_to(s: Lanes, x: Floats) -> Floats:
     return x
 
 
-def soften(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute E and its first two derivatives behind the functions of which it consists."""
+def energy_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> Floats:
+    """Compute the functions of which E consists, and return E."""
+    if s.roles.loss_rate >= 0:
+        softening_functions(s, e, f, x)
+        return hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
+    functions(f, x, e[4])
+    return energy(e, f)
+
+
+def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
+    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
     c = s.cells
-    softening_functions(s, e, f, x)
-    left = 1.0 + f[4]
-    rate = c[s.roles.loss_rate] * left
-    if s.roles.per_pole >= 0:
-        rate = rate * left
-    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.roles.per_pole >= 0 else softening_energy(e, f)
-    sine = f[0] - f[3]
-    of_sine = c[s.roles.net_sine] + f[4] * c[s.roles.net_loss_sine]
-    of_vers = c[s.roles.net_vers] + f[4] * c[s.roles.net_loss_vers]
-    of_square = c[s.roles.net_square] + f[4] * c[s.roles.net_loss_square]
-    lost = c[s.roles.net_loss_vers] * f[2] + c[s.roles.net_loss_square] * at
-    loss = c[s.roles.net_loss] + (c[s.roles.net_loss_sine] * sine + lost)
-    bent = of_vers * f[2] + of_square * at
-    drive = c[s.roles.drive] + f[4] * c[s.roles.net_loss]
-    slope = 2.0 * (drive + (of_sine * sine + bent))
-    turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
-    f[5] = at
-    f[6] = slope
-    f[7] = 2.0 * (turns + rate * loss)
+    drive = 1.0 * c[s.roles.drive]
+    of_sine = 1.0 * c[s.roles.net_sine]
+    of_vers = 1.0 * c[s.roles.net_vers]
+    of_square = 1.0 * c[s.roles.net_square]
+    by_loss: Floats = 0.0
+    f[5] = energy_at(s, e, f, x)
+    if s.roles.loss_rate >= 0:
+        left = 1.0 + f[4]
+        rate = c[s.roles.loss_rate] * left
+        if s.roles.per_pole >= 0:
+            rate = rate * left
+        weight = force_at(c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], f)
+        by_loss = rate * (weight + c[s.roles.net_loss_square] * f[5])
+        drive = drive + f[4] * c[s.roles.net_loss]
+        of_sine = of_sine + f[4] * c[s.roles.net_loss_sine]
+        of_vers = of_vers + f[4] * c[s.roles.net_loss_vers]
+        of_square = of_square + f[4] * c[s.roles.net_loss_square]
+    of_cosine = of_sine * (1.0 - f[2])
+    turns = of_cosine + of_vers * (f[0] - f[3])
+    twice = 2.0 * of_square
+    f[6] = 2.0 * force_at(drive, of_sine, of_vers, f) + twice * f[5]
+    f[7] = 2.0 * (turns + by_loss) + twice * f[6]
 
 
 def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
@@ -2848,8 +2816,10 @@ def is_uneven(w: Floats, n: int) -> Mask:
     return np.logical_not(last <= LAST_WAVE * w[0])
 
 
-def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats, time: Floats) -> None:
+def find_state(s: Lanes, there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, end: Floats,
+        time: Floats) -> None:
     """Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move."""
+    c = s.cells
     if not np.any(here):
         return
     u = there[ANGLE_THERE]
@@ -2871,7 +2841,8 @@ def find_state(there: Floats, here: Mask, e: Floats, back: Floats, w: Floats, en
     functions(f, x, e[4])
     square = energy(e, f)
     there[0] = x
-    there[RATE_THERE] = 0.5 * slope_of(e, f)
+    there[RATE_THERE] = force_at(c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers],
+        f) + c[s.roles.net_square] * square
     late = versine > 1.0
     if np.any(here & late):
         _, versine_back = turned(PI - 2.0 * u)
@@ -2898,20 +2869,9 @@ def keep_samples(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: 
             ahead = (time - before) / there[SLOPE_THERE]
             there[ANGLE_THERE] = np.where(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE])
             before = np.where(inside, time, before)
-            find_state(there, inside, e, back, w, end, time - c[ix.TIME])
+            find_state(s, there, inside, e, back, w, end, time - c[ix.TIME])
             keep_sample(s, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE])
         k = k + 1
-
-
-def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
-    if s.roles.loss_rate >= 0:
-        soften(s, e, f, x)
-        return
-    functions(f, x, e[4])
-    f[5] = energy(e, f)
-    f[6] = slope_of(e, f)
-    f[7] = bend_of(e, f)
 
 
 def end_of_swing(s: Lanes, e: Floats, sine: Floats, which: Mask) -> Floats:
@@ -2960,12 +2920,6 @@ def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> F
         which = which & (change > LAST_OF_NEWTON * x)
         count = count + 1
     return x
-
-
-def force_at(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Floats:
-    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
-    sine_there = sine * (f[0] - f[3])
-    return start + (sine_there + vers * f[2])
 
 
 def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
@@ -3074,7 +3028,7 @@ def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Fl
     there = np.zeros((ix.STRIDE, e.shape[1]))
     time = c[ix.END_TIME] - c[ix.TIME]
     there[ANGLE_THERE] = 0.5 * time / w[0]
-    find_state(there, here, e, back, w, end, time)
+    find_state(s, there, here, e, back, w, end, time)
     c[ix.X] = np.where(here, there[0], c[ix.X])
     c[ix.OMEGA] = np.where(here, there[OMEGA_THERE], c[ix.OMEGA])
     rate = there[RATE_THERE]
@@ -3157,23 +3111,6 @@ def swing(s: Lanes, which: Mask) -> Mask:
     return complete_swing(s, fits, e, back, f, end, peak)
 
 
-def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
-    """Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead."""
-    c = s.cells
-    if not np.any(here):
-        return
-    normal = s.registers[s.roles.normal]
-    sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
-    passed = c[ix.PASSED] == ix.LIFT
-    asked = here & may_cross(normal, top - 1, c[ix.STRETCH], sign, 0.0, passed)
-    if np.any(asked):
-        e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-        margin_of(e, normal, top - 1, sign, 0.0, passed)
-        at = first_root(e, top - 1, c[ix.STRETCH], asked)
-        c[ix.LIFT_AHEAD] = np.where(here, np.minimum(at, c[ix.LIFT_AHEAD]), c[ix.LIFT_AHEAD])
-        c[ix.STRETCH] = np.where(here, np.minimum(at, c[ix.STRETCH]), c[ix.STRETCH])
-
-
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
@@ -3181,31 +3118,25 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
         return
     top = expand(s, room, here, 1)
     net = s.registers[s.roles.net]
-    touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
-    jumps = (net[0] > 0.0) & np.logical_not(touches)
-    reach = room
     complete = here & (c[ix.SERIES_ORDER] == c[ix.ORDER])
     if np.any(complete):
         step = longest_step(s, net, top - 1, c[ix.SERIES_ORDER] - 1.0)
-        reach = np.where(complete, np.minimum(step, room), room)
-    c[ix.STRETCH] = np.where(here, np.minimum(reach, c[ix.STRETCH]), c[ix.STRETCH])
-    e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-    margin_of(e, net, top - 1, -1.0, 0.0, touches)
-    at: Floats = INFINITY
-    crosses = may_cross(net, top - 1, c[ix.STRETCH], -1.0, 0.0, touches)
-    asked = here & np.logical_not(jumps) & crosses
-    if np.any(asked):
-        at = first_root(e, top - 1, c[ix.STRETCH], asked)
-    rises = touches & (e[0] < 0.0)
-    at = np.where(jumps | rises, 0.0, at)
-    sooner = at < c[ix.START_AHEAD]
-    c[ix.START_AHEAD] = np.where(here, np.where(sooner, at, c[ix.START_AHEAD]), c[ix.START_AHEAD])
+        c[ix.STEP] = np.where(here, np.where(complete, np.minimum(step, c[ix.STEP]), c[ix.STEP]), c[ix.STEP])
+    touches = np.abs(net[0]) <= TOUCHES * c[s.roles.drive_scale]
+    jumps = (net[0] > 0.0) & np.logical_not(touches)
+    at_once = jumps | touches & (net[1] > 0.0)
+    later = crossing(net, top - 1, c[ix.STEP], -1.0, 0.0, touches, here & np.logical_not(at_once))
+    at = np.where(at_once, 0.0, later)
+    consider(s, here, at, ix.EVENT_START)
+    sooner = at <= c[ix.STEP]
     c[ix.START_DIRECTION] = np.where(here, np.where(sooner, c[ix.DIRECTION], c[ix.START_DIRECTION]),
         c[ix.START_DIRECTION])
     c[ix.SUDDEN] = np.where(here, np.where(sooner, np.where(jumps, 1.0, 0.0), c[ix.SUDDEN]), c[ix.SUDDEN])
     look_for_quiet(s, here)
-    if s.roles.normal >= 0:
-        look_for_lift_off(s, here, top)
+    known = 1.0 * c[ix.STEP]
+    c[ix.STEP] = np.where(here, np.minimum(known * (1.0 + TOGETHER), room), c[ix.STEP])
+    find_contact_change(s, here, top)
+    c[ix.STEP] = np.where(here, np.where(c[ix.EVENT] == ix.EVENT_LIFT_OFF, c[ix.STEP], known), c[ix.STEP])
 
 
 def turn_back(s: Lanes, here: Mask) -> None:
@@ -3217,17 +3148,6 @@ def turn_back(s: Lanes, here: Mask) -> None:
     c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
 
 
-def change_contact(s: Lanes, here: Mask) -> None:
-    """Lift masses at rest, or let them land."""
-    c = s.cells
-    if not np.any(here):
-        return
-    c[ix.LIFTED] = np.where(here, 1.0 - c[ix.LIFTED], c[ix.LIFTED])
-    c[ix.PASSED] = np.where(here, ix.LIFT, c[ix.PASSED])
-    c[ix.PENDING] = np.where(here, ix.BEGIN_PHASE, c[ix.PENDING])
-    note_lift_off(s, here & (c[ix.LIFTED] > 0.0))
-
-
 def start_again(s: Lanes, here: Mask) -> None:
     """Start slip from rest."""
     c = s.cells
@@ -3237,21 +3157,20 @@ def start_again(s: Lanes, here: Mask) -> None:
     c[ix.PENDING] = np.where(here, ix.START_AGAIN, c[ix.PENDING])
 
 
-def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
+def leave_rest(s: Lanes, here: Mask, limit: Floats) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
     c = s.cells
     if not np.any(here):
         return
-    stretch = c[ix.STRETCH].copy()
-    lifts = c[ix.LIFT_AHEAD] <= stretch
-    starts = c[ix.START_AHEAD] <= stretch
-    breaks = (stretch >= room) & np.logical_not(starts) & np.logical_not(lifts)
-    until = np.where(breaks, limit, c[ix.TIME] + stretch)
+    lifts = c[ix.EVENT] == ix.EVENT_LIFT_OFF
+    starts = c[ix.EVENT] == ix.EVENT_START
+    breaks = c[ix.EVENT] == ix.EVENT_LIMIT
+    until = np.where(breaks, limit, c[ix.TIME] + c[ix.STEP])
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
     if s.sample_count:
         read_samples(s, here, c[ix.TIME], np.minimum(until, c[ix.END_TIME]), 0, 0)
     least = TOGETHER * until
-    rested = starts & (stretch > least)
+    rested = starts & (c[ix.STEP] > least)
     c[ix.STEPS] = np.where(here, np.where(breaks | rested, 0.0, c[ix.STEPS] + 1.0), c[ix.STEPS])
     c[ix.PASSED] = np.where(here, ix.NOTHING, c[ix.PASSED])
     ends = here & (for_ever | (until >= c[ix.END_TIME]))
@@ -3259,7 +3178,8 @@ def leave_rest(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     stay(s, ends, np.where(for_ever, ix.ARRESTED, ix.PAUSED))
     here = here & np.logical_not(ends)
     start_again(s, here & starts)
-    change_contact(s, here & lifts & np.logical_not(starts))
+    change_contact(s, here & lifts)
+    c[ix.PENDING] = np.where(here, np.where(lifts, ix.BEGIN_PHASE, c[ix.PENDING]), c[ix.PENDING])
     enter_pieces(s, here & breaks)
 
 
@@ -3272,16 +3192,14 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
     if np.any(both):
         turn_back(s, both)
         begin_phases(s)
-        look_ahead(s, both, room)
-    latest = c[ix.START_AHEAD] * (1.0 + TOGETHER)
-    lifts = c[ix.LIFT_AHEAD] <= latest
-    c[ix.START_AHEAD] = np.where(here, np.where(lifts, INFINITY, c[ix.START_AHEAD]), c[ix.START_AHEAD])
-    c[ix.STRETCH] = np.where(here, np.minimum(c[ix.START_AHEAD], c[ix.STRETCH]), c[ix.STRETCH])
+        look_ahead(s, both, c[ix.STEP])
     for t in s.tables:
         if t.kind == ix.OF_TIME:
             c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], s.highest,
-                c[ix.STRETCH]), c[t.cells + ix.INC])
-    leave_rest(s, here, limit, room)
+                c[ix.STEP]), c[t.cells + ix.INC])
+    reaches = (c[ix.EVENT] == ix.EVENT_NONE) & (c[ix.STEP] >= room)
+    c[ix.EVENT] = np.where(here, np.where(reaches, ix.EVENT_LIMIT, c[ix.EVENT]), c[ix.EVENT])
+    leave_rest(s, here, limit)
 
 
 def rest_on(s: Lanes, here: Mask) -> None:
@@ -3291,11 +3209,7 @@ def rest_on(s: Lanes, here: Mask) -> None:
         return
     limit = next_break(s)
     room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
-    c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
-    c[ix.START_AHEAD] = np.where(here, INFINITY, c[ix.START_AHEAD])
-    c[ix.START_DIRECTION] = np.where(here, 0.0, c[ix.START_DIRECTION])
-    c[ix.SUDDEN] = np.where(here, 0.0, c[ix.SUDDEN])
-    c[ix.LIFT_AHEAD] = np.where(here, INFINITY, c[ix.LIFT_AHEAD])
+    c[ix.EVENT] = np.where(here, ix.EVENT_NONE, c[ix.EVENT])
     c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
     c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
     look_ahead(s, here, room)

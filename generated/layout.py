@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a2b5d156a61766310f23389995cd1778552e00ee4633c4b679d4aedaaa72910a
+# sha256 of the text below: 5284ba9dfafc074818b4d3ee9b45d9ee8007fe42d5a59ad5e9b0d11662af34ec
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -38,21 +38,18 @@ X = 31  # rotation since the phase began, in the direction of travel
 OMEGA = 32  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
-PENDING = -19  # action required before its next step
-FACED = -18  # directions checked since its standstill
-SUDDEN = -17  # 1 if slip begins at a jump of forces, else 0
-RATE_BEFORE = -16  # d omega*/dt* where the phase before ended
-DRIVE_BEFORE = -15  # the drive of that phase
-SCALE_BEFORE = -14  # the size of the terms of that drive
-SERIES_ORDER = -13  # order of the series of this step
-LARGEST_OMEGA = -12  # largest term of the series of omega so far, at rest of the net moment
-STEP = -11  # length of this step, up to its first event
-EVENT = -10  # that event
-STRETCH = -9  # at rest, the time ahead that is known
-START_AHEAD = -8  # time until slip begins
-START_DIRECTION = -7  # of that slip
-LIFT_AHEAD = -6  # time until contact is lost or regained
-QUIET_FROM = -5  # least value of the function of time at which it certainly stays at rest
+PENDING = -16  # action required before its next step
+FACED = -15  # directions checked since its standstill
+SUDDEN = -14  # 1 if slip begins at a jump of forces, else 0
+RATE_BEFORE = -13  # d omega*/dt* where the phase before ended
+DRIVE_BEFORE = -12  # the drive of that phase
+SCALE_BEFORE = -11  # the size of the terms of that drive
+SERIES_ORDER = -10  # order of the series of this step
+LARGEST_OMEGA = -9  # largest term of the series of omega so far, at rest of the net moment
+STEP = -8  # length of this step, up to its first event
+EVENT = -7  # that event
+START_DIRECTION = -6  # of slip that begins at the end of a rest
+QUIET_FROM = -5  # least value of the function of time, without its factor, at which it certainly stays at rest
 QUIET_TO = -4  # greatest such value
 SINE_X = -3  # sine of the rotation of a mass that passes a record by short series
 VERSINE_X = -2  # 1 - cosine of this rotation
@@ -110,9 +107,10 @@ EVENT_NONE = -1  # the step has its full length
 EVENT_STANDSTILL = 0  # the speed falls to zero
 EVENT_LIFT_OFF = 1  # the normal force on the slip surface changes its sign: lift-off or landing
 EVENT_CHORD_UPRIGHT = 2  # the chord stands upright
-EVENT_LIMIT = 3  # a function of time has a break, or the end time is reached
-EVENT_ENDLESS = 4  # the motion continues for ever
-EVENT_BREAKPOINT = 5  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
+EVENT_START = 3  # slip begins at rest
+EVENT_LIMIT = 4  # a function of time has a break, or the end time is reached
+EVENT_ENDLESS = 5  # the motion continues for ever
+EVENT_BREAKPOINT = 6  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
 
 # Logged events of the first lane.
 NOTE_BEGINS = 1  # a phase

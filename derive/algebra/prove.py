@@ -100,7 +100,7 @@ def reduce_roots(expression: Expr) -> Expr:
     if not powers:
         return expression
     degree = ilcm(1, *(power.exp.q for power in powers))
-    parts = {power: fraction(together(power.base)) for power in powers}
+    parts = {power: fraction(cancel(power.base)) for power in powers}
     roots = {base: Dummy(f"root{i}") for i, base in enumerate(dict.fromkeys(chain(*parts.values()))) if base != 1}
     of_powers = {
         power: (roots[over] / roots.get(under, under)) ** (power.exp * degree) for power, (over, under) in parts.items()

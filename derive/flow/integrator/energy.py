@@ -81,24 +81,10 @@ def energy(e: S, f: S) -> V:
     return e[0] * f[0] + (faded_part + turned_part)
 
 
-def slope_of(e: S, f: S) -> V:
-    """Return the derivative of E."""
-    sine = f[0] - f[3]
-    lost = f[0] - e[4] * f[1]
-    faded_part = e[1] * lost
-    turned_part = e[2] * sine + e[3] * f[2]
-    return e[0] + (faded_part + turned_part)
-
-
-def bend_of(e: S, f: S) -> V:
-    """Return the second derivative of E."""
-    sine = f[0] - f[3]
-    cosine = 1.0 - f[2]
-    lost = f[0] - e[4] * f[1]
-    kept = 1.0 - e[4] * lost
-    faded_part = e[1] * kept
-    turned_part = e[2] * cosine + e[3] * sine
-    return faded_part + turned_part
+def force_at(start: V, sine: V, vers: V, f: S) -> V:
+    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
+    sine_there = sine * (f[0] - f[3])
+    return start + (sine_there + vers * f[2])
 
 
 def look_back(back: S, first: N, drive: V, sine: V, vers: V, f: S) -> None:

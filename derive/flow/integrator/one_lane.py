@@ -9,6 +9,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import mpmath
+import sympy
 
 from derive.flow import layout
 
@@ -83,8 +84,8 @@ def where(chosen: M, a: V, b: V) -> V:
 
 
 def sqrt(x: V) -> V:
-    """Return the square root, of symbols too."""
-    return x**0.5
+    """Return the square root, exactly if x has symbols."""
+    return sympy.sqrt(sympy.nsimplify(x, rational=True).cancel()) if isinstance(x, sympy.Expr) else x**0.5
 
 
 def expm1(x: V) -> V:

@@ -93,14 +93,19 @@ def start(s: Lanes, here: M) -> None:
     find_pieces(s, here)
 
 
+def count_phase(s: Lanes, here: M) -> None:
+    """Count a phase that begins in the current direction."""
+    turns = s.last_way * s.direction < 0.0
+    s.phases = s.phases + 1.0
+    s.turns = s.turns + where(turns, 1.0, 0.0)
+    s.last_way = s.direction
+
+
 def start_moving(s: Lanes, here: M, rate: V) -> None:
     """Start slip in the current direction."""
     s.status = Status.MOVING
     s.passed = Passed.NOTHING
-    s.phases = s.phases + 1.0
-    turns = s.last_way * s.direction < 0.0
-    s.turns = s.turns + where(turns, 1.0, 0.0)
-    s.last_way = s.direction
+    count_phase(s, here)
     if s.logged:
         note(s, here, Note.BEGINS)
     note_lift_off(s, here and s.lifted > 0.0)

@@ -29,7 +29,7 @@ from derive.flow.integrator.one_lane import (
     sqrt,
     where,
 )
-from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
+from derive.flow.integrator.phases import advance_origin, count_phase, keep_faster, update_reach
 from derive.flow.integrator.series import normal_force
 from derive.flow.integrator.tables import end_of_piece, pass_break, pass_breaks
 
@@ -49,11 +49,15 @@ def stand_before(s: Lanes, here: M, t: T, piece: V, now: V) -> None:
 
 
 def keep_quiet(s: Lanes, here: M, t: T, p: S, sign: V, terms: V) -> None:
-    """Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign."""
-    now = t.value + t.inc
+    """Bound the values of the function of time, without its factor, for which sign p certainly keeps its sign.
+
+    p is linear in the function.
+    """
+    now = (t.value + t.inc) / t.scaled_by
+    rise = t.rise / t.scaled_by
     level = t.rise == 0.0
-    way = sign * p[1] * t.rise
-    room = SURE * p[0] * t.rise / p[1]
+    way = sign * p[1] * rise
+    room = SURE * p[0] * rise / p[1]
     bound = where(level, now, now - room)
     straight = p[2] == 0.0 and s.series_order <= 4.0
     rounding = ROUNDINGS * terms
@@ -73,11 +77,9 @@ def look_for_quiet(s: Lanes, here: M) -> None:
                 keep_quiet(s, here, t, s.series.normal, 1.0, terms_of_normal)
 
 
-def heights_at_rest(s: Lanes, t: T) -> tuple[V, V]:
-    """Return the least and the greatest value of a record, without its factor, at which lanes certainly rest."""
-    one = s.quiet_from / t.scaled_by
-    other = s.quiet_to / t.scaled_by
-    return minimum(one, other), maximum(one, other)
+def is_quiet(s: Lanes, height: V) -> M:
+    """Return whether masses certainly rest at a value of the record, without its factor."""
+    return s.quiet_from <= height and height <= s.quiet_to
 
 
 def latest_end(s: Lanes, t: T) -> V:
@@ -91,14 +93,13 @@ def rest_through(s: Lanes, here: M, t: T) -> None:
     The following piece must end before the end time, so that the function cannot jump between both.
     """
     last: V = number(t.pieces - 1)
-    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
     piece = 1.0 * t.piece
     rests = here
     while any_lane(rests):
         following = minimum(piece + 1.0, last)
         height = coefficients_at(s, t, following, 0)
-        rests = rests and low <= height and height <= high and end_of_piece(s, t, following) < before
+        rests = rests and is_quiet(s, height) and end_of_piece(s, t, following) < before
         piece = where(rests, following, piece)
     passes = here and piece > t.piece
     now = breaks_at(s, t, piece) / t.scale
@@ -157,78 +158,40 @@ def end_slide(s: Lanes, here: M, t: T, piece: N, x: V, omega: V) -> None:
     s.pending = Pending.BEGIN_PHASE
 
 
-def count_starts(s: Lanes, here: M) -> None:
-    """Count phases that begin down-slope."""
-    back = s.last_way < 0.0
-    s.phases = s.phases + 1.0
-    s.turns = s.turns + where(back, 1.0, 0.0)
-    s.last_way = 1.0
+def pass_part(s: Lanes, here: M, now: V, length: V, span: V, omega: V, net: V, rise: V) -> tuple[V, V]:
+    """Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path.
 
-
-def turn(s: Lanes, here: M, now: V, length: V, share: V, omega: V, net: V, after: V) -> tuple[V, V]:
-    """Stop lanes within a piece, start them, or both; return the speed at its end and the path over its length.
-
-    ``share`` is the fraction of the piece at which the net moment, from ``net`` to ``after``, is zero. A lane that
-    stops and is driven later stops before it.
+    Lanes start at its beginning, or stop within it. ``span`` and path are over the length of the piece.
     """
+    mean = net + 0.5 * span * rise
+    end = omega + span * mean
     moves = omega > 0.0
-    rise = after - net
-    root = standstill(omega, net, rise)
-    stop = where(moves, root, 0.0)
-    later = maximum(1.0 - share, 0.0)
-    left = where(net < 0.0, later, 1.0)
-    push = maximum(net, 0.0)
-    rate = push + after
-    speed = 0.5 * left * rate
-    goes_on = speed > 0.0
-    end = where(goes_on, speed, 0.0)
-    pushed = net > 0.0 and not moves
-    again = pushed and not goes_on
-    starts = pushed or goes_on
-    span = where(again, 2.0 * share, left)
-    stopped = now + length * stop
-    stops_later = now + length * span
-    since = where(moves, stopped, s.rest_since)
-    s.rest_since = where(again, stops_later, since)
-    count_starts(s, here and starts)
-    nothing = 0.0 * span
-    behind = path(span, nothing, push, rise)
-    further = where(starts, behind, 0.0)
-    before = path(stop, omega, net, rise)
-    way = before + further
-    return end, way
+    goes_on = end > 0.0
+    count_phase(s, here and goes_on and not moves)
+    time = 1.0 * span
+    stops = here and moves and not goes_on
+    if any_lane(stops):
+        time = where(stops, standstill(omega, net, rise), span)
+        s.rest_since = where(stops, now + length * time, s.rest_since)
+    way = path(time, omega, net, rise)
+    slides = moves or goes_on
+    return where(goes_on, end, 0.0), where(slides, way, 0.0)
 
 
 def pass_change(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
     """Pass a piece in which lanes start, stop, or have their greatest or lowest speed.
 
-    Return the speed at its end and the path over its length. No decision waits for a division.
+    Return the speed at its end and the path over its length. Where the net moment changes its sign the piece has two
+    parts.
     """
-    share = net / (net - after)
     rise = after - net
-    one: V = 1.0
-    way = path(one, omega, net, rise)
-    twice = net + after
-    end = omega + 0.5 * twice
-    dips = net <= 0.0 and after > 0.0
-    square = net * net
-    decrease = 2.0 * rise * omega
-    reaches_zero = square >= decrease
-    stops = end <= 0.0 or (dips and reaches_zero)
-    peaks = here and net > 0.0 and after <= 0.0
-    if any_lane(peaks):
-        gain = 0.5 * share * net
-        extreme = omega + gain
-        until = path(share, omega, net, rise)
-        there = x + length * until
-        then = now + length * share
-        keep_faster(s, peaks, extreme, then, there, 0.0)
-    turns = here and (omega == 0.0 or stops)
-    if any_lane(turns):
-        speed, further = turn(s, turns, now, length, share, omega, net, after)
-        end = where(turns, speed, end)
-        way = where(turns, further, way)
-    return end, way
+    changes = here and (net > 0.0) != (after > 0.0)
+    share = where(changes, -net / rise, 1.0)
+    speed, way = pass_part(s, here, now, length, share, omega, net, rise)
+    until = now + length * share
+    keep_faster(s, changes and net > 0.0, speed, until, x + length * way, 0.0)
+    end, further = pass_part(s, changes, until, length, 1.0 - share, speed, 0.0, rise)
+    return where(changes, end, speed), way + where(changes, further, 0.0)
 
 
 def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
@@ -265,19 +228,19 @@ def height_after(s: Lanes, t: T, piece: N) -> V:
     return t.heights[2 * piece + 2]
 
 
-def rests_through(s: Lanes, t: T, piece: N, before: V, low: V, high: V) -> M:
+def rests_through(s: Lanes, t: T, piece: N, before: V) -> M:
     """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it.
 
-    They rest between two values of the record, in pieces that end before a place.
+    They leave where the following piece does not end before a place.
     """
     height = height_after(s, t, piece)
-    return low <= height and height <= high and t.places[piece + 2] < before
+    return is_quiet(s, height) and t.places[piece + 2] < before
 
 
-def last_at_rest(s: Lanes, on: M, t: T, piece: N, before: V, low: V, high: V) -> N:
+def last_at_rest(s: Lanes, on: M, t: T, piece: N, before: V) -> N:
     """Return the last piece through which all lanes certainly rest, from a piece at rest on."""
     last: N = piece
-    while last + 3 < t.pieces and not any_lane(on and not rests_through(s, t, last + 1, before, low, high)):
+    while last + 3 < t.pieces and not any_lane(on and not rests_through(s, t, last + 1, before)):
         last = last + 1
     return last
 
@@ -297,7 +260,6 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
     which is without its factor. A lane leaves before a piece in which it may lift.
     """
     per = 1.0 / t.scale
-    low, high = heights_at_rest(s, t)
     before = latest_end(s, t)
     piece: N = first
     now: V = s.time
@@ -318,7 +280,7 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
             omega = speed
             x = x + length * way
         if not any_lane(acts):
-            piece = last_at_rest(s, on, t, piece, before, low, high)
+            piece = last_at_rest(s, on, t, piece, before)
             until = end_of(s, t, piece, per)
             after = base + slope * height_after(s, t, piece)
         now = until

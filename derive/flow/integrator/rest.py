@@ -2,6 +2,7 @@
 
 from derive.flow.integrator.one_lane import (
     INFINITY,
+    Event,
     Kind,
     Lanes,
     Limit,
@@ -14,39 +15,24 @@ from derive.flow.integrator.one_lane import (
     any_lane,
     lanes_in,
     minimum,
-    new_series,
     none_of,
     number,
     read_samples,
     where,
 )
-from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
+from derive.flow.integrator.phases import begin_phases, face, stay
 from derive.flow.integrator.records import enter_pieces, look_for_quiet, slide_together
 from derive.flow.integrator.recurrence import has_recurrence
-from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
+from derive.flow.integrator.roots import crossing, increment
 from derive.flow.integrator.rotation import turn_on
 from derive.flow.integrator.series import expand, longest_step
 from derive.flow.integrator.shaken import turn_through
-from derive.flow.integrator.step import make_step
+from derive.flow.integrator.step import change_contact, consider, find_contact_change, make_step
 from derive.flow.integrator.swing import swing
 from derive.flow.integrator.tables import next_break
 
 TOUCHES = 2.0  # units of rounding of the drive below which the net moment at rest is zero
 TOGETHER = 1e-9  # relative difference below which two times are equal
-
-
-def look_for_lift_off(s: Lanes, here: M, top: N) -> None:
-    """Find the time at which lanes of the mask ``here`` lose or regain contact, within the known time ahead."""
-    normal = s.series.normal
-    sign = where(s.lifted > 0.0, -1.0, 1.0)
-    passed = s.passed == Passed.LIFT
-    asked = here and may_cross(normal, top - 1, s.stretch, sign, 0.0, passed)
-    if any_lane(asked):
-        e = new_series()
-        margin_of(e, normal, top - 1, sign, 0.0, passed)
-        at = first_root(e, top - 1, s.stretch, asked)
-        s.lift_ahead = minimum(at, s.lift_ahead)
-        s.stretch = minimum(at, s.stretch)
 
 
 def look_ahead(s: Lanes, here: M, room: V) -> None:
@@ -57,30 +43,24 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     """
     top: N = expand(s, room, here, 1)
     net = s.series.net
-    touches = abs(net[0]) <= TOUCHES * s.drive_scale
-    jumps = net[0] > 0.0 and not touches
-    reach = room
     complete = here and s.series_order == s.order
     if any_lane(complete):
         step = longest_step(s, net, top - 1, s.series_order - 1.0)
-        reach = where(complete, minimum(step, room), room)
-    s.stretch = minimum(reach, s.stretch)
-    e = new_series()
-    margin_of(e, net, top - 1, -1.0, 0.0, touches)
-    at: V = INFINITY
-    crosses = may_cross(net, top - 1, s.stretch, -1.0, 0.0, touches)
-    asked = here and not jumps and crosses
-    if any_lane(asked):
-        at = first_root(e, top - 1, s.stretch, asked)
-    rises = touches and e[0] < 0.0
-    at = where(jumps or rises, 0.0, at)
-    sooner = at < s.start_ahead
-    s.start_ahead = where(sooner, at, s.start_ahead)
+        s.step = where(complete, minimum(step, s.step), s.step)
+    touches = abs(net[0]) <= TOUCHES * s.drive_scale
+    jumps = net[0] > 0.0 and not touches
+    at_once = jumps or (touches and net[1] > 0.0)
+    later = crossing(net, top - 1, s.step, -1.0, 0.0, touches, here and not at_once)
+    at = where(at_once, 0.0, later)
+    consider(s, here, at, Event.START)
+    sooner = at <= s.step
     s.start_direction = where(sooner, s.direction, s.start_direction)
     s.sudden = where(sooner, where(jumps, 1.0, 0.0), s.sudden)
     look_for_quiet(s, here)
-    if s.has.normal:
-        look_for_lift_off(s, here, top)
+    known = 1.0 * s.step
+    s.step = minimum(known * (1.0 + TOGETHER), room)
+    find_contact_change(s, here, top)  # in which case the mass does not start
+    s.step = where(s.event == Event.LIFT_OFF, s.step, known)
 
 
 def turn_back(s: Lanes, here: M) -> None:
@@ -89,33 +69,24 @@ def turn_back(s: Lanes, here: M) -> None:
     s.pending = Pending.BEGIN_PHASE
 
 
-def change_contact(s: Lanes, here: M) -> None:
-    """Lift masses at rest, or let them land."""
-    s.lifted = 1.0 - s.lifted
-    s.passed = Passed.LIFT
-    s.pending = Pending.BEGIN_PHASE
-    note_lift_off(s, here and s.lifted > 0.0)
-
-
 def start_again(s: Lanes, here: M) -> None:
     """Start slip from rest."""
     face(s, here, s.start_direction)
     s.pending = Pending.START_AGAIN
 
 
-def leave_rest(s: Lanes, here: M, limit: V, room: V) -> None:
+def leave_rest(s: Lanes, here: M, limit: V) -> None:
     """Advance to the first change: start of slip, change of contact, break or end."""
-    stretch = s.stretch
-    lifts = s.lift_ahead <= stretch
-    starts = s.start_ahead <= stretch
-    breaks = stretch >= room and not starts and not lifts
-    until = where(breaks, limit, s.time + stretch)
+    lifts = s.event == Event.LIFT_OFF
+    starts = s.event == Event.START
+    breaks = s.event == Event.LIMIT
+    until = where(breaks, limit, s.time + s.step)
     for_ever = not starts and not (until < INFINITY)
     if s.samples:
         read_samples(s, here, s.time, minimum(until, s.end_time), 0, 0)
     # An immediate start after an arrest counts as a step: it may tremble.
     least = TOGETHER * until
-    rested = starts and stretch > least
+    rested = starts and s.step > least
     s.steps = where(breaks or rested, 0.0, s.steps + 1.0)
     s.passed = Passed.NOTHING
     ends = here and (for_ever or until >= s.end_time)  # changes after the end time have no influence
@@ -123,7 +94,8 @@ def leave_rest(s: Lanes, here: M, limit: V, room: V) -> None:
     stay(s, ends, where(for_ever, Status.ARRESTED, Status.PAUSED))
     here = here and not ends
     start_again(s, here and starts)
-    change_contact(s, here and lifts and not starts)
+    change_contact(s, here and lifts)
+    s.pending = where(lifts, Pending.BEGIN_PHASE, s.pending)
     enter_pieces(s, here and breaks)
 
 
@@ -133,26 +105,20 @@ def rest_to_change(s: Lanes, here: M, limit: V, room: V) -> None:
     if any_lane(both):
         turn_back(s, both)
         begin_phases(s)
-        look_ahead(s, both, room)
-    latest = s.start_ahead * (1.0 + TOGETHER)
-    lifts = s.lift_ahead <= latest  # in this case the mass does not start
-    s.start_ahead = where(lifts, INFINITY, s.start_ahead)
-    s.stretch = minimum(s.start_ahead, s.stretch)
+        look_ahead(s, both, s.step)
     for t in s.tables:
         if t.kind == Kind.TIME:  # the same for both directions
-            t.inc = t.inc + increment(t.series, s.highest, s.stretch)
-    leave_rest(s, here, limit, room)
+            t.inc = t.inc + increment(t.series, s.highest, s.step)
+    reaches = s.event == Event.NONE and s.step >= room
+    s.event = where(reaches, Event.LIMIT, s.event)
+    leave_rest(s, here, limit)
 
 
 def rest_on(s: Lanes, here: M) -> None:
     """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
     limit = next_break(s)
     room = where(limit < INFINITY, limit - s.time, 1.0)
-    s.stretch = room
-    s.start_ahead = INFINITY
-    s.start_direction = 0.0
-    s.sudden = 0.0
-    s.lift_ahead = INFINITY
+    s.event = Event.NONE
     s.quiet_from = -INFINITY
     s.quiet_to = INFINITY
     look_ahead(s, here, room)

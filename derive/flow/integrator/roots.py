@@ -114,13 +114,6 @@ def first_root(p: S, n: N, h: V, which: M) -> V:
     return root
 
 
-def may_cross(p: S, n: N, t: V, sign: V, constant: V, divided: M) -> M:
-    """Return whether sign p + constant may have a zero in (0, t], from its value and slope at t."""
-    last, slope = value_and_slope(p, n, t)
-    falls_and_rises = sign * p[1] < 0.0 and sign * slope > 0.0
-    return sign * last + constant <= 0.0 or falls_and_rises or divided
-
-
 def margin_of(e: S, p: S, n: N, sign: V, constant: V, divided: M) -> None:
     """Compute the coefficients of sign p + constant, divided by the time if its root at 0 is to be removed."""
     for k in up(0, n):
@@ -130,6 +123,22 @@ def margin_of(e: S, p: S, n: N, sign: V, constant: V, divided: M) -> None:
         for k in up(0, n - 1):
             e[k] = where(divided, e[k + 1], e[k])
         e[n] = where(divided, 0.0, e[n])
+
+
+def crossing(p: S, n: N, t: V, sign: V, constant: V, divided: M, here: M) -> V:
+    """Return the first time in (0, t] at which sign p + constant falls through zero, infinity without a zero.
+
+    A root at 0 is removed where it is to be ``divided`` out.
+    """
+    last, slope = value_and_slope(p, n, t)
+    falls_and_rises = sign * p[1] < 0.0 and sign * slope > 0.0
+    asked = here and (sign * last + constant <= 0.0 or falls_and_rises or divided)
+    at: V = INFINITY
+    if any_lane(asked):
+        e = new_series()
+        margin_of(e, p, n, sign, constant, divided)
+        at = first_root(e, n, t, asked)
+    return at
 
 
 def falling_root(p: S, n: N, t: V, last: V, slope: V, here: M) -> V:

@@ -195,13 +195,6 @@ def shorten(s: Lanes, here: M) -> None:
     s.step = where(bends, shorter, s.step)
 
 
-def greatest_speed(s: Lanes, here: M, top: N) -> V:
-    """Return the rotation of the greatest speed in a step, where the net moment falls through zero, or infinity."""
-    net = s.series.net
-    rate, slope = value_and_slope(net, top - 1, s.step)
-    return falling_root(net, top - 1, s.step, rate, slope, here)
-
-
 def complete(s: Lanes, here: M, top: N, peak: V, before: V, until: V) -> None:
     """Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``."""
     net = s.series.net
@@ -242,7 +235,8 @@ def turn_on(s: Lanes, here: M) -> None:
     unsure = here
     count: N = 0
     while any_lane(unsure) and count <= MOST_HALVINGS:
-        peak = greatest_speed(s, here, top)
+        rate, slope = value_and_slope(s.series.net, top - 1, s.step)
+        peak = falling_root(s.series.net, top - 1, s.step, rate, slope, here)
         before, after = times_of_step(s, here, top, peak)
         unsure = here and not (before + after < INFINITY)
         s.step = where(unsure, 0.5 * s.step, s.step)

@@ -21,6 +21,7 @@ from derive.flow.integrator.one_lane import (
     operate,
     operate_later,
     power_of_two,
+    tail,
     up,
     where,
 )
@@ -107,21 +108,20 @@ def find_negligible(s: Lanes, here: M) -> None:
     s.negligible = maximum(negligible, ROUNDING)
 
 
-def is_negligible(s: Lanes, term: V, largest: V) -> M:
-    """Return whether a term is negligible compared with the largest term."""
-    return term <= s.negligible * largest and largest > 0.0 and largest < INFINITY
+def truncate(p: S, order: V, top: N) -> None:
+    """Set the coefficients of a series from each lane's order on to zero."""
+    for n in up(least(order), top - 1):
+        p[n] = where(order > number(n), p[n], 0.0)
 
 
 def cut(s: Lanes, order: V, top: N) -> None:
     """Truncate the series that events use at each lane's order."""
-    for n in up(least(order), top - 1):
-        within = order > number(n)
-        s.series.omega[n + 1] = where(within, s.series.omega[n + 1], 0.0)
-        s.series.net[n] = where(within, s.series.net[n], 0.0)
-        if s.has.normal:
-            s.series.normal[n] = where(within, s.series.normal[n], 0.0)
-        if s.has.upright:
-            s.series.upright[n] = where(within, s.series.upright[n], 0.0)
+    truncate(tail(s.series.omega), order, top)
+    truncate(s.series.net, order, top)
+    if s.has.normal:
+        truncate(s.series.normal, order, top)
+    if s.has.upright:
+        truncate(s.series.upright, order, top)
 
 
 def begin_expansion(s: Lanes, which: M, top: N, at_rest: N) -> None:
@@ -155,9 +155,10 @@ def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
     """
     omega = s.series.net if at_rest else s.series.omega
     term = abs(omega[n]) * power
-    counts = not is_negligible(s, term, s.largest_omega)
-    s.largest_omega = maximum(term, s.largest_omega)
-    return counts
+    largest = 1.0 * s.largest_omega
+    negligible = term <= s.negligible * largest and largest > 0.0 and largest < INFINITY
+    s.largest_omega = maximum(term, largest)
+    return not negligible
 
 
 def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:

@@ -25,8 +25,8 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
-from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
-from derive.flow.integrator.records import count_starts, enter_pieces, look_for_quiet
+from derive.flow.integrator.phases import advance_origin, count_phase, keep_faster, update_reach
+from derive.flow.integrator.records import enter_pieces, look_for_quiet
 from derive.flow.integrator.roots import increment, value_and_slope
 from derive.flow.integrator.step import find_standstill, keep_peak
 from derive.flow.integrator.tables import pass_break
@@ -43,16 +43,16 @@ def at_rotation(s: Lanes, constant: V, sine: V, versine: V) -> V:
     return constant + turned
 
 
-def net_at_rest(s: Lanes, change: V) -> V:
-    """Return the net moment of a mass at rest after a change of the function of time."""
-    steady = at_rotation(s, s.drive, s.net_sine, s.net_vers)
-    return steady + change * at_rotation(s, s.net_record, s.net_record_sine, s.net_record_vers)
+def net_at_rest(s: Lanes) -> tuple[V, V]:
+    """Return the net moment of a mass at rest where its phase began, and its rate with the function of time."""
+    moment = at_rotation(s, s.drive, s.net_sine, s.net_vers)
+    return moment, at_rotation(s, s.net_record, s.net_record_sine, s.net_record_vers)
 
 
-def force_at_rest(s: Lanes, change: V) -> V:
-    """Return the normal force of a mass at rest after a change of the function of time."""
-    steady = at_rotation(s, s.normal0, s.normal_sine, s.normal_vers)
-    return steady + change * at_rotation(s, s.normal_record, s.normal_record_sine, s.normal_record_vers)
+def force_at_rest(s: Lanes) -> tuple[V, V]:
+    """Return the normal force of a mass at rest where its phase began, and its rate with the function of time."""
+    force = at_rotation(s, s.normal0, s.normal_sine, s.normal_vers)
+    return force, at_rotation(s, s.normal_record, s.normal_record_sine, s.normal_record_vers)
 
 
 def coefficient_of_product(p: S, q: S, n: N) -> V:
@@ -155,7 +155,8 @@ def fits(s: Lanes, t: T) -> M:
     moments = abs(s.net_sine) + abs(s.net_vers) + turning * abs(t.lower)
     path = length * (s.omega + 32.0 * length * moments)
     terms = abs(s.normal_load) + abs(s.normal_load_slope)
-    return inside and drives and path < SHORT and force_at_rest(s, t.lower) > PRESSED * terms
+    force, by_record = force_at_rest(s)
+    return inside and drives and path < SHORT and force + by_record * t.lower > PRESSED * terms
 
 
 def wait_for_start(s: Lanes, here: M, t: T) -> M:
@@ -165,18 +166,20 @@ def wait_for_start(s: Lanes, here: M, t: T) -> M:
     """
     net = s.series.net
     normal = s.series.normal
-    net[0] = net_at_rest(s, t.inc)
-    net[1] = net_at_rest(s, t.inc + t.rise) - net[0]
+    moment, by_record = net_at_rest(s)
+    force, force_by_record = force_at_rest(s)
+    net[0] = moment + by_record * t.inc
+    net[1] = by_record * t.rise
     net[2] = 0.0
-    normal[0] = force_at_rest(s, t.inc)
-    normal[1] = force_at_rest(s, t.inc + t.rise) - normal[0]
+    normal[0] = force + force_by_record * t.inc
+    normal[1] = force_by_record * t.rise
     normal[2] = 0.0
     s.quiet_from = -INFINITY
     s.quiet_to = INFINITY
     look_for_quiet(s, here)
     enter_pieces(s, here)
-    now = minimum(net_at_rest(s, t.inc), 0.0)
-    then = net_at_rest(s, t.lower)
+    now = minimum(moment + by_record * t.inc, 0.0)
+    then = moment + by_record * t.lower
     starts = here and then > SURELY * s.drive_scale and fits(s, t)
     share = where(starts, now / (now - then), 0.0)
     s.time = s.time + share * (t.upper - s.time)
@@ -208,7 +211,7 @@ def turn_through(s: Lanes, here: M, t: T) -> None:
             starts = wait_for_start(s, rests, t)
         goes = starts or (moves and fits(s, t))
         leave_series(s, here and not goes, since)
-        count_starts(s, starts and goes)
+        count_phase(s, starts and goes)
         here = goes
         move_within(s, here, t)
         pass_break(s, here and s.time == t.upper, t)

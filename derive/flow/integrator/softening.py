@@ -14,7 +14,7 @@ W_0^j exp(-q x) is in place of exp(-q x). The last coefficients of Legendre's se
 which is about their square. Rules have twice as many nodes if a series in time would have an order above `FINEST`.
 """
 
-from derive.flow.integrator.energy import FADING, LAST, energy, factors, functions, look_back, reverse
+from derive.flow.integrator.energy import FADING, LAST, energy, factors, force_at, functions, look_back, reverse
 from derive.flow.integrator.hyperbolic import FIRST, LOAD, NET, POLE, SHIFT, hyperbolic_energy, hyperbolic_factors
 from derive.flow.integrator.one_lane import (
     INFINITY,
@@ -173,27 +173,42 @@ def passed_to(s: Lanes, x: V) -> V:
     return x
 
 
-def soften(s: Lanes, e: S, f: S, x: V) -> None:
-    """Compute E and its first two derivatives behind the functions of which it consists."""
-    softening_functions(s, e, f, x)
-    left = 1.0 + f[4]
-    rate = s.loss_rate * left
-    if s.has.per_pole:
-        rate = rate * left
-    at = hyperbolic_energy(e, f, passed_to(s, x)) if s.has.per_pole else softening_energy(e, f)
-    sine = f[0] - f[3]
-    of_sine = s.net_sine + f[4] * s.net_loss_sine
-    of_vers = s.net_vers + f[4] * s.net_loss_vers
-    of_square = s.net_square + f[4] * s.net_loss_square
-    lost = s.net_loss_vers * f[2] + s.net_loss_square * at
-    loss = s.net_loss + (s.net_loss_sine * sine + lost)
-    bent = of_vers * f[2] + of_square * at
-    drive = s.drive + f[4] * s.net_loss
-    slope = 2.0 * (drive + (of_sine * sine + bent))
-    turns = of_sine * (1.0 - f[2]) + (of_vers * sine + of_square * slope)
-    f[5] = at
-    f[6] = slope
-    f[7] = 2.0 * (turns + rate * loss)
+def energy_at(s: Lanes, e: S, f: S, x: V) -> V:
+    """Compute the functions of which E consists, and return E."""
+    if s.has.loss_rate:
+        softening_functions(s, e, f, x)
+        return hyperbolic_energy(e, f, passed_to(s, x)) if s.has.per_pole else softening_energy(e, f)
+    functions(f, x, e[4])
+    return energy(e, f)
+
+
+def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
+    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives.
+
+    The derivatives follow from the equation of motion, in which friction softens or is constant.
+    """
+    drive = 1.0 * s.drive
+    of_sine = 1.0 * s.net_sine
+    of_vers = 1.0 * s.net_vers
+    of_square = 1.0 * s.net_square
+    by_loss: V = 0.0
+    f[5] = energy_at(s, e, f, x)
+    if s.has.loss_rate:
+        left = 1.0 + f[4]
+        rate = s.loss_rate * left
+        if s.has.per_pole:
+            rate = rate * left
+        weight = force_at(s.net_loss, s.net_loss_sine, s.net_loss_vers, f)
+        by_loss = rate * (weight + s.net_loss_square * f[5])
+        drive = drive + f[4] * s.net_loss
+        of_sine = of_sine + f[4] * s.net_loss_sine
+        of_vers = of_vers + f[4] * s.net_loss_vers
+        of_square = of_square + f[4] * s.net_loss_square
+    of_cosine = of_sine * (1.0 - f[2])
+    turns = of_cosine + of_vers * (f[0] - f[3])
+    twice = 2.0 * of_square
+    f[6] = 2.0 * force_at(drive, of_sine, of_vers, f) + twice * f[5]
+    f[7] = 2.0 * (turns + by_loss) + twice * f[6]
 
 
 def energy_past(s: Lanes, e: S, f: S, past: V, end: V, part: N) -> V:

@@ -24,15 +24,16 @@ from derive.flow.integrator.one_lane import (
     note,
     number,
     read_samples,
+    up,
     where,
 )
 from derive.flow.integrator.phases import advance_origin, face, keep_faster, note_lift_off, update_reach
 from derive.flow.integrator.roots import (
+    crossing,
     falling_root,
     first_root,
     increment,
     margin_of,
-    may_cross,
     value,
     value_and_slope,
 )
@@ -67,14 +68,11 @@ def on_standstill(s: Lanes, here: M) -> None:
     s.pending = where(one_way, Pending.REST, Pending.RESOLVE)
 
 
-def on_contact_change(s: Lanes, here: M, rate: V) -> None:
-    """Change contact with the slip surface."""
+def change_contact(s: Lanes, here: M) -> None:
+    """Lose or regain contact with the slip surface."""
     s.lifted = 1.0 - s.lifted
-    note_lift_off(s, here and s.lifted > 0.0)
-    if s.logged:
-        note(s, here and s.lifted == 0.0, Note.LANDS)
-    enter_phase(s, here, rate)
     s.passed = Passed.LIFT
+    note_lift_off(s, here and s.lifted > 0.0)
 
 
 def on_breakpoint(s: Lanes, here: M, t: T, upwards: M) -> None:
@@ -121,7 +119,11 @@ def settle(s: Lanes, here: M, rate: V) -> None:
     pass_breaks(s, limits and s.time < s.end_time)
     end_motion(s, limits and s.time >= s.end_time, rate, Status.ENDED)
     on_standstill(s, here and s.event == Event.STANDSTILL)
-    on_contact_change(s, here and s.event == Event.LIFT_OFF, rate)
+    lifts = here and s.event == Event.LIFT_OFF
+    change_contact(s, lifts)
+    if s.logged:
+        note(s, lifts and s.lifted == 0.0, Note.LANDS)
+    enter_phase(s, lifts, rate)
     end_motion(s, here and s.event == Event.CHORD_UPRIGHT, rate, Status.UPRIGHT)
     on_breakpoints(s, here and s.event >= Event.BREAKPOINT, rate)
 
@@ -164,8 +166,8 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
     if any_lane(asked):
         e = new_series()
         margin_of(e, omega, top, 1.0, 0.0, from_rest)  # remove the root at a start from rest
-        margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
-        margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
+        for _ in up(1, 2):
+            margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
         at = first_root(e, top, s.step, asked)
         vanishes = from_rest and e[0] == 0.0 and last == 0.0  # the drive is zero to rounding
         at_once = asked and (e[0] < 0.0 or vanishes)
@@ -174,11 +176,16 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
 
 def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M, event: N) -> None:
     """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
-    asked = here and may_cross(p, n, s.step, sign, constant, passed)
-    if any_lane(asked):
-        e = new_series()
-        margin_of(e, p, n, sign, constant, passed)
-        consider(s, here, first_root(e, n, s.step, asked), event)
+    at = crossing(p, n, s.step, sign, constant, passed, here)
+    consider(s, here, at, event)
+
+
+def find_contact_change(s: Lanes, here: M, top: N) -> None:
+    """Find the time at which contact with the slip surface is lost or regained."""
+    if s.has.normal:
+        sign = where(s.lifted > 0.0, -1.0, 1.0)
+        passed = s.passed == Passed.LIFT
+        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, passed, Event.LIFT_OFF)
 
 
 def find_edges(s: Lanes, here: M, t: T, top: N, by_rotation: N) -> None:
@@ -218,10 +225,7 @@ def find_events(s: Lanes, here: M, top: N, by_rotation: N) -> None:
                 known = not any_lane(here and minimum(t.upper, FAR) != t.before.upper)
             if not known:
                 find_edges(s, here, t, top, by_rotation)
-    if s.has.normal:
-        sign = where(s.lifted > 0.0, -1.0, 1.0)
-        passed = s.passed == Passed.LIFT
-        find_crossing(s, here, s.series.normal, top - 1, sign, 0.0, passed, Event.LIFT_OFF)
+    find_contact_change(s, here, top)
 
 
 def choose_step(s: Lanes, here: M, top: N) -> None:

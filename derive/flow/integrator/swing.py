@@ -9,7 +9,7 @@ half a turn. Under constant friction it may end earlier, at the end time, and ha
 are integrated in time, like all others.
 """
 
-from derive.flow.integrator.energy import bend_of, energy, factors, functions, mirror, reverse, slope_of
+from derive.flow.integrator.energy import energy, factors, force_at, functions, mirror, reverse
 from derive.flow.integrator.one_lane import (
     EPS,
     INFINITY,
@@ -30,7 +30,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import keep_faster, stick
 from derive.flow.integrator.roots import inside_or_middle
-from derive.flow.integrator.softening import duration_of_softening, series_suffices, soften, softening_factors
+from derive.flow.integrator.softening import duration_of_softening, evaluate_at, series_suffices, softening_factors
 from derive.flow.integrator.step import end_motion, on_standstill
 from derive.flow.integrator.waves import (
     ANGLE_THERE,
@@ -54,17 +54,6 @@ CLEAR = 0.01  # excess of resistance over the driving moment, relative to their 
 CLOSE_TO_REST = 2.0**-40  # an end time that is closer to the standstill, relatively, is left to the integration in time
 LEAST_DURATION = 1.5  # of a phase over the time that its path takes at the greatest speed; pi/2 if E is a parabola
 NEAR_MIDDLE = 0.85  # distance of the peak from the middle over half of the way, for which the arcsine is complete
-
-
-def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
-    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
-    if s.has.loss_rate:
-        soften(s, e, f, x)
-        return
-    functions(f, x, e[4])
-    f[5] = energy(e, f)
-    f[6] = slope_of(e, f)
-    f[7] = bend_of(e, f)
 
 
 def end_of_swing(s: Lanes, e: S, sine: V, which: M) -> V:
@@ -113,12 +102,6 @@ def peak_of_swing(s: Lanes, e: S, x: V, end: V, which: M) -> V:
         which = which and change > LAST_OF_NEWTON * x
         count = count + 1
     return x
-
-
-def force_at(start: V, sine: V, vers: V, f: S) -> V:
-    """Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E."""
-    sine_there = sine * (f[0] - f[3])
-    return start + (sine_there + vers * f[2])
 
 
 def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
@@ -223,7 +206,7 @@ def end_within(s: Lanes, here: M, e: S, back: S, w: S, end: V) -> None:
     there = new_series()
     time = s.end_time - s.time
     there[ANGLE_THERE] = 0.5 * time / w[0]
-    find_state(there, here, e, back, w, end, time)
+    find_state(s, there, here, e, back, w, end, time)
     s.x = there[0]
     s.omega = there[OMEGA_THERE]
     rate = there[RATE_THERE]

@@ -4,7 +4,7 @@ With x = end sin(u)^2 the time is u times its mean rate, and a series of sines o
 finds where a mass is at the end time and at output times.
 """
 
-from derive.flow.integrator.energy import energy, functions, reverse, slope_of, turned
+from derive.flow.integrator.energy import energy, force_at, functions, reverse, turned
 from derive.flow.integrator.one_lane import (
     ARCSINE,
     COSINES,
@@ -113,7 +113,7 @@ def is_uneven(w: S, n: N) -> M:
     return not last <= LAST_WAVE * w[0]
 
 
-def find_state(there: S, here: M, e: S, back: S, w: S, end: V, time: V) -> None:
+def find_state(s: Lanes, there: S, here: M, e: S, back: S, w: S, end: V, time: V) -> None:
     """Compute the rotation, the angular velocity and its rate at a time since rest, where lanes of the mask move.
 
     The search begins at the angle u in ``there``, to which it is added together with the slope of the time.
@@ -137,7 +137,7 @@ def find_state(there: S, here: M, e: S, back: S, w: S, end: V, time: V) -> None:
     functions(f, x, e[4])
     square = energy(e, f)
     there[0] = x
-    there[RATE_THERE] = 0.5 * slope_of(e, f)
+    there[RATE_THERE] = force_at(s.drive, s.net_sine, s.net_vers, f) + s.net_square * square
     late = versine > 1.0
     if any_lane(here and late):
         _, versine_back = turned(PI - 2.0 * u)
@@ -161,6 +161,6 @@ def keep_samples(s: Lanes, here: M, e: S, back: S, w: S, end: V, until: V) -> No
             ahead = (time - before) / there[SLOPE_THERE]
             there[ANGLE_THERE] = where(inside, there[ANGLE_THERE] + ahead, there[ANGLE_THERE])
             before = where(inside, time, before)
-            find_state(there, inside, e, back, w, end, time - s.time)
+            find_state(s, there, inside, e, back, w, end, time - s.time)
             keep_sample(s, inside, k, there[0], there[OMEGA_THERE], there[RATE_THERE])
         k = k + 1
