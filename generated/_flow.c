@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "552c5fffcb1a49ae51cc5f946815e1cc5993e637f854de15174ff168cf6e6aab"
+#define DIGEST "8e01ef908f48c3624a4afe30d82629c65ca2205a0ea9181cd95a986789a3a511"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -4136,17 +4136,17 @@ INLINE Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
 
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
- * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node. */
-INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
+ * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node.
+ * There are twice as many nodes if they are to be ``closer``. */
+INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part, int closer)
 {
     const Job *const job = b->job;
     V total = broadcast(0.0);
     V last = broadcast(0.0);
     V last_but_one = broadcast(0.0);
     V lower = broadcast(0.0);
-    int fine = job->order > FINEST;
-    int longest = fine && (part == 0);
-    int k_first = longest ? (7 * SHORTEST) : ((fine == part) ? (3 * SHORTEST) : SHORTEST);
+    int longest = closer && (part == 0);
+    int k_first = longest ? (7 * SHORTEST) : ((closer == part) ? (3 * SHORTEST) : SHORTEST);
     for (int k = k_first; k <= ((2 * k_first) + SHORTEST) - 1; k++) {
         const Pair at_slowness = at_node(b, e, end, unit, bend, broadcast(NODES[k]), part);
         V at = at_slowness.one, slowness = at_slowness.other;
@@ -4155,7 +4155,7 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
         last = last + (LAST_SHARES[k] * slowness);
         last_but_one = last_but_one + (NEXT_SHARES[k] * slowness);
     }
-    V most = broadcast(fine ? CLOSER : ALIKE);
+    V most = broadcast((job->order > FINEST) ? CLOSER : ALIKE);
     V uneven = magnitude(last) + magnitude(last_but_one);
     M accurate = uneven <= (most * total);
     V time = ((end * unit) * (1.0 + bend)) * total;
@@ -4164,7 +4164,7 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
  * change the factor of a lane, and with it the rules, which they so compare. */
-INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
+INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak, int closer)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4181,12 +4181,12 @@ INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
         M complete = ((1.0 + (e[4] * e[4])) * (reach * reach)) < COMPLETE;
         to_end = pick(complete, to_end, broadcast(INFINITY));
     }
-    V before = time_of_part(b, e, to_end, unit, bend, 0);
+    V before = time_of_part(b, e, to_end, unit, bend, 0, closer);
     V f[STRIDE];
     V back[STRIDE];
     softening_functions(b, e, f, end);
     factors_about_end(b, back, e, f);
-    V after = time_of_part(b, back, to_end, 1.0 / unit, change - 1.0, 1);
+    V after = time_of_part(b, back, to_end, 1.0 / unit, change - 1.0, 1, closer);
     return (Pair){before, (before + after)};
 }
 
@@ -4552,6 +4552,7 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
  * come to rest before the end time are left at once. */
 INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     V f[STRIDE];
     evaluate_at(b, e, f, peak);
@@ -4560,8 +4561,16 @@ INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
     if (!bits(fits)) {
         return fits;
     }
-    const Pair before_duration = duration_of_softening(b, e, end, peak);
+    int fine = job->order > FINEST;
+    const Pair before_duration = duration_of_softening(b, e, end, peak, fine);
     V before = before_duration.one, duration = before_duration.other;
+    M unsure = fits & (duration == INFINITY);
+    if (!fine && bits(unsure)) {
+        const Pair sooner_sure = duration_of_softening(b, e, end, peak, 1);
+        V sooner = sooner_sure.one, sure = sooner_sure.other;
+        before = pick(unsure, sooner, before);
+        duration = pick(unsure, sure, duration);
+    }
     fits = fits & ((c[TIME] + duration) < c[END_TIME]);
     pass_peak(b, fits, f, peak, before);
     finish(b, fits, end, duration);

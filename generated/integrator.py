@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b3714b649cfbe329c74e8cefa527bba474ec6f160dafa51bb6ed3b74498efa04
+# sha256 of the text below: a5b053f979a1b613efb68d7219dddcb86eefedd1f33ceec4e22621836f854396
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2700,29 +2700,28 @@ def at_node(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, node: 
     return (energy_there, share * share * (other * node) * f[5] / np.sqrt(energy_there))
 
 
-def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int) -> Floats:
+def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, part: int, closer: int) -> Floats:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain."""
     total: Floats = 0.0
     last: Floats = 0.0
     last_but_one: Floats = 0.0
     lower: Floats = 0.0
-    fine = s.highest > FINEST
-    longest = fine and part == 0
-    k_first = 7 * SHORTEST if longest else 3 * SHORTEST if fine == part else SHORTEST
+    longest = closer and part == 0
+    k_first = 7 * SHORTEST if longest else 3 * SHORTEST if closer == part else SHORTEST
     for k in range(k_first, 2 * k_first + SHORTEST - 1 + 1):
         at, slowness = at_node(s, e, end, unit, bend, NODES[k], part)
         total = np.where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    most: Floats = CLOSER if fine else ALIKE
+    most: Floats = CLOSER if s.highest > FINEST else ALIKE
     uneven = np.abs(last) + np.abs(last_but_one)
     accurate = uneven <= most * total
     time = end * unit * (1.0 + bend) * total
     return np.where(accurate, time, INFINITY)
 
 
-def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tuple[Floats, Floats]:
+def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats, closer: int) -> tuple[Floats, Floats]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     c = s.cells
     to_peak = passed_to(s, peak)
@@ -2737,12 +2736,12 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats) -> tup
         reach = end + e[POLE]
         complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
         to_end = np.where(complete, to_end, INFINITY)
-    before = time_of_part(s, e, to_end, unit, bend, 0)
+    before = time_of_part(s, e, to_end, unit, bend, 0, closer)
     f = np.zeros((ix.STRIDE, e.shape[1]))
     back = np.zeros((ix.STRIDE, e.shape[1]))
     softening_functions(s, e, f, end)
     factors_about_end(s, back, e, f)
-    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1)
+    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1, closer)
     return (before, before + after)
 
 
@@ -3069,7 +3068,13 @@ def complete_softening(s: Lanes, fits: Mask, e: Floats, end: Floats, peak: Float
     fits = fits & (c[ix.TIME] + least < c[ix.END_TIME])
     if not np.any(fits):
         return fits
-    before, duration = duration_of_softening(s, e, end, peak)
+    fine = s.highest > FINEST
+    before, duration = duration_of_softening(s, e, end, peak, fine)
+    unsure = fits & (duration == INFINITY)
+    if not fine and np.any(unsure):
+        sooner, sure = duration_of_softening(s, e, end, peak, 1)
+        before = np.where(unsure, sooner, before)
+        duration = np.where(unsure, sure, duration)
     fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
     pass_peak(s, fits, f, peak, before)
     finish(s, fits, end, duration)

@@ -19,7 +19,9 @@ from derive.flow import closed
 from derive.flow.integrator import energy, hyperbolic, one_lane, recurrence, softening, swing, waves
 from derive.flow.layout import STRIDE
 from generated import layout as ix
-from slipcircle import Arc, Scene, load, solve
+from slipcircle import Arc, Scene, load, plan, solve
+from slipcircle.core.problem.problem import problem_of
+from slipcircle.derivatives import with_parameter_arrays
 from tests.campaigns import estimates
 from tests.support import lanes, oracle, taylor
 from tests.support.phases import COUNT, EFFECTS, TURNING, in_time, random_scene
@@ -325,6 +327,20 @@ def test_the_plain_series_is_not_used_near_resonances(slope: float) -> None:
     assert softening.series_suffices(s, e) == (slope > 2)
 
 
+def test_slow_starts_under_softening_friction_and_cohesion_keep_the_closed_form() -> None:
+    """Durations that a rule leaves uncertain, as many near the limit of a slope, follow from one of more nodes."""
+    slope: Scene[Any] = load("real-slope")
+    peaks = slope.numbers["friction.peak"] * np.linspace(0.98, 1.0, 40)
+    scenes, invalid = with_parameter_arrays(slope, {"friction.peak": peaks})
+    found, expected = (
+        lanes.integrate(pass_by(problem_of(plan(scenes, accuracy), invalid)))
+        for accuracy, pass_by in ((1e-9, lambda posed: posed), (1e-15, in_time))
+    )
+    assert np.mean(found[ix.STEPS] <= 1.0) > 0.9
+    for place in (ix.REST_SINCE, ix.PEAK_OMEGA, ix.PEAK_TIME, ix.REACH_ROTATION):
+        np.testing.assert_allclose(found[place], expected[place], rtol=1e-9)
+
+
 @pytest.mark.parametrize("degree", [2 * one_lane.SHORTEST - 1, 2 * one_lane.SHORTEST - 2])
 def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """The integrand is 1 + c P(v), with a polynomial of Legendre that the rule just resolves."""
@@ -338,7 +354,7 @@ def test_both_last_coefficients_of_an_integrand_decide(degree: int, monkeypatch:
         monkeypatch.setattr(softening, "softening_energy", lambda *_, given=energies: next(given))
         monkeypatch.setattr(softening, "count_from_end", lambda *_: None)
         lane = SimpleNamespace(highest=17, has=SimpleNamespace(per_pole=False))
-        time = softening.time_of_part(lane, [], 1.0, unit, 0.0, 1)
+        time = softening.time_of_part(lane, [], 1.0, unit, 0.0, 1, 0)
         assert time == (math.inf if uncertain else pytest.approx(2 * unit, rel=1e-6))
 
 

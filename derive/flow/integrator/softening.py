@@ -11,7 +11,8 @@ the terms j > 0 that decay like exp(-(q - j slope) x) make one multiple of exp(-
 The duration has two parts, before and after the greatest speed, by Gauss's rule in a variable in which both ends are
 regular. In the second part E is a function of the distance from the end, where W begins with W_0 instead of 1, and
 W_0^j exp(-q x) is in place of exp(-q x). The last coefficients of Legendre's series of an integrand measure the error,
-which is about their square. Rules have twice as many nodes if a series in time would have an order above `FINEST`.
+which is about their square. Rules have twice as many nodes if a series in time would have an order above `FINEST`, or
+if the duration is uncertain otherwise.
 """
 
 from derive.flow.integrator.energy import FADING, LAST, energy, factors, force_at, functions, look_back, reverse
@@ -235,33 +236,33 @@ def at_node(s: Lanes, e: S, end: V, unit: V, bend: V, node: V, part: N) -> tuple
     return energy_there, share * share * (other * node) * f[5] / sqrt(energy_there)
 
 
-def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N) -> V:
+def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N, closer: N) -> V:
     """Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain.
 
     The variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
     distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node.
+    There are twice as many nodes if they are to be ``closer``.
     """
     total: V = 0.0
     last: V = 0.0
     last_but_one: V = 0.0
     lower: V = 0.0
-    fine: N = s.highest > FINEST
-    longest: N = fine and part == 0
-    k_first: N = 7 * SHORTEST if longest else (3 * SHORTEST if fine == part else SHORTEST)
+    longest: N = closer and part == 0
+    k_first: N = 7 * SHORTEST if longest else (3 * SHORTEST if closer == part else SHORTEST)
     for k in up(k_first, 2 * k_first + SHORTEST - 1):
         at, slowness = at_node(s, e, end, unit, bend, NODES[k], part)
         total = where(at > lower, total + SHARES[k] * slowness, INFINITY)
         lower = at
         last = last + LAST_SHARES[k] * slowness
         last_but_one = last_but_one + NEXT_SHARES[k] * slowness
-    most: V = CLOSER if fine else ALIKE
+    most: V = CLOSER if s.highest > FINEST else ALIKE
     uneven = abs(last) + abs(last_but_one)
     accurate = uneven <= most * total
     time = end * unit * (1.0 + bend) * total
     return where(accurate, time, INFINITY)
 
 
-def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
+def duration_of_softening(s: Lanes, e: S, end: V, peak: V, closer: N) -> tuple[V, V]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain.
 
     Error estimates change the factor of a lane, and with it the rules, which they so compare.
@@ -278,10 +279,10 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V) -> tuple[V, V]:
         reach = end + e[POLE]
         complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
         to_end = where(complete, to_end, INFINITY)
-    before = time_of_part(s, e, to_end, unit, bend, 0)
+    before = time_of_part(s, e, to_end, unit, bend, 0, closer)
     f = new_series()
     back = new_series()
     softening_functions(s, e, f, end)
     factors_about_end(s, back, e, f)
-    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1)
+    after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1, closer)
     return before, before + after

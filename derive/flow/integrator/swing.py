@@ -30,6 +30,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import keep_faster, stick
 from derive.flow.integrator.roots import inside_or_middle
+from derive.flow.integrator.rotation import FINEST
 from derive.flow.integrator.softening import duration_of_softening, evaluate_at, series_suffices, softening_factors
 from derive.flow.integrator.step import end_motion, on_standstill
 from derive.flow.integrator.waves import (
@@ -251,7 +252,13 @@ def complete_softening(s: Lanes, fits: M, e: S, end: V, peak: V) -> M:
     fits = fits and s.time + least < s.end_time
     if not any_lane(fits):
         return fits
-    before, duration = duration_of_softening(s, e, end, peak)
+    fine: N = s.highest > FINEST
+    before, duration = duration_of_softening(s, e, end, peak, fine)
+    unsure = fits and duration == INFINITY
+    if not fine and any_lane(unsure):
+        sooner, sure = duration_of_softening(s, e, end, peak, 1)
+        before = where(unsure, sooner, before)
+        duration = where(unsure, sure, duration)
     fits = fits and s.time + duration < s.end_time
     pass_peak(s, fits, f, peak, before)
     finish(s, fits, end, duration)
