@@ -81,8 +81,7 @@ class _Level(NamedTuple):
     def at(self, x: Floats) -> Floats:
         """Return the height of the level in the turned mass at x (..., M), over R."""
         fall = x * self.sine
-        y = (self.height - fall) / self.cosine
-        return y
+        return (self.height - fall) / self.cosine
 
 
 def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
@@ -148,8 +147,7 @@ class _Integrals:
         limits = directions[:, None]
         before = self.middle < limits
         up_to = np.where(before, in_intervals, 0.0)
-        normal = -up_to.sum(axis=1)
-        return normal
+        return -up_to.sum(axis=1)
 
     @property
     def moment(self) -> Floats:
@@ -159,8 +157,7 @@ class _Integrals:
         moment_x = self.rows[MOMENT_X] * level.cosine
         lever = moment_y - moment_x
         weighted = lever * self.weight
-        moment = weighted.sum(axis=(0, 1))
-        return moment
+        return weighted.sum(axis=(0, 1))
 
 
 def vertex_kinks(section: Any) -> Floats:
@@ -239,8 +236,7 @@ def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
     finite = np.where(is_known, level, 0.0)
     above_level = finite * (end - start)
     below_centre = np.sin(end) - np.sin(start)
-    integral = above_level + below_centre
-    return integral
+    return above_level + below_centre
 
 
 def displaced_height(section: Any, rotation: Any) -> Any:
