@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "0b48ce51997d31a963e0192836e29d88db0c8447ffa223424e512f311d1c0c3a"
+#define DIGEST "552c5fffcb1a49ae51cc5f946815e1cc5993e637f854de15174ff168cf6e6aab"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3385,7 +3385,7 @@ INLINE int has_recurrence(Batch *b)
 }
 
 /* Compute the series of start + sine sin(x) + vers (1 - cos(x)). */
-static void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
+INLINE void expand_force(Batch *b, V *p, V start, V sine, V vers, int top)
 {
     p[0] = start;
     p[1] = sine;
@@ -3413,7 +3413,7 @@ INLINE void complete_net(Batch *b, V *weight, int n)
 }
 
 /* Compute the series of the normal force and of the dip of the chord. */
-static void expand_contact(Batch *b, int top)
+INLINE void expand_contact(Batch *b, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3825,7 +3825,7 @@ INLINE V energy(V *e, V *f)
 }
 
 /* Return start + sine sin + vers (1 - cos) at the rotation at which ``f`` has the functions of E. */
-static V force_at(V start, V sine, V vers, V *f)
+INLINE V force_at(V start, V sine, V vers, V *f)
 {
     V sine_there = sine * (f[0] - f[3]);
     return start + (sine_there + (vers * f[2]));
@@ -3851,7 +3851,7 @@ INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
 }
 
 /* Replace the functions for q by those for -q. */
-static void reverse(V *f, V q)
+INLINE void reverse(V *f, V q)
 {
     V y = q * f[0];
     V bend = (q * q) * f[1];
@@ -4012,7 +4012,7 @@ INLINE void softening_functions(Batch *b, V *e, V *f, V x)
 }
 
 /* Change the functions of a distance from the end of a phase to those of E there, at the rotation ``x``. */
-static void count_from_end(Batch *b, V *back, V *f, V x)
+INLINE void count_from_end(Batch *b, V *back, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4075,7 +4075,7 @@ INLINE V energy_at(Batch *b, V *e, V *f, V x)
 
 /* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. The derivatives
  * follow from the equation of motion, in which friction softens or is constant. */
-static void evaluate_at(Batch *b, V *e, V *f, V x)
+INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4106,7 +4106,7 @@ static void evaluate_at(Batch *b, V *e, V *f, V x)
 }
 
 /* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
-static V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
+INLINE V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
 {
     const Job *const job = b->job;
     f[5] = broadcast(1.0);
@@ -4123,7 +4123,7 @@ static V energy_past(Batch *b, V *e, V *f, V past, V end, int part)
 }
 
 /* Return E and the integrand at a node of `time_of_part`, with its arguments. */
-static Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
+INLINE Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
 {
     V here = unit * (node * node);
     V other = 1.0 + (bend * (1.0 - node));
@@ -4137,7 +4137,7 @@ static Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
 /* Return the time before the greatest speed, or with ``part`` 1 after it, infinite if it is uncertain. The
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
  * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node. */
-static V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
+INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 {
     const Job *const job = b->job;
     V total = broadcast(0.0);
@@ -4164,7 +4164,7 @@ static V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part)
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
  * change the factor of a lane, and with it the rules, which they so compare. */
-static Pair duration_of_softening(Batch *b, V *e, V end, V peak)
+INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4395,7 +4395,7 @@ static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
 
 /* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
  * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
-static M stays_positive(V start, V sine, V vers, V *f)
+INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
     V at_end = force_at(start, sine, vers, f);
     V cosine = 1.0 - f[2];
@@ -4405,7 +4405,7 @@ static M stays_positive(V start, V sine, V vers, V *f)
 }
 
 /* Return whether phases up to a rotation have the closed form, from the functions of E there. */
-static M has_closed_form(Batch *b, V *f, V q)
+INLINE M has_closed_form(Batch *b, V *f, V q)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4417,7 +4417,7 @@ static M has_closed_form(Batch *b, V *f, V q)
 }
 
 /* Compute sum and difference of the integrand at a node and at its mirror image, the same node from the end. */
-static void add_node(V *e, V *back, V end, V *both, V *odd, int k)
+INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 {
     V x = end * SINES[k];
     V f[STRIDE];
@@ -4432,7 +4432,7 @@ static void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 }
 
 /* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
-static V duration_of_swing(V *e, V *back, V end, V *w, M which)
+INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
 {
     V both[STRIDE];
     V odd[STRIDE];
@@ -4461,7 +4461,7 @@ static V duration_of_swing(V *e, V *back, V end, V *w, M which)
 
 /* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
  * ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there. */
-static void rest(Batch *b, M here, V *back, V *f)
+INLINE void rest(Batch *b, M here, V *back, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4550,7 +4550,7 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
 
 /* Complete phases under softening laws, up to rest before the end time, and return these lanes. Lanes that hardly
  * come to rest before the end time are left at once. */
-static M complete_softening(Batch *b, M fits, V *e, V end, V peak)
+INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
 {
     V *const c = b->c;
     V f[STRIDE];

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0771f18fee5081d17099bdba828336136e46ce3625130d97d433fe48430625a9
+# sha256 of the text below: 151ef3927682fead7f373075a8a2ff0b686f06b32a3acbc911f2d46e3cabc2c0
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "0b48ce51997d31a963e0192836e29d88db0c8447ffa223424e512f311d1c0c3a"  # of the compiled integrator's source
+DIGEST = "552c5fffcb1a49ae51cc5f946815e1cc5993e637f854de15174ff168cf6e6aab"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -137,7 +137,8 @@ class Text:
 
     def names_of(self, function: RestrictedFunction) -> set[str]:
         """Return the names of the functions of the text that a function calls."""
-        return {x.id for x in ast.walk(function.node) if isinstance(x, ast.Name) and x.id in self.functions}
+        called = {ast.unparse(x.func) for x in ast.walk(function.node) if isinstance(x, ast.Call)}
+        return called & self.functions.keys()
 
     def iterates(self, name: str) -> bool:
         """Return whether the function called ``name``, or one that it calls, iterates until its lanes are finished."""
