@@ -81,7 +81,8 @@ class _Level(NamedTuple):
     def at(self, x: Floats) -> Floats:
         """Return the height of the level in the turned mass at x (..., M), over R."""
         fall = x * self.sine
-        return (self.height - fall) / self.cosine
+        y = (self.height - fall) / self.cosine
+        return y
 
 
 def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
@@ -147,7 +148,8 @@ class _Integrals:
         limits = directions[:, None]
         before = self.middle < limits
         up_to = np.where(before, in_intervals, 0.0)
-        return -up_to.sum(axis=1)
+        normal = -up_to.sum(axis=1)
+        return normal
 
     @property
     def moment(self) -> Floats:
@@ -157,7 +159,8 @@ class _Integrals:
         moment_x = self.rows[MOMENT_X] * level.cosine
         lever = moment_y - moment_x
         weighted = lever * self.weight
-        return weighted.sum(axis=(0, 1))
+        moment = weighted.sum(axis=(0, 1))
+        return moment
 
 
 def vertex_kinks(section: Any) -> Floats:
@@ -236,7 +239,8 @@ def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
     finite = np.where(is_known, level, 0.0)
     above_level = finite * (end - start)
     below_centre = np.sin(end) - np.sin(start)
-    return above_level + below_centre
+    integral = above_level + below_centre
+    return integral
 
 
 def displaced_height(section: Any, rotation: Any) -> Any:

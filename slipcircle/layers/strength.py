@@ -121,7 +121,8 @@ class ArcStrength(StretchIntegrals):
     def _at_start(self, name: str, quantity: Floats) -> Floats:
         """Return the sum over the soils of a quantity (soils, lanes) times a load named in `_by_soil`, (lanes,)."""
         by_soil = self._by_soil[name] * quantity
-        return by_soil.sum(axis=0)
+        total = by_soil.sum(axis=0)
+        return total
 
     def _mean(self, quantity: Floats) -> Floats:
         """Return the mean of a friction coefficient (soils, lanes) by the normal forces at the start, (lanes,)."""
@@ -284,7 +285,8 @@ class ArcStrength(StretchIntegrals):
     @property
     def _theta(self) -> Floats:
         """Moment of inertia Theta* of the mass, (lanes,)."""
-        return self.section._weighted_moments["inertia"]
+        inertia = self.section._weighted_moments["inertia"]
+        return inertia
 
     @property
     def _weight_scale(self) -> Floats:

@@ -223,7 +223,8 @@ class StretchIntegrals:
             there = there - rotation
         growth = self.growth_up_to(there)
         by_direction = self.incidence[:, :, None] * growth
-        return by_direction.sum(axis=1)
+        parts = by_direction.sum(axis=1)
+        return parts
 
     @cached_property
     def rotation_kinks(self) -> Floats:
