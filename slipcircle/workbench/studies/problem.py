@@ -215,10 +215,8 @@ def search_problem(
         ends = {number_in(scene, path).key: pair for path, pair in by_path.items()}
     except ValueError as error:
         raise ValueError(f"backanalyse: field: {error}") from error
-    mistakes = _field_mistakes(scene, fields, observed)
     limit = next((interval for interval in limits.values() if interval.limit is not None), None)
-    if limit is not None and (len(fields) > 1 or len(observed) > 1):
-        mistakes.append(f"{limit}: a limit is for one field alone; give one field and no other observation")
+    mistakes = _field_mistakes(scene, fields, observed, limit)
     first = fields[0].key
     if isinstance(bounds, tuple) and len(fields) > 1:
         mistakes.append(f"bounds = {bounds!r}: of several fields give a mapping, such as {{{first!r}: {bounds!r}}}")
@@ -252,8 +250,8 @@ def _default_field(scene: Scene) -> str:
     )
 
 
-def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations) -> Texts:
-    """Return a message for each mistake in the choice of fields."""
+def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations, limit: Interval | None) -> Texts:
+    """Return a message for each mistake in the choice of fields; ``limit`` is the observation that is a limit."""
     mistakes = []
     names = [f.name for f in fields]
     ends = {"theta_1", "theta_2"}.intersection(names)
@@ -270,6 +268,8 @@ def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations)
             f"{len(fields)} fields from {len(observed)} observations ({', '.join(observed)}): they "
             "cannot be distinguished; give at least as many observations as fields"
         )
+    if limit is not None and (len(fields) > 1 or len(observed) > 1):
+        mistakes.append(f"{limit}: a limit is for one field alone; give one field and no other observation")
     return mistakes
 
 
