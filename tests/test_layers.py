@@ -136,7 +136,7 @@ def test_soils_under_a_turned_mass_are_those_at_its_arc(strength: str) -> None:
     """Soils stay in space with the base, or turn with the mass."""
     section, rotation = profile("constant friction", strength), 0.2
     soils, ends = soils_under(section, rotation)
-    (first,), (last,) = section.arc_strength.span
+    (first,), (last,) = section._span
     assert ends[[0, -1]] == pytest.approx([first + rotation, last + rotation], abs=1e-14)
     at = (ends[1:] + ends[:-1]) / 2 - (rotation if strength == "mass" else 0.0)
     x, y = 30.0 + 48.0 * np.sin(at), 45.0 - 48.0 * np.cos(at)

@@ -136,7 +136,7 @@ def test_a_base_may_lie_at_the_height_of_the_toe(cohesion: float, friction: floa
 def test_arcs_that_overhang_and_buried_centres_have_no_factor(points: Any, centre: Any, slides: bool) -> None:
     slope = Slope(points, 3e3, 0.3, 20e3)
     left, right = np.array([points[1]]), np.array([points[-2]])
-    factors, _ = factors_by(slope.arrays(), np.array([centre]), np.hypot(*(left - centre).T), left, right, "paper")
+    factors, _ = factors_by(slope.arrays(), (np.array([centre]), np.hypot(*(left - centre).T), left, right), "paper")
     assert np.isfinite(factors).tolist() == [slides]
 
 

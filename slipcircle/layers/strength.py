@@ -88,8 +88,7 @@ class ArcStrength(StretchIntegrals):
 
     def _by_direction(self, quantity: Floats) -> Floats:
         """Return coefficients of integrals of a quantity (soils, lanes) to joints, exit and entry, (J + 2, lanes)."""
-        by_soil = self.incidence.transpose(1, 0, 2)
-        return over_circles(by_soil, quantity)
+        return over_circles(self.incidence, quantity)
 
     @cached_property
     def _still(self) -> ArrayDict:
@@ -109,13 +108,13 @@ class ArcStrength(StretchIntegrals):
     def _by_soil(self) -> ArrayDict:
         """Load on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
         weights = self._unit_weights
-        at_joints = self.incidence[:-1]
-        joints, _, circles = at_joints.shape
+        at_joints = self.incidence[:, :-1]
+        _, joints, circles = at_joints.shape
         by_soil = {}
         for name in ("normal", "tilt", "inertia", "overburden"):
             part = self._still[name]
             by_joint = part.reshape(joints, len(weights), circles)
-            by_surface = np.einsum("jic,jsc->sic", at_joints, by_joint)
+            by_surface = np.einsum("ijc,jsc->sic", at_joints, by_joint)
             by_soil[name] = over_circles(by_surface, weights)
         return by_soil
 

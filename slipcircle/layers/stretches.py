@@ -15,13 +15,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Integers
+from slipcircle.base.kinds import ArrayDict, Floats, Integers
 from slipcircle.ground.plane import sine_and_cosine
 from slipcircle.layers.profile import GAUSS, PRESSING, RADIAL_X, Rule
 from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 
 # Properties shared by sections that differ in numbers of soils alone.
-OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
+OF_GEOMETRY = ("stretches", "rotation_kinks", "incidence")
 
 
 LIKE_WEIGHTS = 2.0**14  # N/m^3, scale of water parts, since the greatest part determines the digits of tables
@@ -80,12 +80,6 @@ class StretchIntegrals:
             last=base[:, -1],
         )
 
-    @cached_property
-    def span(self) -> ArrayPair:
-        """Directions of the entry and of the exit in rad, positive down-slope, (circles,)."""
-        span = self.section._span
-        return span
-
     @property
     def _joints(self) -> Floats:
         """Directions of the joints before the mass moves, (J, circles)."""
@@ -102,7 +96,7 @@ class StretchIntegrals:
         Directions and rotations are in rad. Directions refer to the mass at the start. Joints of the base stay behind
         as the mass moves.
         """
-        first, last = self.span
+        first, last = self.section._span
         moved = rotation if self._base_stays else np.zeros_like(rotation)
         in_mass = self._joints[:, None] - moved
         return np.clip(in_mass, first, last)
@@ -159,7 +153,7 @@ class StretchIntegrals:
 
     def space(self, rotation: Floats) -> Floats:
         """Return directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
-        first, last = self.span
+        first, last = self.section._span
         start = first + rotation
         end = last + rotation
         joints = self._joints[:, None]
@@ -183,7 +177,7 @@ class StretchIntegrals:
         The rotations are (M, circles) in rad, and the integrals end at joints, exit and entry. The result is multiplied
         by `LIKE_WEIGHTS`.
         """
-        first, last = self.span
+        first, last = self.section._span
         joints = self._joints_met(rotation)
         to_exit = np.broadcast_to(last, rotation.shape)
         to_entry = np.broadcast_to(first, rotation.shape)
@@ -228,8 +222,7 @@ class StretchIntegrals:
         if not self._base_stays:
             there = there - rotation
         growth = self.growth_up_to(there)
-        by_soil = self.incidence.transpose(1, 0, 2)
-        by_direction = by_soil[:, :, None] * growth
+        by_direction = self.incidence[:, :, None] * growth
         parts = by_direction.sum(axis=1)
         return parts
 
@@ -237,7 +230,7 @@ class StretchIntegrals:
     def rotation_kinks(self) -> Floats:
         """Rotations in rad at which one of these functions is not smooth, (kinks, circles), sorted."""
         section = self.section
-        ends = np.stack(self.span, axis=1)
+        ends = np.stack(section._span, axis=1)
         joints = self.stretches.joint
         facing = section._facing[:, None]
         opening = np.diff(ends, axis=1)
@@ -260,7 +253,7 @@ class StretchIntegrals:
 
     @cached_property
     def incidence(self) -> Floats:
-        """Differences (q_before - q_after) at joints, q_last and -q_first, (J + 2, soils, circles).
+        """Differences (q_before - q_after) at joints, q_last and -q_first, (soils, J + 2, circles).
 
         The sum of q over the stretches with a cumulative integral C from the entry is q_last C(exit) + sum_j (q_before
         - q_after)_j C(b_j). For an integral from another origin the last row subtracts its value at the entry.
@@ -273,8 +266,7 @@ class StretchIntegrals:
         at_entry = of_soil[joints.first]
         at_joints = before - after
         by_soil = np.stack([*at_joints, at_exit, -at_entry])
-        incidence = by_soil.transpose(0, 2, 1)
-        return incidence
+        return by_soil.transpose(2, 0, 1)
 
 
 def _differences(there: Floats, mass: Floats) -> Floats:

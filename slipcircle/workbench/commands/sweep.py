@@ -219,7 +219,7 @@ def _of_records(study: Study, options: argparse.Namespace) -> _Tables:
 
 def _of_grid(study: Study) -> _Tables:
     """Return one row for each scene of a grid: inputs in their keys' units, outputs, status and reason of a failure."""
-    keys = [u.key for u in study.design.inputs.values()]
+    keys = study.design.keys
     factors = [name for name in study.samples if name.startswith(FACTOR)]
     head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), *factors, "status", "reason"]
     *columns, statuses = (study.samples[name].tolist() for name in (*keys, *OUTCOMES, *factors, "status"))

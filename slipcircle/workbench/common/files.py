@@ -68,33 +68,26 @@ def replacing(name: PathName) -> Iterator[IO[bytes]]:
     full disk, becomes a ValueError that names the file.
     """
     try:
-        with _replacing(name) as file:
-            yield file
+        if _is_device(name):
+            with open(name, "wb") as device:
+                yield device
+            return
+        path = Path(os.path.realpath(name))
+        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name[:200]}.", delete=False) as file:
+            try:
+                yield file
+                file.flush()
+                os.fsync(file.fileno())
+                file.close()
+                umask = os.umask(0)
+                os.umask(umask)
+                os.chmod(file.name, 0o666 & ~umask)  # as any other file
+                os.replace(file.name, path)
+            except BaseException:
+                os.unlink(file.name)
+                raise
     except OSError as error:
         raise ValueError(f"{name}: cannot be written: {error.strerror}") from error
-
-
-@contextmanager
-def _replacing(name: PathName) -> Iterator[IO[bytes]]:
-    """Open a file as `replacing` does, without conversion of errors."""
-    if _is_device(name):
-        with open(name, "wb") as device:
-            yield device
-        return
-    path = Path(os.path.realpath(name))
-    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name[:200]}.", delete=False) as file:
-        try:
-            yield file
-            file.flush()
-            os.fsync(file.fileno())
-            file.close()
-            umask = os.umask(0)
-            os.umask(umask)
-            os.chmod(file.name, 0o666 & ~umask)  # as any other file
-            os.replace(file.name, path)
-        except BaseException:
-            os.unlink(file.name)
-            raise
 
 
 def write_file(name: PathName, content: bytes) -> None:

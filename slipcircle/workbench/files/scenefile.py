@@ -45,7 +45,7 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     """
     source = find(name)
     file = str(source)
-    parts, keys = _parts(_content(source, file), file)
+    parts, keys = _parts(_content(source), file)
     stability = parts.pop("stability")
     remarks = parts.pop("remarks")
     try:
@@ -80,7 +80,7 @@ def critical_of_file(name: str | PathLike[str], method: str | None, tell: Tell) 
     """
     source = find(name)
     file = str(source)
-    content = _content(source, file)
+    content = _content(source)
     if "arc" in content and "ground" not in content:
         raise ValueError(f"{file}: arc: does not describe the ground; replace [arc] by [ground] for a search")
     circle = content.setdefault("circle", {"critical": "bishop"})
@@ -116,7 +116,7 @@ def with_circle(name: str | PathLike[str], searched: Critical, path: str) -> str
     """
     source = find(name)
     file = str(source)
-    content = _content(source, file)
+    content = _content(source)
     circle = {"centre_m": [*searched.centre], "radius_m": searched.radius, "between_m": [*searched.between]}
     added = () if any(key in content for key in _MOVING) else _MOVING[:2]
     tables = {"circle": circle | {"start": searched.start}} | {name: {} for name in added}
@@ -149,7 +149,7 @@ def _with_tables(text: str, tables: Mapping[str, Values]) -> str:
 
 def units_of_files(names: Iterable[str]) -> set[str]:
     """Return the systems of units of output that scene files choose, in capitals."""
-    tables = (_content(source, str(source)).get("output") for source in map(find, names))
+    tables = (_content(source).get("output") for source in map(find, names))
     return {str(table.get("units", "")).upper() for table in tables if isinstance(table, dict)} & {*SYSTEMS}
 
 
@@ -159,11 +159,13 @@ _ADVICE = (
 )
 
 
-def _content(source: Any, file: str) -> ValueDict:
+def _content(source: Any) -> ValueDict:
     """Return the content of a TOML file; raise an error with one sentence if it cannot be read.
 
-    `source` is a path or a packaged resource, and `file` its name for messages.
+    `source` is a path or a packaged resource.
     """
+    file = str(source)
+    advice = "" if file.endswith(".toml") else _ADVICE
     try:
         with source.open("rb") as opened:
             text = opened.read(_MOST_BYTES + 1)
@@ -185,10 +187,9 @@ def _content(source: Any, file: str) -> ValueDict:
     except OSError as error:
         raise ValueError(f"{file}: {error.strerror}") from error
     except UnicodeDecodeError as error:
-        advice = "" if file.endswith(".toml") else _ADVICE
         raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}{advice}") from error
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise ValueError(f"{file}: is not TOML: {error}{'' if file.endswith('.toml') else _ADVICE}") from error
+        raise ValueError(f"{file}: is not TOML: {error}{advice}") from error
 
 
 class _Input(NamedTuple):
@@ -274,7 +275,8 @@ def _along_slope(
     progress.
     """
     try:
-        return slope.moving(tell) if moving else (None, slope.stability(tell)[1])
+        circle, stability = slope.stability(tell)
+        return slope.section(circle) if moving else None, stability
     except InputError as error:
         # The message of an error in a slope, a section or a search, with the keys of its file.
         tables = {**SLOPING, **LOADS}

@@ -120,14 +120,6 @@ class SlopeInput:
             crack=self.given.get("tension_crack", {}).get("crack", 0.0),
         )
 
-    def moving(self, tell: Tell) -> tuple[Section, Critical | None]:
-        """Return the section of a motion, and the factors of safety of its circle.
-
-        `tell` is called with lines of progress.
-        """
-        circle, searched = self.stability(tell)
-        return self.section(circle), searched
-
 
 def motion_mistakes(values: Arguments, layered: bool) -> Texts:
     """Return a message for each table that factors of safety use but motions do not.

@@ -14,6 +14,9 @@ from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 _TOUCH = 1e-12  # over R: as near to the arc, a boundary touches it
 
 
+Circles = tuple[Floats, Floats, Floats, Floats]  # centres and radii, and left and right ends of arcs
+
+
 class Arcs(NamedTuple):
     """Arcs of circles: centres (n, 2) and radii in m, and angles of both ends from straight below the centre."""
 
@@ -77,20 +80,18 @@ class Bases:
         self.sine, self.depth = sine_and_cosine(inside)
         self.x = self.centre_x + self.scale * self.sine
         self.column = slope.columns.at(arc, self.x)
+        self.row = 0 if len(slope.columns.bounds) == 1 else arc
+        self.from_middle = self.centre_x - slope.columns.middle[self.row, self.column]
         self._look_up_soil()
 
     def surface(self, k: Any) -> ArrayPair:
         """Return constant and gradient of surfaces: their height above the centre over R is constant + gradient sine.
 
         ``k`` is the index of a surface in `Columns`, or indices: (surfaces, 1), or one for each interval.
-
-        ``k`` is the index of a surface in `Columns`, or an array of indices (surfaces, 1).
         """
         columns = self.slope.columns
-        row = 0 if len(columns.bounds) == 1 else self.arc
-        gradient = columns.gradient[k, row, self.column]
-        from_middle = self.centre_x - columns.middle[row, self.column]
-        below_centre = columns.height[k, row, self.column] + gradient * from_middle
+        gradient = columns.gradient[k, self.row, self.column]
+        below_centre = columns.height[k, self.row, self.column] + gradient * self.from_middle
         return (below_centre - self.centre_y) / self.scale, gradient
 
     def above(self, k: Any) -> Floats:
@@ -207,14 +208,11 @@ class Bases:
 
         The sums are `SlopeArrays.weights` or `SlopeArrays.gains`, (3, layers, 1 or slopes, columns).
         """
-        columns = self.slope.columns
-        row = 0 if len(columns.bounds) == 1 else self.arc
         slope: Any = 0
         if sums.shape[2] > 1:
             slope = np.arange(sums.shape[2])[:, None] if self.is_shared else self.arc
         height, gradient, weight = sums[:, self.layer, slope, self.column]
-        from_middle = self.centre_x - columns.middle[row, self.column]
-        constant = (height + gradient * from_middle - weight * self.centre_y) / self.scale
+        constant = (height + gradient * self.from_middle - weight * self.centre_y) / self.scale
         return self._linear(constant, gradient, weight)
 
     def _pore_pressure(self, soil: Floats, scale: Floats) -> Floats:

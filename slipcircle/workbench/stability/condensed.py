@@ -135,10 +135,7 @@ def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats
     """
     circles = q.copy()
     if len(condensed.boundary_edges) != len(search.boundary_edges):  # then boundaries have other numbers
-        left = condensed.points(q[:, 0])
-        right = condensed.points(q[:, 1])
-        greatest = condensed.greatest_half_angle(left, right)
-        circles[:, 2] = condensed.half_angles(q) / greatest
+        circles[:, 2] = condensed.half_angles(q) / condensed.greatest_half_angle(q)
         circles[:, 3] = NONE
     ends = q[:, :2]
     along = search.along[kept]

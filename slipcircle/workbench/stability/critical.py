@@ -274,10 +274,10 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
         fault = ends_above(np.asarray(slope.level)[None], left[:, 0], right[:, 0])
         raise_all("Slope", complaint([fault], ()))
     circle = centre, radius, left, right
-    factors = circle_factors(slope.arrays(), *circle, rule=_PIECES)
+    factors = circle_factors(slope.arrays(), circle, _PIECES)
     without_k_h = None
     if slope.k_h:
-        without_k_h = _by_method(circle_factors(replace(slope.arrays(), k_h=0.0), *circle))
+        without_k_h = _by_method(circle_factors(replace(slope.arrays(), k_h=0.0), circle))
     facing = int(factors["facing"][0])
     negative = float(factors["negative"][0])
     first = _point(left)

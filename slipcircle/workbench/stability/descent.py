@@ -142,9 +142,7 @@ def _leaps(values: Floats) -> Floats:
     both = of_row & of_column
     system = np.where(both, curvature[:, None], identity)
     right = np.where(_SUBSETS, -gradient[:, None], 0.0)
-    finite_system = np.all(np.isfinite(system), axis=(2, 3))
-    finite_right = np.all(np.isfinite(right), axis=2)
-    is_finite = finite_system & finite_right
+    is_finite = np.all(np.isfinite(system), axis=(2, 3))  # then the gradient is, too
     system = np.where(is_finite[..., None, None], system, identity)
     eigenvalues = np.linalg.eigvalsh(system)
     convex = is_finite & np.all(eigenvalues > 0.0, axis=2)

@@ -11,7 +11,7 @@ from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats
 from slipcircle.ground import sine_and_cosine
 from slipcircle.layers import crack_place
-from slipcircle.workbench.stability.bases import Arcs, angle_from_below
+from slipcircle.workbench.stability.bases import Arcs, Circles, angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.freewater import at_shores, level_at_exit, submerged
 from slipcircle.workbench.stability.slices import EXACT, Rule, Slices, slices_above
@@ -33,19 +33,16 @@ class Driven(NamedTuple):
     driving: Floats  # with k_h
 
 
-def circle_factors(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, rule: Rule = EXACT
-) -> ArrayDict:
+def circle_factors(slope: SlopeArrays, circles: Circles, rule: Rule = EXACT) -> ArrayDict:
     """Return factors of safety of the masses between circles and the ground, with ends at two points of the ground.
 
     Parameters
     ----------
     slope : SlopeArrays
         One slope, or one for each circle.
-    centre, radius : ndarray
-        Of circles, (n, 2) and (n,), m.
-    left, right : ndarray
-        Ends of the arcs, (n, 2), m, between which the ground lies inside the circle.
+    circles : tuple of ndarray
+        Centres, (n, 2), and radii, (n,), in m, and left and right ends of the arcs, (n, 2), in m, between which the
+        ground lies inside the circle.
     rule : Rule
         Points of the integrals. More pieces resolve ``negative``.
 
@@ -63,7 +60,7 @@ def circle_factors(
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
-    driven = driven_slices(slope, centre, radius, left, right, rule)
+    driven = driven_slices(slope, circles, rule)
     slices = driven.slices
     with quiet():
         factors = {method: value(driven) for method, value in _VALUES.items()}
@@ -74,15 +71,13 @@ def circle_factors(
     return factors | {"facing": driven.facing, "negative": negative}
 
 
-def factors_by(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, rule: Rule = EXACT
-) -> ArrayPair:
+def factors_by(slope: SlopeArrays, circles: Circles, method: str, rule: Rule = EXACT) -> ArrayPair:
     """Return factors of safety (or yield coefficients) by a method, (n,), and the direction in which each mass slides.
 
     The direction is 1 to the right, -1 to the left, 0 without drive. Circles are given as for `circle_factors`.
     """
     every_surface = method in ("paper", YIELD) or np.any(slope.k_h)
-    driven = driven_slices(slope, centre, radius, left, right, rule, bool(every_surface))
+    driven = driven_slices(slope, circles, rule, bool(every_surface))
     with quiet():
         return factor_by(method, driven), driven.facing
 
@@ -95,20 +90,12 @@ def factor_by(method: str, driven: Driven) -> Floats:
 # --- what drives -----------------------------------------------------------------------------------------------------
 
 
-def driven_slices(
-    slope: SlopeArrays,
-    centre: Floats,
-    radius: Floats,
-    left: Floats,
-    right: Floats,
-    rule: Rule = EXACT,
-    every_surface: bool = True,
-) -> Driven:
+def driven_slices(slope: SlopeArrays, circles: Circles, rule: Rule = EXACT, every_surface: bool = True) -> Driven:
     """Return the slices of arcs and their driving moments; circles are given as for `circle_factors`.
 
     With ``every_surface``, slices contain all surfaces at which the unit weight changes, otherwise the ground alone.
     """
-    arcs = _arcs(slope, centre, radius, left, right)
+    arcs = _arcs(slope, circles)
     cracked = bool(np.any(slope.crack))
     slices = slices_above(slope, arcs, _TO_FACE if cracked else rule, every_surface)
     gravity = slices.driving_moment() + at_shores(slope, arcs)
@@ -121,7 +108,7 @@ def driven_slices(
     slices = slices.facing(facing)
     if slope.ponds is not None:
         slices = submerged(slices, level_at_exit(slope.ponds, arcs, facing))
-    gravity = facing * gravity + _crack_water(slope, radius, np.where(facing > 0.0, arcs.first, arcs.last))
+    gravity = facing * gravity + _crack_water(slope, arcs.radius, np.where(facing > 0.0, arcs.first, arcs.last))
     driving = gravity
     if np.any(slope.k_h):
         driving = gravity + slope.k_h * slices.shaking_moment()
@@ -131,8 +118,9 @@ def driven_slices(
     return Driven(slices, facing, gravity, driving)
 
 
-def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Arcs:
-    """Return arcs between points, (n, 2); invalid are those somewhere vertical or with the centre below the ground."""
+def _arcs(slope: SlopeArrays, circles: Circles) -> Arcs:
+    """Return the arcs of circles; invalid are those somewhere vertical or with the centre below the ground."""
+    centre, radius, left, right = circles
     first = angle_from_below(centre, left)
     last = angle_from_below(centre, right)
     overhangs = (first < -np.pi / 2) | (last > np.pi / 2)

@@ -20,7 +20,7 @@ from slipcircle.base.inputerror import InputError
 from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
-from slipcircle.workbench.stability.bases import angle_from_below
+from slipcircle.workbench.stability.bases import Circles, angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.descent import FINEST, Descent, sorted_indices
 from slipcircle.workbench.stability.factors import YIELD, factors_by
@@ -128,13 +128,16 @@ class Search:
         x = np.interp(lengths, self.along, vertex_x)
         return np.stack([x, np.interp(lengths, self.along, vertex_y)], axis=-1)
 
-    def circles(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    def ends(self, q: Floats) -> Floats:
+        """Return the left and the right ends of circles ``q``, (2, n, 2) in m."""
+        return self.points(q[:, :2].T)
+
+    def circles(self, q: Floats) -> Circles:
         """Return centres (n, 2), radii (n,), and left and right ends (n, 2) of circles ``q``, in m.
 
         The radius of an invalid circle is NaN.
         """
-        left = self.points(q[:, 0])
-        right = self.points(q[:, 1])
+        left, right = self.ends(q)
         half_chord = _length(right - left) / 2
         half_angle = self.half_angles(q)
         valid = np.isfinite(half_angle)
@@ -149,26 +152,26 @@ class Search:
 
         They are NaN where an edge is not touched or the arc is steeper than upright.
         """
-        left = self.points(q[:, 0])
-        right = self.points(q[:, 1])
-        greatest = self.greatest_half_angle(left, right)
+        greatest = self.greatest_half_angle(q)
         share = q[:, 2]
         touched = q[:, 3]
         half_angle = share * greatest
         touching = np.flatnonzero(touched != NONE)
         if touching.size:
             edge = self.boundary_edges[touched[touching].astype(np.int64)]
-            half_angle[touching] = _touching_half_angle(left[touching], right[touching], edge)
+            left, right = self.ends(q[touching])
+            half_angle[touching] = _touching_half_angle(left, right, edge)
         most = greatest * (1 + 1e-9)
         valid = (half_angle > 0.0) & (half_angle <= most)
         return np.where(valid, half_angle, np.nan)
 
-    def greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
-        """Return half the greatest opening in rad of arcs between two points, (n, 2) each.
+    def greatest_half_angle(self, q: Floats) -> Floats:
+        """Return half the greatest opening in rad of arcs between the ends of circles ``q``, (n,).
 
-        There the circle is vertical at an end, or touches the base between the points; NaN where a point is below the
+        There the circle is vertical at an end, or touches the base between the ends; NaN where an end is below the
         base.
         """
+        left, right = self.ends(q)
         run, rise = (right - left).T
         upright = np.arctan2(run, np.abs(rise)) * _JUST_BELOW
         base = self.slope.base
@@ -204,8 +207,7 @@ class Search:
 
     def possible(self, q: Floats) -> Any:
         """Return the indices of circles with ordered ends within the limits, not both on the base."""
-        left = self.points(q[:, 0])
-        right = self.points(q[:, 1])
+        left, right = self.ends(q)
         left_x = left[:, 0]
         right_x = right[:, 0]
         possible = right_x - left_x > self.rounding
@@ -238,7 +240,7 @@ class Search:
         left = left[thick]
         right = right[thick]
         circles = centre[thick], radius[thick], left, right
-        factors, facing = factors_by(self.arrays, *circles, self.method, rule)
+        factors, facing = factors_by(self.arrays, circles, self.method, rule)
         counts = np.isfinite(factors)
         if self.method != YIELD:
             counts &= factors > 0.0

@@ -27,6 +27,7 @@ from slipcircle.layers import (
     law_mistakes,
     layer_mistakes,
 )
+from slipcircle.workbench.stability.bases import Circles
 from slipcircle.workbench.stability.columns import SLOPE_NUMBERS, SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -56,7 +57,6 @@ def least_of(method: str) -> str:
     return "least yield coefficient" if method == YIELD else f"least factor by {method}"
 
 
-Circles = tuple[Floats, Floats, Floats, Floats]  # centres, radii, left and right ends of arcs
 _BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
 _Layers = Sequence[tuple[Soil, Any]]  # each with its top
 
@@ -246,7 +246,7 @@ def factors_of_safety(scene: Any) -> ArrayDict:
     """
     if 0 in scene.shape:
         return {name: np.empty(scene.shape) for name in (*METHODS, "facing", "negative")}
-    blocks = [circle_factors(slope, *circles_of_lanes(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
+    blocks = [circle_factors(slope, circles_of_lanes(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
     values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
@@ -351,13 +351,12 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays
     """Return the soils of layers as arrays, at the start or, if ``slipped``, after a large slip of the motion."""
     rows = []
     for soil, _ in layers:
-        saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
         of_layer = SoilArrays(
             cohesion=by_lane(cohesion_at_rest(soil.cohesion, slipped)),
             friction=by_lane(friction_at_rest(soil.friction, slipped)),
             unit_weight=by_lane(soil.unit_weight),
             pore_ratio=by_lane(soil.pore_ratio),
-            saturated_unit_weight=by_lane(saturated),
+            saturated_unit_weight=by_lane(soil.weight_below_water),
             cohesion_gradient=by_lane(growth_at_rest(soil.cohesion, soil.cohesion_gradient, slipped)),
         )
         rows.append(of_layer)

@@ -16,10 +16,11 @@ import numpy as np
 from slipcircle.base.arrays import quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import LayeredSection
+from slipcircle.workbench.stability.bases import Circles
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
 from slipcircle.workbench.stability.slices import Rule
-from slipcircle.workbench.stability.stability import Circles, circles_of, circles_of_lanes, soil
+from slipcircle.workbench.stability.stability import circles_of, circles_of_lanes, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
 _RULE = Rule(pieces=3)  # random factors are accurate to 1e-14
@@ -74,7 +75,7 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
         is_shared = _is_shared(slope, circles)
         if not is_shared:
             circles = circles_of_lanes(circles, lanes)
-        driven = driven_slices(slope, *circles, _RULE)
+        driven = driven_slices(slope, circles, _RULE)
         yield driven, lanes
 
 
@@ -128,7 +129,7 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
     growth = soils.cohesion_gradient * kept
     soils = soils._replace(friction=rest, cohesion=cohesion, cohesion_gradient=growth)
     moved = replace(slope, ground=turned[None], soils=soils)
-    driven = driven_slices(moved, centre, radius, left, right, _RULE)
+    driven = driven_slices(moved, (centre, radius, left, right), _RULE)
     with quiet():
         return float(factor_by(method, driven)[0])
 

@@ -200,10 +200,9 @@ def backanalyse(
     >>> round(backanalyse(load("vaiont"), run_out=400.0).value, 4)
     15.2147
     """
+    every = locals()
+    arguments = {name: every[name] for name in OBSERVABLE if every[name] is not None}
     checked_scene(scene, "backanalyse")
-    every = [run_out, end_displacement, peak_velocity, duration, toe_rise]
-    every += [toe_x, crest_drop, centroid_travel, factor_of_safety]
-    arguments = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
     observed, intervals = observations(arguments or scene.observed)
     return _analysed(search_problem(scene, field, bounds, observed, intervals), intervals)
 

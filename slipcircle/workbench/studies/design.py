@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.arrays import quiet
-from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, TextMap, ValueDict
+from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, TextMap, Texts, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors_by_method
@@ -61,11 +61,15 @@ class Design:
     records: GroundMotions | None = None  # replace the scene's own shaking
 
     @property
+    def keys(self) -> Texts:
+        """Keys of the inputs."""
+        return [number.key for number in self.inputs.values()]
+
+    @property
     def correlations(self) -> list[ValueDict]:
         """Correlated pairs of inputs by their keys, with the correlation of their normal scores; for JSON."""
-        keys = [number.key for number in self.inputs.values()]
         places = np.argwhere(np.triu(self.correlation, 1)).tolist()
-        return [{"key": keys[i], "with": keys[j], "value": float(self.correlation[i, j])} for i, j in places]
+        return [{"key": self.keys[i], "with": self.keys[j], "value": float(self.correlation[i, j])} for i, j in places]
 
     @property
     def correlations_text(self) -> str:

@@ -267,7 +267,7 @@ def _described(design: Design) -> ValueDict:
         "friction": scene.friction,
         "effects": scene.effects,
         "start": getattr(scene, "start", ""),
-        "inputs": [u.key for u in design.inputs.values()],
+        "inputs": design.keys,
         "drawn": [u.record for u in design.drawn.values()],
         "distributions": [u.given for u in design.drawn.values()],
         "levels": design.levels,

@@ -19,6 +19,7 @@ from slipcircle.workbench.studies.design import RESULTS
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, distribution
 
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)
+_Variables = dict[str, tuple[Names, NDArray[Any]]]  # arrays by name, each with the names of its axes
 HEAD = ("table", "output", "input", "at", "value", "low", "high")
 
 
@@ -41,9 +42,8 @@ def estimates(study: Any) -> Iterator[ExportRow]:
             yield ExportRow("quantile of the factor", "factor_of_safety", method, p, study.factor_quantile(method, p))
     for name in OUTCOMES:
         yield from _of_output(study, name)
-    keys = [u.key for u in study.design.inputs.values()]
     for output, indices in study.sensitivity.items():
-        for key, first, total in zip(keys, *indices, strict=True):
+        for key, first, total in zip(study.design.keys, *indices, strict=True):
             yield ExportRow("first-order index", output, key, math.nan, first)
             yield ExportRow("total index", output, key, math.nan, total)
     for c in study.convergence:
@@ -95,7 +95,6 @@ def study_record(study: Any) -> ValueDict:
 def _of_samples(study: Any) -> ValueDict:
     """Return the counts, estimates and curves of independent samples for JSON."""
     design = study.design
-    keys = [number.key for number in design.inputs.values()]
     return {
         "samples": design.n,
         "valid_samples": study.n,
@@ -112,7 +111,7 @@ def _of_samples(study: Any) -> ValueDict:
         "sensitivity": [
             {"output": output, "input": key, "first": _record(first), "total": _record(total)}
             for output, indices in study.sensitivity.items()
-            for key, first, total in zip(keys, *indices, strict=True)
+            for key, first, total in zip(design.keys, *indices, strict=True)
         ],
         "convergence": [
             {"n": c.n, "moving": _record(c.moving), "run_out_median": _record(c.median), "run_out_95": _record(c.upper)}
@@ -161,7 +160,7 @@ def study_axes(study: Any) -> Columns:
     """Return the axes of the results by name: keys of a grid, or samples, preceded by the axes of records if any."""
     design = study.design
     if design.method == "grid":
-        return {number.key: levels for number, levels in zip(design.inputs.values(), design.levels, strict=True)}
+        return dict(zip(design.keys, design.levels, strict=True))
     samples = {"sample": np.arange(design.n)}
     if design.records is None:
         return samples
@@ -169,11 +168,11 @@ def study_axes(study: Any) -> Columns:
     return {"record": names, "polarity": study.polarities, "scale": study.scales} | samples
 
 
-def _variables(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
+def _variables(study: Any) -> _Variables:
     """Return axes, factors of records, inputs of samples, and results by name, each with the names of its axes."""
     levels = study_axes(study)
     shape = [len(values) for values in levels.values()]
-    variables: dict[str, tuple[Names, NDArray[Any]]] = {name: ((name,), values) for name, values in levels.items()}
+    variables: _Variables = {name: ((name,), values) for name, values in levels.items()}
     if study.design.records is not None:
         variables |= {name: (("record", "scale"), x) for name, x in (("factor", study.factors), ("pga_g", study.pga))}
     if study.design.method != "grid":

@@ -54,14 +54,11 @@ class SearchProblem:
         self.fields = fields
         self.ranges = ranges
         self.observed = observed
-        pairs = observed.values()
-        self.is_weighted = all(
-            sigma is not None for _, sigma in pairs
-        )  # standard errors for all observations, or for none
+        values, sigmas = zip(*observed.values(), strict=True)
+        self.is_weighted = None not in sigmas  # standard errors for all observations, or for none
         exit = float(np.ravel(scene.arc.exit)[0])  # x of the toe before the motion
         self.origins = np.array([exit if name == "toe_x" else 0.0 for name in observed])
-        self.targets = np.array([value for value, _ in pairs]) - self.origins
-        sigmas = [sigma for _, sigma in pairs]
+        self.targets = np.array(values) - self.origins
         self.scales = np.array([sigma or abs(value) or 1.0 for value, sigma in zip(self.targets, sigmas, strict=True)])
 
     @property
@@ -145,7 +142,7 @@ class SearchProblem:
 # --- observations and fields -----------------------------------------------------------------------------------------
 
 
-def observations(entered: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
+def observations(entered: Mapping[str, Observed]) -> tuple[Observations, dict[str, Interval]]:
     """Return observed values with standard errors (None if not given) by outcome, and those that are intervals."""
     observed = {}
     unknown = [name for name in entered if name not in OBSERVABLE]
@@ -218,10 +215,8 @@ def search_problem(
         ends = {number_in(scene, path).key: pair for path, pair in by_path.items()}
     except ValueError as error:
         raise ValueError(f"backanalyse: field: {error}") from error
-    mistakes = _field_mistakes(scene, fields, observed)
-    limit = _limit_of(limits)
-    if limit is not None and (len(fields) > 1 or len(observed) > 1):
-        mistakes.append(f"{limit}: a limit is for one field alone; give one field and no other observation")
+    limit = next((interval for interval in limits.values() if interval.limit is not None), None)
+    mistakes = _field_mistakes(scene, fields, observed, limit)
     first = fields[0].key
     if isinstance(bounds, tuple) and len(fields) > 1:
         mistakes.append(f"bounds = {bounds!r}: of several fields give a mapping, such as {{{first!r}: {bounds!r}}}")
@@ -230,11 +225,6 @@ def search_problem(
     raise_all("backanalyse", mistakes)
     is_alone = len(fields) == 1 and not may_stand(observed, limit)
     return SearchProblem(scene, fields, _ranges(scene, fields, ends, is_alone), observed, limit)
-
-
-def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
-    """Return the first limit among the intervals; None without a limit."""
-    return next((interval for interval in intervals.values() if interval.limit is not None), None)
 
 
 def _ranges(scene: Scene, fields: Sequence[Key], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
@@ -260,8 +250,8 @@ def _default_field(scene: Scene) -> str:
     )
 
 
-def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations) -> Texts:
-    """Return a message for each mistake in the choice of fields."""
+def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations, limit: Interval | None) -> Texts:
+    """Return a message for each mistake in the choice of fields; ``limit`` is the observation that is a limit."""
     mistakes = []
     names = [f.name for f in fields]
     ends = {"theta_1", "theta_2"}.intersection(names)
@@ -278,6 +268,8 @@ def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations)
             f"{len(fields)} fields from {len(observed)} observations ({', '.join(observed)}): they "
             "cannot be distinguished; give at least as many observations as fields"
         )
+    if limit is not None and (len(fields) > 1 or len(observed) > 1):
+        mistakes.append(f"{limit}: a limit is for one field alone; give one field and no other observation")
     return mistakes
 
 

@@ -37,7 +37,7 @@ def searched_factors(scene: Scene, si: ArrayMap, valid: Flags) -> ArrayDict:
         slope = varied_slope(with_parameters(scene, numbers), stability.slope)
         search = Search(slope, stability.method, **stability.limits)
         with suppress(InputError):  # no circle within the limits can slide
-            by_method = circle_factors(search.arrays, *search.circles(least(search, lambda _: None)[:1]))
+            by_method = circle_factors(search.arrays, search.circles(least(search, lambda _: None)[:1]))
             for method in METHODS:
                 factors[method][k] = by_method[method][0]
     return {f"{SEARCHED}{method}": values for method, values in factors.items()}

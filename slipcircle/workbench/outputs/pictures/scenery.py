@@ -12,7 +12,6 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import drawn_unit, number_text
 from slipcircle.core import Arc
-from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.pictures.shapes import MassShape, View
 
 _ACROSS = 400  # number of points of a boundary
@@ -95,18 +94,14 @@ def _beyond(ground: Floats, facing: float, view: View) -> Iterator[Line]:
 def _free_water(ground: Floats, soil: Any) -> Iterator[Line]:
     """Yield the free water on the ground of a section or a slope, filled down to the ground."""
     if soil.level is None:
-        level = None
+        name = "pond"
     else:
-        level = np.asarray(soil.level, dtype=np.float64)[None]
-    for start, end, height in free_water(ground[None], level, soil.confined, soil.ponds).of_one:
+        name = ""
+    for start, end, height in soil.free_water.of_one:
         x = ground[:, 0]
         inside = x[(start < x) & (x < end)]
         across = np.array([start, *inside, end])
         surface = np.stack([across, np.full_like(across, height)], axis=-1)
-        if level is None:
-            name = "pond"
-        else:
-            name = ""
         yield Line("pond", surface, name, surface[1:-1], lower=np.interp(across, *ground.T))
 
 
