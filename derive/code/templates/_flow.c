@@ -514,9 +514,7 @@ INLINE V minimum(V a, V b) { return pick(a < b, a, b); }
 INLINE V maximum(V a, V b) { return pick(a > b, a, b); }
 INLINE V broadcast(double x)
 {
-    V all;
-    for (int k = 0; k < LANES; k++) all[k] = x;
-    return all;
+    return x - (V){0}; /* one instruction, which a loop over lanes is not with all compilers */
 }
 INLINE unsigned bits(M m)
 {
