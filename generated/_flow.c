@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "8112cead170e5a18d3df657a0f933b706c13ef0ea80be352c605689ce8f057bb"
+#define DIGEST "bc0472b994ffb2351ef34bfda4d13f331524c55ba92fd8e8d3af09d553e59a84"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1281,6 +1281,29 @@ INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
     return x;
 }
 
+/* The last piece of a function of time through which each lane certainly rests: it rests on while the value that begins
+ * the following piece is in its quiet range, and that piece ends before a place. Most lanes rest at times of their own,
+ * so that they are followed one by one. */
+static V last_quiet(const Batch *b, M here, int t, V before)
+{
+    const Data *const d = b->job->data + t;
+    const V *const c = b->c;
+    V piece = c[b->job->table[t].cell + PIECE];
+    EACH(k, bits(here)) {
+        const int64_t column = b->column[k], across = d->across ? d->across : 1, apart = d->apart ? d->apart : 1;
+        const double *const heights = d->coefficients + (d->across ? column : 0);
+        const double *const breaks = d->breaks + (d->apart ? column : 0);
+        const double from = c[QUIET_FROM][k], to = c[QUIET_TO][k], latest = before[k];
+        int64_t now = (int64_t)piece[k];
+        for (; now + 2 < d->pieces; now++) {
+            const double height = heights[(now + 1) * d->terms * across];
+            if (!(from <= height && height <= to && breaks[(now + 2) * apart] < latest)) break;
+        }
+        piece[k] = (double)now;
+    }
+    return piece;
+}
+
 /* Record an event of the first lane. */
 static void note(const Batch *b, M here, int kind)
 {
@@ -2528,21 +2551,12 @@ INLINE V latest_end(Batch *b, int t)
 
 /* Pass the pieces through which masses certainly rest, as both end values are in the quiet range. The following
  * piece must end before the end time, so that the function cannot jump between both. */
-static void rest_through(Batch *b, M here, int t)
+INLINE void rest_through(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
-    V last = broadcast((double)((int)job->data[t].pieces - 1));
-    V before = latest_end(b, t);
-    V piece = 1.0 * c[job->table[t].cell + PIECE];
-    M rests = here;
-    while (bits(rests)) {
-        V following = minimum(piece + 1.0, last);
-        V height = coefficients_at(b, t, following, 0);
-        rests = rests & is_quiet(b, height) & (end_of_piece(b, t, following) < before);
-        piece = pick(rests, following, piece);
-    }
+    V piece = last_quiet(b, here, t, latest_end(b, t));
     M passes = here & (piece > c[job->table[t].cell + PIECE]);
     V now = breaks_at(b, t, piece) / c[job->table[t].cell + SCALE];
     if (job->samples) {
@@ -2552,7 +2566,7 @@ static void rest_through(Batch *b, M here, int t)
 }
 
 /* Enter the next pieces of functions of time, or those after all pieces in which masses certainly rest. */
-static void enter_pieces(Batch *b, M here)
+INLINE void enter_pieces(Batch *b, M here)
 {
     const Job *const job = b->job;
     if (!bits(here)) return;
@@ -3307,7 +3321,7 @@ INLINE M fits(Batch *b, int t)
 
 /* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. The
  * net moment is valid in contact. Lanes that may lift within a piece stay at its left end, where they leave. */
-static M wait_for_start(Batch *b, M here, int t)
+INLINE M wait_for_start(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4668,7 +4682,7 @@ INLINE void start_again(Batch *b, M here)
 }
 
 /* Advance to the first change: start of slip, change of contact, break or end. */
-static void leave_rest(Batch *b, M here, V limit)
+INLINE void leave_rest(Batch *b, M here, V limit)
 {
     const Job *const job = b->job;
     V *const c = b->c;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a5b053f979a1b613efb68d7219dddcb86eefedd1f33ceec4e22621836f854396
+# sha256 of the text below: 1ab1a790057e9357bac7819ca9e85261b84b6fab1bd3671c4616f50990bc2d9a
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -161,6 +161,23 @@ def coefficients_at(s: Lanes, t: Table, piece: Floats, number: int) -> Floats:
     every = t.data.coefficients
     pieces = piece_numbers(s, piece)
     return every[pieces, number] if every.ndim == 2 else every[pieces, number, s.columns]
+
+
+def last_quiet(s: Lanes, here: Mask, t: Table, before: Floats) -> Floats:
+    """Return the last piece of a function of time through which each lane certainly rests.
+
+    It rests on while the value that begins the following piece is in its quiet range, and that piece ends before a
+    place.
+    """
+    piece = s.cells[t.cells + ix.PIECE].copy()
+    rests = here
+    while np.any(rests):
+        height = coefficients_at(s, t, np.minimum(piece + 1.0, t.pieces - 1), 0)
+        quiet = (s.cells[ix.QUIET_FROM] <= height) & (height <= s.cells[ix.QUIET_TO])
+        ends = breaks_at(s, t, np.minimum(piece + 2.0, t.pieces - 1)) < before
+        rests = rests & quiet & ends & (piece + 2.0 < t.pieces)
+        piece = np.where(rests, piece + 1.0, piece)
+    return piece
 
 
 def jumps_at(s: Lanes, t: Table, piece: Floats) -> Floats:
@@ -1344,15 +1361,7 @@ def rest_through(s: Lanes, here: Mask, t: Table) -> None:
     c = s.cells
     if not np.any(here):
         return
-    last: Floats = float(t.pieces - 1)
-    before = latest_end(s, t)
-    piece = 1.0 * c[t.cells + ix.PIECE]
-    rests = here
-    while np.any(rests):
-        following = np.minimum(piece + 1.0, last)
-        height = coefficients_at(s, t, following, 0)
-        rests = rests & is_quiet(s, height) & (end_of_piece(s, t, following) < before)
-        piece = np.where(rests, following, piece)
+    piece = last_quiet(s, here, t, latest_end(s, t))
     passes = here & (piece > c[t.cells + ix.PIECE])
     now = breaks_at(s, t, piece) / c[t.cells + ix.SCALE]
     if s.sample_count:

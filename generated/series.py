@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bce2814f29ea21c50326beb2783f88e64c543f456181064ed209b6ad1cb4efd3
+# sha256 of the text below: 7de095e4a4d469ad99697ee22c747b9e9f78fbbb768231a334e3929957a7828a
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "8112cead170e5a18d3df657a0f933b706c13ef0ea80be352c605689ce8f057bb"  # of the compiled integrator's source
+DIGEST = "bc0472b994ffb2351ef34bfda4d13f331524c55ba92fd8e8d3af09d553e59a84"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -64,7 +64,9 @@ PRIMITIVES = {
     **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "log1p", "expm1", "sqrt"), ""),
     "number": "K",
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
-    **dict.fromkeys(("log2_of", "power_of_two", "breaks_at", "coefficients_at", "jumps_at", "sample_time"), "V"),
+    **dict.fromkeys(
+        ("log2_of", "power_of_two", "breaks_at", "coefficients_at", "jumps_at", "last_quiet", "sample_time"), "V"
+    ),
     **dict.fromkeys(("operate", "operate_later", "prologue", "note", "read_samples", "keep_sample"), "NONE"),
     "new_series": "S",
     "tail": "S",

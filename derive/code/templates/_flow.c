@@ -783,6 +783,29 @@ INLINE V coefficients_at(const Batch *b, int t, V piece, int j)
     return x;
 }
 
+/* The last piece of a function of time through which each lane certainly rests: it rests on while the value that begins
+ * the following piece is in its quiet range, and that piece ends before a place. Most lanes rest at times of their own,
+ * so that they are followed one by one. */
+static V last_quiet(const Batch *b, M here, int t, V before)
+{
+    const Data *const d = b->job->data + t;
+    const V *const c = b->c;
+    V piece = c[b->job->table[t].cell + PIECE];
+    EACH(k, bits(here)) {
+        const int64_t column = b->column[k], across = d->across ? d->across : 1, apart = d->apart ? d->apart : 1;
+        const double *const heights = d->coefficients + (d->across ? column : 0);
+        const double *const breaks = d->breaks + (d->apart ? column : 0);
+        const double from = c[QUIET_FROM][k], to = c[QUIET_TO][k], latest = before[k];
+        int64_t now = (int64_t)piece[k];
+        for (; now + 2 < d->pieces; now++) {
+            const double height = heights[(now + 1) * d->terms * across];
+            if (!(from <= height && height <= to && breaks[(now + 2) * apart] < latest)) break;
+        }
+        piece[k] = (double)now;
+    }
+    return piece;
+}
+
 /* Record an event of the first lane. */
 static void note(const Batch *b, M here, int kind)
 {

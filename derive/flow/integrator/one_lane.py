@@ -113,6 +113,6 @@ greatest = least = generated
 all_lanes = none_of = lanes_in = generated
 log2_of = power_of_two = generated
 sin = cos = log = generated
-breaks_at = coefficients_at = jumps_at = generated
+breaks_at = coefficients_at = jumps_at = last_quiet = generated
 prologue = operate = operate_later = generated
 note = read_samples = sample_time = keep_sample = generated

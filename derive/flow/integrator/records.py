@@ -19,8 +19,8 @@ from derive.flow.integrator.one_lane import (
     V,
     any_lane,
     breaks_at,
-    coefficients_at,
     greatest,
+    last_quiet,
     maximum,
     minimum,
     none_of,
@@ -31,7 +31,7 @@ from derive.flow.integrator.one_lane import (
 )
 from derive.flow.integrator.phases import advance_origin, count_phase, keep_faster, update_reach
 from derive.flow.integrator.series import normal_force
-from derive.flow.integrator.tables import end_of_piece, pass_break, pass_breaks
+from derive.flow.integrator.tables import pass_break, pass_breaks
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
 SIXTH = 1.0 / 6.0
@@ -92,15 +92,7 @@ def rest_through(s: Lanes, here: M, t: T) -> None:
 
     The following piece must end before the end time, so that the function cannot jump between both.
     """
-    last: V = number(t.pieces - 1)
-    before = latest_end(s, t)
-    piece = 1.0 * t.piece
-    rests = here
-    while any_lane(rests):
-        following = minimum(piece + 1.0, last)
-        height = coefficients_at(s, t, following, 0)
-        rests = rests and is_quiet(s, height) and end_of_piece(s, t, following) < before
-        piece = where(rests, following, piece)
+    piece = last_quiet(s, here, t, latest_end(s, t))
     passes = here and piece > t.piece
     now = breaks_at(s, t, piece) / t.scale
     if s.samples:
