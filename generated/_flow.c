@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "bc0472b994ffb2351ef34bfda4d13f331524c55ba92fd8e8d3af09d553e59a84"
+#define DIGEST "ebb1f21f38f3a35b279637c2421e94b5fb10b96d787f05fa6be7182300ef6196"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2534,13 +2534,6 @@ INLINE void look_for_quiet(Batch *b, M here)
     }
 }
 
-/* Return whether masses certainly rest at a value of the record, without its factor. */
-INLINE M is_quiet(Batch *b, V height)
-{
-    V *const c = b->c;
-    return (c[QUIET_FROM] <= height) & (height <= c[QUIET_TO]);
-}
-
 /* Return the place in a record, up to rounding, at which the end time is reached. */
 INLINE V latest_end(Batch *b, int t)
 {
@@ -2706,8 +2699,10 @@ INLINE V height_after(Batch *b, int t, int piece)
 INLINE M rests_through(Batch *b, int t, int piece, V before)
 {
     const Job *const job = b->job;
+    V *const c = b->c;
     V height = height_after(b, t, piece);
-    return is_quiet(b, height) & (job->data[t].breaks[piece + 2] < before);
+    M quiet = (c[QUIET_FROM] <= height) & (height <= c[QUIET_TO]);
+    return quiet & (job->data[t].breaks[piece + 2] < before);
 }
 
 /* Return the last piece through which all lanes certainly rest, from a piece at rest on. */
@@ -3061,7 +3056,7 @@ INLINE void choose_step(Batch *b, M here, int top)
     if (bits(complete)) {
         V step = broadcast(INFINITY);
         for (const State *q = job->state; q < job->state + job->states; q++) {
-            int decides = (q->series != job->role->x) != (job->role->pace >= 0);
+            int decides = (q->series == job->role->x) == (job->role->pace >= 0);
             if (decides) {
                 step = minimum(longest_step(b, b->r + q->series, top, c[SERIES_ORDER]), step);
             }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1ab1a790057e9357bac7819ca9e85261b84b6fab1bd3671c4616f50990bc2d9a
+# sha256 of the text below: f4eab07388a47d18ed8440a4f6f5add7746cca1658ea8f9c2212bab60c24ce46
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1344,12 +1344,6 @@ def look_for_quiet(s: Lanes, here: Mask) -> None:
                 keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
 
 
-def is_quiet(s: Lanes, height: Floats) -> Mask:
-    """Return whether masses certainly rest at a value of the record, without its factor."""
-    c = s.cells
-    return (c[ix.QUIET_FROM] <= height) & (height <= c[ix.QUIET_TO])
-
-
 def latest_end(s: Lanes, t: Table) -> Floats:
     """Return the place in a record, up to rounding, at which the end time is reached."""
     c = s.cells
@@ -1487,8 +1481,10 @@ def height_after(s: Lanes, t: Table, piece: int) -> Floats:
 
 def rests_through(s: Lanes, t: Table, piece: int, before: Floats) -> Mask:
     """Return the lanes that certainly rest in a piece if they rest at its left end, and that do not leave after it."""
+    c = s.cells
     height = height_after(s, t, piece)
-    return is_quiet(s, height) & (t.places[piece + 2] < before)
+    quiet = (c[ix.QUIET_FROM] <= height) & (height <= c[ix.QUIET_TO])
+    return quiet & (t.places[piece + 2] < before)
 
 
 def last_at_rest(s: Lanes, on: Mask, t: Table, piece: int, before: Floats) -> int:
@@ -1795,7 +1791,7 @@ def choose_step(s: Lanes, here: Mask, top: int) -> None:
     if np.any(complete):
         step: Floats = INFINITY
         for q in s.states:
-            decides = (q.register != s.roles.x) != (s.roles.pace >= 0)
+            decides = (q.register == s.roles.x) == (s.roles.pace >= 0)
             if decides:
                 step = np.minimum(longest_step(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), step)
         c[ix.STEP] = np.where(here, np.where(complete, np.minimum(step, c[ix.STEP]), c[ix.STEP]), c[ix.STEP])

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7de095e4a4d469ad99697ee22c747b9e9f78fbbb768231a334e3929957a7828a
+# sha256 of the text below: f8fce400ec4bf9956e07b1301cecfcf26276f9bf6f818d0960ca7832988888a4
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "bc0472b994ffb2351ef34bfda4d13f331524c55ba92fd8e8d3af09d553e59a84"  # of the compiled integrator's source
+DIGEST = "ebb1f21f38f3a35b279637c2421e94b5fb10b96d787f05fa6be7182300ef6196"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

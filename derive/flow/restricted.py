@@ -53,7 +53,7 @@ _OF_TABLE = {
 ENTRIES = {("LANES", x): entry for x, entry in _OF_LANES.items()}
 ENTRIES |= {("T", before + x): entry for before in ("", "before.") for x, entry in _OF_TABLE.items()}
 ENTRIES |= {
-    ("Q", "has_own_radius"): ("HAS_OWN_RADIUS", "N"),
+    ("Q", "is_rotation"): ("IS_ROTATION", "N"),
     ("Q", "now"): ("NOW", "V"),
     ("Q", "series"): ("STATE", "S"),
     ("Q", "rate"): ("STATE", "S"),

@@ -32,7 +32,7 @@ FORMS = {
     "TABLE.kind": "job->table[{of}].kind",
     "TABLE.degree": "job->table[{of}].degree",
     "NOW": "c[{of}->cell]",
-    "HAS_OWN_RADIUS": "({of}->series != job->role->x)",
+    "IS_ROTATION": "({of}->series == job->role->x)",
     "STATE": "(b->r + {of}->{x})",
     "inverse": "b->inverse[{x}]",
     "coefficients": "c[job->table[{of}].cell + Q1 + {x}]",

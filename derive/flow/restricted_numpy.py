@@ -32,7 +32,7 @@ FORMS = {
     "TABLE": "{of}.{x}",
     "TABLE.series": "{s}.registers[{of}.register]",
     "NOW": "c[{of}.cell]",
-    "HAS_OWN_RADIUS": "({of}.register != {s}.roles.x)",
+    "IS_ROTATION": "({of}.register == {s}.roles.x)",
     "STATE.series": "{s}.registers[{of}.register]",
     "STATE.rate": "{s}.registers[{of}.rate]",
     "inverse": "(1.0 / ({x}))",

@@ -77,11 +77,6 @@ def look_for_quiet(s: Lanes, here: M) -> None:
                 keep_quiet(s, here, t, s.series.normal, 1.0, terms_of_normal)
 
 
-def is_quiet(s: Lanes, height: V) -> M:
-    """Return whether masses certainly rest at a value of the record, without its factor."""
-    return s.quiet_from <= height and height <= s.quiet_to
-
-
 def latest_end(s: Lanes, t: T) -> V:
     """Return the place in a record, up to rounding, at which the end time is reached."""
     return s.end_time * t.scale * (1.0 - 4.0 * EPS)
@@ -226,7 +221,8 @@ def rests_through(s: Lanes, t: T, piece: N, before: V) -> M:
     They leave where the following piece does not end before a place.
     """
     height = height_after(s, t, piece)
-    return is_quiet(s, height) and t.places[piece + 2] < before
+    quiet = s.quiet_from <= height and height <= s.quiet_to
+    return quiet and t.places[piece + 2] < before
 
 
 def last_at_rest(s: Lanes, on: M, t: T, piece: N, before: V) -> N:

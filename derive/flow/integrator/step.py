@@ -238,7 +238,7 @@ def choose_step(s: Lanes, here: M, top: N) -> None:
     if any_lane(complete):
         step: V = INFINITY
         for q in s.states:
-            decides: N = q.has_own_radius != s.has.pace
+            decides: N = q.is_rotation == s.has.pace
             if decides:
                 step = minimum(longest_step(s, q.series, top, s.series_order), step)
         s.step = where(complete, minimum(step, s.step), s.step)
