@@ -23,7 +23,7 @@ from slipcircle.workbench.stability.slices import Rule
 from slipcircle.workbench.stability.stability import circles_of, circles_of_lanes, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
-_RULE = Rule(pieces=3)  # random factors are accurate to 1e-14
+_RULE = Rule(nodes=6, widest=0.19)  # random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
@@ -65,18 +65,15 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
     return values if scene.shape else float(values)
 
 
-def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tuple[Driven, int]]:
+def driven_blocks(scene: Any, slipped: bool = False, rule: Rule = _RULE, **most: int) -> Iterator[tuple[Driven, int]]:
     """Yield the slices of the arcs of a scene and the number of lanes, in the blocks of `circles_of`.
 
-    With ``slipped``, strength is residual; ``most`` is the greatest number of lanes in a block.
+    With ``slipped``, strength is residual; ``rule`` sets the points of the integrals, and ``most`` is the greatest
+    number of lanes in a block.
     """
-    blocks = circles_of(scene, slipped, **most)
-    for slope, circles, lanes in blocks:
-        is_shared = _is_shared(slope, circles)
-        if not is_shared:
-            circles = circles_of_lanes(circles, lanes)
-        driven = driven_slices(slope, circles, _RULE)
-        yield driven, lanes
+    for slope, circles, lanes in circles_of(scene, slipped, **most):
+        arcs = circles if _is_shared(slope, circles) else circles_of_lanes(circles, lanes)
+        yield driven_slices(slope, arcs, rule), lanes
 
 
 def yield_by(scene: Any, method: str) -> Any:
