@@ -210,16 +210,19 @@ def _bishop(driven: Driven) -> Floats:
     by_breadth = slopes.bishop_strength(1.0, slices.vertical(), 0.0, slices.stresses.cohesion, friction)
     strength = slices.weight * slices.at(by_breadth)
     driving = driven.driving
-    start = slices.sums(strength * slices.cosine) / driving
+    level_strength = strength * slices.cosine
+    start = slices.sums(level_strength) / driving
     start = np.maximum(start, _LEAST_FACTOR)
     y = np.clip(1.0 / start, lowest, highest)
     y = np.where(lowest < highest, y, np.nan)
     for _ in range(_NEWTON_STEPS):
         factor = 1.0 / y
-        lever = slopes.bishop_lever(tangent, 1.0, friction, slices.of_arcs(factor))  # over cos a
+        of_interval = slices.of_arcs(factor)
+        lever = slopes.bishop_lever(tangent, 1.0, friction, of_interval)  # over cos a
         shear = strength / lever
         excess = y * slices.sums(shear) - driving
-        growth = slices.sums(shear / lever)  # d(y/m_alpha)/dy = cos/m_alpha^2
+        shear /= lever
+        growth = slices.sums(shear)  # d(y/m_alpha)/dy = cos/m_alpha^2
         y = np.clip(y - excess / growth, lowest, highest)
         change = np.abs(y * factor - 1.0)
         if not np.any(change > _CLOSE):
@@ -253,7 +256,7 @@ def lever_range(slices: Slices) -> ArrayPair:
     below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)
     below = below.max(axis=0)
     if below.ndim > 1:
-        return np.maximum(below.max(axis=-1), 0.0), above.min(axis=-1)
+        return below.max(axis=-1), above.min(axis=-1)
     count = len(slices.arcs.radius)
     lowest = np.zeros(count)
     highest = np.full(count, greatest)

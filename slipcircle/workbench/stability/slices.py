@@ -111,8 +111,10 @@ class Slices(NamedTuple):
         The moment is positive if it drives the mass to the right. Its scale is the integral of the weight.
         """
         stresses = self.stresses
-        weight = self.weight * self.cosine * self.at(stresses.soil + stresses.displaced + stresses.load)
-        return self.sums(-self.sine * weight), self.sums(weight)
+        vertical = self.at(stresses.soil + stresses.displaced + stresses.load)
+        weight = self.weight * self.cosine * vertical
+        moment = -self.sine * weight
+        return self.sums(moment), self.sums(weight)
 
     def shaking_moment(self) -> Floats:
         """Return the moment of k_h = 1 over gamma R^3, on soil at half its height and on surcharges at the ground."""
@@ -257,11 +259,13 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.i
         angles.sort(axis=1)
     first = angles[:, :-1]
     last = angles[:, 1:]
-    widest = np.fmax.reduce(last - first, axis=None, initial=0.0)
-    first = first[..., None] + np.arange(0.0, widest, rule.widest)
+    width = np.fmax.reduce(last - first, axis=None, initial=0.0)
+    places = np.arange(0.0, width, rule.widest)
+    first = first[..., None] + places
     last = np.minimum(first + rule.widest, last[..., None])
     is_interval = (last > first) & arcs.valid[:, None, None]
-    return np.nonzero(is_interval)[0], np.stack([first[is_interval], last[is_interval]])
+    ends = np.stack([first[is_interval], last[is_interval]])
+    return np.nonzero(is_interval)[0], ends
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:

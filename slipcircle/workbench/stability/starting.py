@@ -72,8 +72,10 @@ def driven_blocks(scene: Any, slipped: bool = False, rule: Rule = _RULE, **most:
     number of lanes in a block.
     """
     for slope, circles, lanes in circles_of(scene, slipped, **most):
-        arcs = circles if _is_shared(slope, circles) else circles_of_lanes(circles, lanes)
-        yield driven_slices(slope, arcs, rule), lanes
+        if not _is_shared(slope, circles):
+            circles = circles_of_lanes(circles, lanes)
+        driven = driven_slices(slope, circles, rule)
+        yield driven, lanes
 
 
 def yield_by(scene: Any, method: str) -> Any:
@@ -145,13 +147,13 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
     """Return the strength factors of arcs for a start by a method; if ``shaken``, from equal yield coefficients."""
     if shaken:
         k_h = yield_coefficient(driven, method)
-        target = np.ones_like(k_h)
+        target = 1.0
         of_closure = factor_by(OF_CLOSURE, _under(k_h, driven))
     else:
         target = factor_by(method, driven)
         of_closure = factor_by(OF_CLOSURE, driven)
-    factor = target / of_closure
     slices = driven.slices
+    factor = target / of_closure
     return np.where((slices.integral(slices.friction) > 0.0) & (driven.facing != 0.0), factor, 1.0)
 
 
