@@ -147,13 +147,13 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
     """Return the strength factors of arcs for a start by a method; if ``shaken``, from equal yield coefficients."""
     if shaken:
         k_h = yield_coefficient(driven, method)
-        target = 1.0
-        of_closure = factor_by(OF_CLOSURE, _under(k_h, driven))
+        shaken_arcs = _under(k_h, driven)
+        factor = 1.0 / factor_by(OF_CLOSURE, shaken_arcs)
     else:
         target = factor_by(method, driven)
         of_closure = factor_by(OF_CLOSURE, driven)
+        factor = target / of_closure
     slices = driven.slices
-    factor = target / of_closure
     return np.where((slices.integral(slices.friction) > 0.0) & (driven.facing != 0.0), factor, 1.0)
 
 
