@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ebb1f21f38f3a35b279637c2421e94b5fb10b96d787f05fa6be7182300ef6196"
+#define DIGEST "3165c48d5d8e8935df56a3b72775b8434d6df50962eb99c190ec3180d53f8b0a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = 42, CELLS = 33, PARTS = 9, REGISTER_ROLES = 6, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
+enum { HIGHEST = 40, STRIDE = 42, CELLS = 33, RESULTS = 20, PARTS = 9, REGISTER_ROLES = 6, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -56,12 +56,15 @@ typedef struct {
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
     void *memory; /* for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
+    void *begun; /* vectors and integers of lanes that begin side by side, or NULL; see `find_common` */
     int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
 
 enum { LIN, MUL, SQR, POWERS, TIM, TURN, EXP, REC, LOG };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
+/* How many cells an operation on cells reads. */
+static const unsigned char arguments[] = { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3 };
 #if !defined(LEVEL) || defined(__wasm__)
 #ifndef __wasm__
 /* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
@@ -134,7 +137,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #include <stdlib.h>
 #include <string.h>
 
-enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
+enum { TIME, STATUS, PHASES, END_TIME, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, REST_SINCE, TURNS, STEPS, ROTATION, SLIP, DIRECTION, LIFTED, ORDER, FACTOR, ONE_WAY, LIFT_TIME, PASSED, LAST_WAY, NEGLIGIBLE, X, OMEGA };
 enum { PENDING = -16, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, START_DIRECTION, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
@@ -195,9 +198,8 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* Registers that an operation on series names, without the terms of a sum, and cells that one on cells reads. */
+/* Registers that an operation on series names, without the terms of a sum. */
 static const unsigned char named[] = { 1, 3, 2, 7, 2, 4, 4, 3, 4 };
-static const unsigned char arguments[] = { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3 };
 
 static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
 static int is_cell(const Job *job, int32_t i) { return i >= 0 && i < job->cells; }
@@ -296,12 +298,15 @@ static int64_t run(Job *job, const Held *held, int level, int fits)
         PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
         return -1;
     }
-    void *memory = malloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE + 1) * WIDEST);
+    const int64_t room = MOST_WORKING + job->cells;
+    const int64_t begun = job->shared ? job->cells * WIDEST + 5 * job->cells + 4 * (job->scalar_end - job->scalar) : 0;
+    void *memory = malloc((size_t)((room + (int64_t)job->registers * STRIDE + 1) * WIDEST + begun));
     if (memory == NULL) {
         PyErr_NoMemory();
         return -1;
     }
     job->memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
+    job->begun = begun ? (char *)job->memory + (room + (int64_t)job->registers * STRIDE) * WIDEST : NULL;
     int64_t left;
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(job);
@@ -381,7 +386,7 @@ static PyObject *spreads(PyObject *self, PyObject *args)
     Py_ssize_t count;
     if (!PyArg_ParseTuple(args, "y*n", &cells, &count)) return NULL;
     PyObject *result = NULL;
-    if (count > 0 && cells.len % (8 * count) == 0 && cells.len >= 8 * CELLS * count) result = differences(cells.buf, count);
+    if (count > 0 && cells.len % (8 * count) == 0 && cells.len >= 8 * RESULTS * count) result = differences(cells.buf, count);
     else PyErr_SetString(PyExc_ValueError, "spreads: the cells are not those of as many lanes");
     PyBuffer_Release(&cells);
     return result;
@@ -406,8 +411,8 @@ static int fill_runs(const Job *job, PyObject *start, PyObject *places, const do
 
 static PyObject *first_lane(const double *cells, int64_t count)
 {
-    PyObject *list = PyList_New(CELLS);
-    for (int i = 0; list != NULL && i < CELLS; i++) {
+    PyObject *list = PyList_New(RESULTS);
+    for (int i = 0; list != NULL && i < RESULTS; i++) {
         PyObject *number = PyFloat_FromDouble(cells[i * count]);
         if (number == NULL || PyList_SetItem(list, i, number)) Py_CLEAR(list);
     }
@@ -545,7 +550,7 @@ enum { LANES = SPAN / 64, ALL = (1 << LANES) - 1 };
 typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
-enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
+enum { TIME, STATUS, PHASES, END_TIME, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, REST_SINCE, TURNS, STEPS, ROTATION, SLIP, DIRECTION, LIFTED, ORDER, FACTOR, ONE_WAY, LIFT_TIME, PASSED, LAST_WAY, NEGLIGIBLE, X, OMEGA };
 enum { PENDING = -16, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_OMEGA, STEP, EVENT, START_DIRECTION, QUIET_FROM, QUIET_TO, SINE_X, VERSINE_X, CLOCKED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
@@ -561,6 +566,10 @@ enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define BETWEEN 2.0
 #define LEAST_SIZE 1e-300
 _Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
+/* Lanes that begin side by side: cells of a batch before its first step, as far as all lanes of the queue share them, or
+ * NULL; places of cells that each lane has of its own; the operations that depend on these; and whether the others have
+ * been repeated since. Only after that are their results changed. */
+typedef struct { const V *shared; const int32_t *own, *own_end, *scalar_end; int changed; } Begun;
 /* The lanes that are integrated now, beside their cells. */
 typedef struct {
     Job *job;
@@ -568,6 +577,8 @@ typedef struct {
     int64_t column[LANES];
     unsigned held; /* a bit for each lane */
     double inverse[STRIDE];
+    const int32_t *scalar, *scalar_end; /* the operations of the next prologue */
+    Begun begun;
 } Batch;
 typedef struct { V one, other; } Pair;
 
@@ -907,16 +918,34 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
         }
     }
 }
+
+INLINE void prologue(Batch *b, M here)
+{
+    IN(prologue)(b->scalar, b->scalar_end, b->c, here);
+    b->begun.changed |= b->scalar == b->job->scalar;
+    b->scalar = b->job->scalar, b->scalar_end = b->job->scalar_end;
+}
+
 /* --- what the text asks of a program, of tables and of records --- */
+
+/* Coefficient n + 1 of the states. */
+INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const double *inverse)
+{
+    for (; q < q_end; q++) r[q->series + n + 1] = r[q->rate + n] * inverse[n + 1];
+}
 
 /* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
 #if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
 #define HAS_STRAIGHT
 #define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
-/* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
+/* Orders of what rates need, and of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
-    static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n, int squares) \
-    { if (n == 0) rates_##k(own, r, c, 0, by_n, squares); else rates_##k(own, r, c, n, by_n, squares); } \
+    static void orders_##k(const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse, \
+                           int squares, const State *q, const State *q_end) \
+    { \
+        if (n == 0) rates_##k(own, r, c, 0, 0.0, squares), advance_to(r, q, q_end, n++, inverse); \
+        for (; n < behind; n++) rates_##k(own, r, c, n, inverse[n], squares), advance_to(r, q, q_end, n, inverse); \
+    } \
     static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
 INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
@@ -1181,42 +1210,48 @@ INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
 }
 EACH_ORDER(13)
 static const struct {
-    void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n, int squares);
+    void (*orders)(const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse,
+                   int squares, const State *q, const State *q_end);
     void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
 } straight[] = {
-    {order_0, later_0},
-    {order_1, later_1},
-    {order_2, later_2},
-    {order_3, later_3},
-    {order_4, later_4},
-    {order_5, later_5},
-    {order_6, later_6},
-    {order_7, later_7},
-    {order_8, later_8},
-    {order_9, later_9},
-    {order_10, later_10},
-    {order_11, later_11},
-    {order_12, later_12},
-    {order_13, later_13},
+    {orders_0, later_0},
+    {orders_1, later_1},
+    {orders_2, later_2},
+    {orders_3, later_3},
+    {orders_4, later_4},
+    {orders_5, later_5},
+    {orders_6, later_6},
+    {orders_7, later_7},
+    {orders_8, later_8},
+    {orders_9, later_9},
+    {orders_10, later_10},
+    {orders_11, later_11},
+    {orders_12, later_12},
+    {orders_13, later_13},
 };
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 1};
 #else
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 0};
 #endif
 
-/* Coefficient n of every register that the rates need. In powers of the rotation, the square of omega is a state. */
-INLINE void operate(const Batch *b, int n, int by_rotation)
+/* Coefficients from n on of every register that the rates need, and one more of the states of masses that move. In powers
+ * of the rotation, the square of omega is a state. */
+INLINE void operate(const Batch *b, int n, int behind, int by_rotation, int moves)
 {
     const Job *const job = b->job;
-    const double per = b->inverse[n];
     const int given = by_rotation && job->by_rotation == 2;
+    const State *const q = job->state, *const q_end = q + (moves ? job->states : 0);
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
-        straight[job->straight].order(job->series, b->r, b->c, n, per, !given);
+        straight[job->straight].orders(job->series, b->r, b->c, n, behind, b->inverse, !given, q, q_end);
         return;
     }
 #endif
-    for (const int32_t *at = job->series + 3 * given; at < job->series_end;) at = operation(at, at, b->r, b->c, n, per);
+    for (; n < behind; n++) {
+        const int32_t *at = job->series + 3 * given;
+        while (at < job->series_end) at = operation(at, at, b->r, b->c, n, b->inverse[n]);
+        advance_to(b->r, q, q_end, n, b->inverse);
+    }
 }
 
 /* Coefficients below n of all others. */
@@ -1997,7 +2032,7 @@ INLINE void evaluate(Batch *b)
     const Job *const job = b->job;
     V *const c = b->c;
     begin_series(b);
-    operate(b, 0, 0);
+    operate(b, 0, 1, 0, 0);
     operate_later(b, 1);
     for (const State *q = job->state; q < job->state + job->states; q++) {
         (b->r + q->rate)[0] = per_time(b, (b->r + q->rate)[0], c[OMEGA]);
@@ -2039,11 +2074,13 @@ INLINE void truncate(V *p, V order, int top)
     }
 }
 
-/* Truncate the series that events use at each lane's order. */
+/* Truncate the series of the states, and those that events use, at each lane's order. */
 INLINE void cut(Batch *b, V order, int top)
 {
     const Job *const job = b->job;
-    truncate(b->r + job->role->omega + 1, order, top);
+    for (const State *q = job->state; q < job->state + job->states; q++) {
+        truncate(b->r + q->series + 1, order, top);
+    }
     truncate(b->r + job->role->net, order, top);
     if (job->role->normal >= 0) {
         truncate(b->r + job->role->normal, order, top);
@@ -2059,6 +2096,13 @@ INLINE void begin_expansion(Batch *b, M which, int top, int at_rest)
     const Job *const job = b->job;
     V *const c = b->c;
     begin_series(b);
+    if (at_rest) {
+        for (const State *q = job->state; q < job->state + job->states; q++) {
+            for (int n = 1; n <= top; n++) {
+                (b->r + q->series)[n] = broadcast(0.0);
+            }
+        }
+    }
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
             (b->r + job->table[t].reg)[1] = c[job->table[t].cell + RISE];
@@ -2068,20 +2112,6 @@ INLINE void begin_expansion(Batch *b, M which, int top, int at_rest)
         }
     }
     c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
-}
-
-/* Compute coefficient n + 1 of the states from coefficient n of their rates. It is zero beyond a lane's order and
- * at rest. */
-INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
-{
-    const Job *const job = b->job;
-    for (const State *q = job->state; q < job->state + job->states; q++) {
-        V coefficient = broadcast(0.0);
-        if (!at_rest) {
-            coefficient = (b->r + q->rate)[n] * b->inverse[n + 1];
-        }
-        (b->r + q->series)[n + 1] = alike ? coefficient : pick(order > (double)n, coefficient, broadcast(0.0));
-    }
 }
 
 /* Return whether coefficient n times a power of the step is significant beside the largest term so far. It is a
@@ -2102,7 +2132,8 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
 /* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
  * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
  * negligible there, three if the speed grows beyond its first term. At rest the states are constant, and the net
- * moment decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it. */
+ * moment decides. Each lane's order is `series_order`; states, net moment, normal force and dip are zero beyond
+ * it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest)
 {
     const Job *const job = b->job;
@@ -2115,21 +2146,22 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
     V power = at_rest ? broadcast(1.0) : room;
     V in_a_row = broadcast(0.0);
     int n = 0;
+    if (!job->timed) {
+        operate(b, 0, top, 0, 1);
+        n = top;
+    }
     while (n < top) {
-        operate(b, n, 0);
-        integrate_rates(b, n, order, alike, at_rest);
-        if (job->timed) {
-            M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
-            power = power * room;
-            in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
-            V enough = pick(c[LARGEST_OMEGA] > first, broadcast(3.0), broadcast(2.0));
-            M ends = (in_a_row >= (at_rest ? broadcast(2.0) : enough)) & (order > (double)n) & which;
-            if ((n >= 2) && bits(ends)) {
-                order = pick(ends, minimum(order, broadcast((double)(n + 1))), order);
-                alike = 0;
-                if (!bits(order > (double)(n + 1))) {
-                    top = n + 1;
-                }
+        operate(b, n, n + 1, 0, !at_rest);
+        M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
+        power = power * room;
+        in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);
+        V enough = pick(c[LARGEST_OMEGA] > first, broadcast(3.0), broadcast(2.0));
+        M ends = (in_a_row >= (at_rest ? broadcast(2.0) : enough)) & (order > (double)n) & which;
+        if ((n >= 2) && bits(ends)) {
+            order = pick(ends, minimum(order, broadcast((double)(n + 1))), order);
+            alike = 0;
+            if (!bits(order > (double)(n + 1))) {
+                top = n + 1;
             }
         }
         n = n + 1;
@@ -2464,7 +2496,7 @@ static void begin_phases(Batch *b)
     M waits = c[PENDING] != (double)READY;
     while (bits(waits)) {
         begin_pieces(b, waits);
-        IN(prologue)(job->scalar, job->scalar_end, c, waits);
+        prologue(b, waits);
         if (bits((c[PENDING] == (double)START_MOVING) | (c[PENDING] == (double)ENTER_PHASE))) {
             evaluate(b);
         }
@@ -3467,7 +3499,7 @@ INLINE void integrate_in_rotation(Batch *b, V *weight, int n)
         if (job->role->square >= 0) {
             (b->r + job->role->square)[n] = e[n];
         }
-        operate(b, n, 1);
+        operate(b, n, n + 1, 1, 0);
         (b->r + job->role->x)[n + 1] = broadcast((n == 0) ? 1.0 : 0.0);
     }
     e[n + 1] = (b->r + job->role->net)[n] * (2.0 * b->inverse[n + 1]);
@@ -4080,8 +4112,9 @@ INLINE V energy_at(Batch *b, V *e, V *f, V x)
     return energy(e, f);
 }
 
-/* Compute the functions of which E consists, and from place 5 on E and its first two derivatives. The derivatives
- * follow from the equation of motion, in which friction softens or is constant. */
+/* Compute the functions of which E consists, and from place 5 on E and its first three derivatives. The
+ * derivatives follow from the equation of motion, in which friction softens or is constant. In the third one it
+ * has done so. */
 INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
@@ -4105,11 +4138,12 @@ INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
         of_vers = of_vers + (f[4] * c[job->role->net_loss_vers]);
         of_square = of_square + (f[4] * c[job->role->net_loss_square]);
     }
-    V of_cosine = of_sine * (1.0 - f[2]);
-    V turns = of_cosine + (of_vers * (f[0] - f[3]));
+    V sine = f[0] - f[3];
+    V cosine = 1.0 - f[2];
     V twice = 2.0 * of_square;
     f[6] = (2.0 * force_at(drive, of_sine, of_vers, f)) + (twice * f[5]);
-    f[7] = (2.0 * (turns + by_loss)) + (twice * f[6]);
+    f[7] = (2.0 * (((of_sine * cosine) + (of_vers * sine)) + by_loss)) + (twice * f[6]);
+    f[8] = (2.0 * ((of_vers * cosine) - (of_sine * sine))) + (twice * f[7]);
 }
 
 /* Return E at a distance from rest in the variable of the rules, and compute dx by this variable in place 5. */
@@ -4378,10 +4412,10 @@ INLINE V peak_of_cubic(V rise, V fall, V end)
     return (end * rise) / falls_by;
 }
 
-/* Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on. */
-static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
+/* Return the rotation of the greatest speed, by Halley's method on the derivative of E from a rotation ``x`` on.
+ * Places 9 and 10 of ``f`` have E and its derivative there. */
+static V peak_of_swing(Batch *b, V *e, V *f, V x, V end, M which)
 {
-    V f[STRIDE];
     V low = broadcast(0.0);
     V high = end;
     int count = 0;
@@ -4390,11 +4424,15 @@ static V peak_of_swing(Batch *b, V *e, V x, V end, M which)
         V slope = f[6];
         low = pick(slope > 0.0, x, low);
         high = pick(slope > 0.0, high, x);
-        V following = x - (slope / f[7]);
+        V twice = 2.0 * f[7];
+        V following = x - ((slope * twice) / ((twice * f[7]) - (slope * f[8])));
         following = inside_or_middle(following, low, high);
-        V change = magnitude(following - x);
+        V change = following - x;
+        V bend = f[7] * change;
+        f[9] = pick(which, f[5] + (change * (slope + (0.5 * bend))), f[9]);
+        f[10] = pick(which, slope + bend, f[10]);
         x = pick(which, following, x);
-        which = which & (change > (LAST_OF_NEWTON * x));
+        which = which & (magnitude(change) > (LAST_OF_NEWTON * x));
         count = count + 1;
     }
     return x;
@@ -4487,15 +4525,15 @@ INLINE void rest(Batch *b, M here, V *back, V *f)
     stick(b, here);
 }
 
-/* Record the greatest speed, which lanes reach after the time ``before``. ``f`` has E and its derivatives at the
- * rotation ``peak``. */
+/* Record the greatest speed, which lanes reach after the time ``before``. ``f`` is that of `peak_of_swing`, which
+ * returned the rotation ``peak``. */
 INLINE void pass_peak(Batch *b, M here, V *f, V peak, V before)
 {
     V *const c = b->c;
     if (!bits(here)) return;
-    V speed = sqrt_of(f[5]);
+    V speed = sqrt_of(f[9]);
     V then = c[TIME] + before;
-    keep_faster(b, here, speed, then, peak, 0.5 * f[6]);
+    keep_faster(b, here, speed, then, peak, 0.5 * f[10]);
 }
 
 /* Bring lanes to rest at the end of their phase. */
@@ -4530,8 +4568,8 @@ static void end_within(Batch *b, M here, V *e, V *back, V *w, V end)
 }
 
 /* Complete phases under constant friction, up to rest or the end time, and return these lanes. ``f`` has the
- * functions of E at the end of the phase. */
-static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
+ * functions of E at the end of the phase, and ``at_peak`` is that of `peak_of_swing`. */
+static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V *at_peak, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4546,8 +4584,6 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
     if (job->samples) {
         keep_samples(b, rests | ends, e, back, w, end, until);
     }
-    V at_peak[STRIDE];
-    evaluate_at(b, e, at_peak, peak);
     pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), at_peak, peak, before);
     finish(b, rests, end, duration);
     rest(b, rests, back, f);
@@ -4557,13 +4593,11 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V end, V peak)
 
 /* Complete phases under softening laws, up to rest before the end time, and return these lanes. Lanes that hardly
  * come to rest before the end time are left at once. */
-INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
+INLINE M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V f[STRIDE];
-    evaluate_at(b, e, f, peak);
-    V least = (LEAST_DURATION * end) / sqrt_of(f[5]);
+    V least = (LEAST_DURATION * end) / sqrt_of(at_peak[9]);
     fits = fits & ((c[TIME] + least) < c[END_TIME]);
     if (!bits(fits)) {
         return fits;
@@ -4579,7 +4613,7 @@ INLINE M complete_softening(Batch *b, M fits, V *e, V end, V peak)
         duration = pick(unsure, sure, duration);
     }
     fits = fits & ((c[TIME] + duration) < c[END_TIME]);
-    pass_peak(b, fits, f, peak, before);
+    pass_peak(b, fits, at_peak, peak, before);
     finish(b, fits, end, duration);
     return fits;
 }
@@ -4620,11 +4654,12 @@ static M swing(Batch *b, M which)
     if (!bits(fits)) {
         return fits;
     }
-    peak = peak_of_swing(b, e, peak, end, fits);
+    V at_peak[STRIDE];
+    peak = peak_of_swing(b, e, at_peak, peak, end, fits);
     if (softens) {
-        return complete_softening(b, fits, e, end, peak);
+        return complete_softening(b, fits, e, at_peak, end, peak);
     }
-    return complete_swing(b, fits, e, back, f, end, peak);
+    return complete_swing(b, fits, e, back, f, at_peak, end, peak);
 }
 
 /* Find the next change of a mass at rest in its direction, if it precedes the changes that are known already. The
@@ -4830,20 +4865,54 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
 
+/* What the lanes share that begin side by side: see `Begun`. Cells that follow from cells of their own are their own too,
+ * as the direction from a velocity. Where there are tables, all are. */
+static void find_begun(Batch *b, int64_t first)
+{
+    const Job *const job = b->job;
+    if (!job->begun || job->tables || job->end - first < 2 * LANES) return;
+    V *const shared = job->begun, *const c = b->c;
+    int32_t *const own = (int32_t *)(shared + job->cells), *own_end = own;
+    for (int i = 0; i < job->made; i++) {
+        c[i] = broadcast(at_start(job, i, first));
+        if (!is_shared(job, i)) *own_end++ = i;
+    }
+    start(b, lanes(ALL));
+    prologue(b, lanes(ALL));
+    memcpy(shared, c, job->cells * sizeof(V));
+    int32_t *end = own_end;
+    unsigned char *const differs = (unsigned char *)(own_end + (job->scalar_end - job->scalar));
+    memset(differs, 0, job->cells);
+    for (const int32_t *of = own; of < own_end; of++) differs[*of] = 1;
+    differs[DIRECTION] |= differs[OMEGA];
+    for (const int32_t *at = job->scalar, *next; at < job->scalar_end; at = next) {
+        next = at + 2 + arguments[at[0]];
+        for (const int32_t *from = at + 2; from < next; from++) differs[at[1]] |= differs[*from];
+        if (!differs[at[1]]) continue;
+        memcpy(end, at, (next - at) * sizeof *at);
+        end += next - at;
+    }
+    b->begun = (Begun){shared, own, own_end, end, 0};
+}
+
 /* Neighbours that have not begun take all lanes at once. */
 static int load_neighbours(Batch *b, int64_t first)
 {
     const Job *const job = b->job;
+    const Begun *const begun = &b->begun;
     if (b->held || job->end - first < LANES) return 0;
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
-    const double *from = job->all + first;
-    for (int i = 0; i < job->made; i++, from += job->count) {
-        if (is_shared(job, i)) {
-            b->c[i] = broadcast(job->shared[i]);
-            continue;
+    const double *const from = job->all + first;
+    if (begun->shared) {
+        memcpy(b->c, begun->shared, (begun->changed ? job->cells : job->made) * sizeof(V));
+        for (const int32_t *i = begun->own; i < begun->own_end; i++) {
+            memcpy(b->c + *i, from + *i * job->count, sizeof(V));
+            __builtin_prefetch(from + *i * job->count + LANES); /* for the next neighbours */
         }
-        memcpy(b->c + i, from, sizeof(V));
-        __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
+        b->scalar = begun->own_end, b->scalar_end = begun->scalar_end, b->begun.changed = 0;
+    } else for (int i = 0; i < job->made; i++) {
+        if (is_shared(job, i)) b->c[i] = broadcast(job->shared[i]);
+        else memcpy(b->c + i, from + i * job->count, sizeof(V));
     }
     for (int k = 0; k < LANES; k++) b->column[k] = first + k;
     start(b, lanes(ALL));
@@ -4857,8 +4926,8 @@ static int store_neighbours(Batch *b, unsigned ended)
     const Job *const job = b->job;
     for (int k = 0; k < LANES; k++) if (b->column[k] != b->column[0] + k) return 0;
     if (ended != ALL || !all_lanes(b->c[STATUS] == (double)ARRESTED)) return 0;
-    double *to = job->all + b->column[0];
-    for (int i = 0; i < OMEGA - 1 + job->states; i++, to += job->count) memcpy(to, b->c + i, sizeof(V));
+    double *const to = job->all + b->column[0];
+    for (int i = 0; i < OMEGA - 1 + job->states; i++) memcpy(to + i * job->count, b->c + i, sizeof(V));
     b->held = 0;
     return 1;
 }
@@ -4870,8 +4939,8 @@ static void store_lane(Batch *b, unsigned k)
     const double status = b->c[STATUS][k];
     const int on = status <= RESTING || status == TOO_LONG;
     const int count = on ? job->cells : OMEGA - 1 + job->states;
-    double *to = job->all + b->column[k];
-    for (int i = 0; i < count; i++, to += job->count) *to = b->c[i][k];
+    double *const to = job->all + b->column[k];
+    for (int i = 0; i < count; i++) to[i * job->count] = b->c[i][k];
     b->held &= ~(1u << k);
 }
 
@@ -4892,7 +4961,7 @@ static void read_registers(Batch *b)
             b->column[k] = first + k;
         }
         if (job->budget) begin_here(b, lanes((1u << count) - 1));
-        if (job->budget) IN(prologue)(job->scalar, job->scalar_end, b->c, lanes(ALL));
+        if (job->budget) prologue(b, lanes(ALL));
         evaluate(b);
         for (int64_t k = 0; k < count; k++) {
             for (int i = 0; job->budget && i < job->cells; i++) job->all[i * job->count + first + k] = b->c[i][k];
@@ -4907,7 +4976,7 @@ enum { LEAST_FREE = LANES / 2 };
 static __attribute__((noinline)) int64_t integrate_queue(Job *job)
 {
     V *const memory = (V *)job->memory + MOST_WORKING;
-    Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
+    Batch batch = {.job = job, .c = memory, .r = memory + job->cells, .scalar = job->scalar, .scalar_end = job->scalar_end}, *const b = &batch;
     V *const c = b->c;
     int64_t next = job->begin;
     memset(job->memory, 0, (size_t)(MOST_WORKING + job->cells) * sizeof(V));
@@ -4924,6 +4993,7 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         job->order = order > job->order ? (int)order : job->order;
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
+    find_begun(b, next);
     /* Motions under a record whose series end early begin side by side. */
     const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {

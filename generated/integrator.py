@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f4eab07388a47d18ed8440a4f6f5add7746cca1658ea8f9c2212bab60c24ce46
+# sha256 of the text below: 223052ce2e939638272aac578c31943fe6eb1a318c6412d4dff397dba42ec2f8
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -129,10 +129,17 @@ def power_of_two(y: Floats) -> Floats:
     return pattern.view(np.float64)
 
 
-def operate(s: Lanes, n: int, by_rotation: int) -> None:
-    """Compute coefficient n of every register. In powers of the rotation, the square of omega is a state."""
+def operate(s: Lanes, first: int, behind: int, by_rotation: int, moves: int) -> None:
+    """Compute coefficients of every register from ``first`` on, and one more of the states of masses that move.
+
+    In powers of the rotation, the square of omega is a state.
+    """
     skipped = int(by_rotation and s.by_rotation == 2)
-    series_ops(s.program.series[skipped:], s.registers, s.cells, n)
+    for n in range(first, behind):
+        series_ops(s.program.series[skipped:], s.registers, s.cells, n)
+        if moves:
+            for q in s.states:
+                s.registers[q.register, n + 1] = s.registers[q.rate, n] * (1.0 / (n + 1))
 
 
 def operate_later(s: Lanes, n: int) -> None:
@@ -880,7 +887,7 @@ def evaluate(s: Lanes) -> None:
     """Compute order 0 of all registers. Rates of states are per time."""
     c = s.cells
     begin_series(s)
-    operate(s, 0, False)
+    operate(s, 0, 1, False, False)
     operate_later(s, 1)
     for q in s.states:
         s.registers[q.rate][0] = per_time(s, s.registers[q.rate][0], c[ix.OMEGA])
@@ -913,8 +920,9 @@ def truncate(p: Floats, order: Floats, top: int) -> None:
 
 
 def cut(s: Lanes, order: Floats, top: int) -> None:
-    """Truncate the series that events use at each lane's order."""
-    truncate(s.registers[s.roles.omega][1:], order, top)
+    """Truncate the series of the states, and those that events use, at each lane's order."""
+    for q in s.states:
+        truncate(s.registers[q.register][1:], order, top)
     truncate(s.registers[s.roles.net], order, top)
     if s.roles.normal >= 0:
         truncate(s.registers[s.roles.normal], order, top)
@@ -926,21 +934,16 @@ def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int) -> None:
     """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     c = s.cells
     begin_series(s)
+    if at_rest:
+        for q in s.states:
+            for n in range(1, top + 1):
+                s.registers[q.register][n] = 0.0
     for t in s.tables:
         if t.kind == ix.OF_TIME:
             s.registers[t.register][1] = c[t.cells + ix.RISE]
         if t.sine:
             expand_sine(s, t, top)
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
-
-
-def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -> None:
-    """Compute coefficient n + 1 of the states from coefficient n of their rates."""
-    for q in s.states:
-        coefficient: Floats = 0.0
-        if not at_rest:
-            coefficient = s.registers[q.rate][n] * (1.0 / (n + 1))
-        s.registers[q.register][n + 1] = coefficient if alike else np.where(order > float(n), coefficient, 0.0)
 
 
 def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
@@ -965,20 +968,21 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     power = 1.0 if at_rest else room
     in_a_row: Floats = 0.0
     n = 0
+    if not s.timed:
+        operate(s, 0, top, False, True)
+        n = top
     while n < top:
-        operate(s, n, False)
-        integrate_rates(s, n, order, alike, at_rest)
-        if s.timed:
-            counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
-            power = power * room
-            in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
-            enough = np.where(c[ix.LARGEST_OMEGA] > first, 3.0, 2.0)
-            ends = (in_a_row >= (2.0 if at_rest else enough)) & (order > float(n)) & which
-            if n >= 2 and np.any(ends):
-                order = np.where(ends, np.minimum(order, float(n + 1)), order)
-                alike = False
-                if not np.any(order > float(n + 1)):
-                    top = n + 1
+        operate(s, n, n + 1, False, not at_rest)
+        counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
+        power = power * room
+        in_a_row = np.where(counts, 0.0, in_a_row + 1.0)
+        enough = np.where(c[ix.LARGEST_OMEGA] > first, 3.0, 2.0)
+        ends = (in_a_row >= (2.0 if at_rest else enough)) & (order > float(n)) & which
+        if n >= 2 and np.any(ends):
+            order = np.where(ends, np.minimum(order, float(n + 1)), order)
+            alike = False
+            if not np.any(order > float(n + 1)):
+                top = n + 1
         n = n + 1
     operate_later(s, top)
     if not alike:
@@ -2139,7 +2143,7 @@ def integrate_in_rotation(s: Lanes, weight: Floats, n: int) -> None:
     if not has_recurrence(s):
         if s.roles.square >= 0:
             s.registers[s.roles.square][n] = e[n]
-        operate(s, n, True)
+        operate(s, n, n + 1, True, False)
         s.registers[s.roles.x][n + 1] = 1.0 if n == 0 else 0.0
     e[n + 1] = s.registers[s.roles.net][n] * (2.0 * (1.0 / (n + 1)))
 
@@ -2654,7 +2658,7 @@ def energy_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> Floats:
 
 
 def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
-    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives."""
+    """Compute the functions of which E consists, and from place 5 on E and its first three derivatives."""
     c = s.cells
     drive = 1.0 * c[s.roles.drive]
     of_sine = 1.0 * c[s.roles.net_sine]
@@ -2673,11 +2677,12 @@ def evaluate_at(s: Lanes, e: Floats, f: Floats, x: Floats) -> None:
         of_sine = of_sine + f[4] * c[s.roles.net_loss_sine]
         of_vers = of_vers + f[4] * c[s.roles.net_loss_vers]
         of_square = of_square + f[4] * c[s.roles.net_loss_square]
-    of_cosine = of_sine * (1.0 - f[2])
-    turns = of_cosine + of_vers * (f[0] - f[3])
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
     twice = 2.0 * of_square
     f[6] = 2.0 * force_at(drive, of_sine, of_vers, f) + twice * f[5]
-    f[7] = 2.0 * (turns + by_loss) + twice * f[6]
+    f[7] = 2.0 * (of_sine * cosine + of_vers * sine + by_loss) + twice * f[6]
+    f[8] = 2.0 * (of_vers * cosine - of_sine * sine) + twice * f[7]
 
 
 def energy_past(s: Lanes, e: Floats, f: Floats, past: Floats, end: Floats, part: int) -> Floats:
@@ -2906,9 +2911,8 @@ def peak_of_cubic(rise: Floats, fall: Floats, end: Floats) -> Floats:
     return end * rise / falls_by
 
 
-def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> Floats:
-    """Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on."""
-    f = np.zeros((ix.STRIDE, e.shape[1]))
+def peak_of_swing(s: Lanes, e: Floats, f: Floats, x: Floats, end: Floats, which: Mask) -> Floats:
+    """Return the rotation of the greatest speed, by Halley's method on the derivative of E from a rotation ``x`` on."""
     low: Floats = 0.0
     high = end
     count = 0
@@ -2917,11 +2921,15 @@ def peak_of_swing(s: Lanes, e: Floats, x: Floats, end: Floats, which: Mask) -> F
         slope = f[6]
         low = np.where(slope > 0.0, x, low)
         high = np.where(slope > 0.0, high, x)
-        following = x - slope / f[7]
+        twice = 2.0 * f[7]
+        following = x - slope * twice / (twice * f[7] - slope * f[8])
         following = inside_or_middle(following, low, high)
-        change = np.abs(following - x)
+        change = following - x
+        bend = f[7] * change
+        f[9] = np.where(which, f[5] + change * (slope + 0.5 * bend), f[9])
+        f[10] = np.where(which, slope + bend, f[10])
         x = np.where(which, following, x)
-        which = which & (change > LAST_OF_NEWTON * x)
+        which = which & (np.abs(change) > LAST_OF_NEWTON * x)
         count = count + 1
     return x
 
@@ -3006,9 +3014,9 @@ def pass_peak(s: Lanes, here: Mask, f: Floats, peak: Floats, before: Floats) -> 
     c = s.cells
     if not np.any(here):
         return
-    speed = np.sqrt(f[5])
+    speed = np.sqrt(f[9])
     then = c[ix.TIME] + before
-    keep_faster(s, here, speed, then, peak, 0.5 * f[6])
+    keep_faster(s, here, speed, then, peak, 0.5 * f[10])
 
 
 def finish(s: Lanes, here: Mask, end: Floats, duration: Floats) -> None:
@@ -3042,7 +3050,8 @@ def end_within(s: Lanes, here: Mask, e: Floats, back: Floats, w: Floats, end: Fl
     end_motion(s, here, rate, ix.ENDED)
 
 
-def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end: Floats, peak: Floats) -> Mask:
+def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, at_peak: Floats, end: Floats,
+        peak: Floats) -> Mask:
     """Complete phases under constant friction, up to rest or the end time, and return these lanes."""
     c = s.cells
     w = np.zeros((ix.STRIDE, e.shape[1]))
@@ -3055,8 +3064,6 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     ends = fits & (until < INFINITY) & (until > c[ix.END_TIME] * (1.0 + CLOSE_TO_REST))
     if s.sample_count:
         keep_samples(s, rests | ends, e, back, w, end, until)
-    at_peak = np.zeros((ix.STRIDE, e.shape[1]))
-    evaluate_at(s, e, at_peak, peak)
     pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), at_peak, peak, before)
     finish(s, rests, end, duration)
     rest(s, rests, back, f)
@@ -3064,12 +3071,10 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, end
     return rests | ends
 
 
-def complete_softening(s: Lanes, fits: Mask, e: Floats, end: Floats, peak: Floats) -> Mask:
+def complete_softening(s: Lanes, fits: Mask, e: Floats, at_peak: Floats, end: Floats, peak: Floats) -> Mask:
     """Complete phases under softening laws, up to rest before the end time, and return these lanes."""
     c = s.cells
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    evaluate_at(s, e, f, peak)
-    least = LEAST_DURATION * end / np.sqrt(f[5])
+    least = LEAST_DURATION * end / np.sqrt(at_peak[9])
     fits = fits & (c[ix.TIME] + least < c[ix.END_TIME])
     if not np.any(fits):
         return fits
@@ -3081,7 +3086,7 @@ def complete_softening(s: Lanes, fits: Mask, e: Floats, end: Floats, peak: Float
         before = np.where(unsure, sooner, before)
         duration = np.where(unsure, sure, duration)
     fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
-    pass_peak(s, fits, f, peak, before)
+    pass_peak(s, fits, at_peak, peak, before)
     finish(s, fits, end, duration)
     return fits
 
@@ -3115,10 +3120,11 @@ def swing(s: Lanes, which: Mask) -> Mask:
     fits = fits & has_closed_form(s, f, q)
     if not np.any(fits):
         return fits
-    peak = peak_of_swing(s, e, peak, end, fits)
+    at_peak = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+    peak = peak_of_swing(s, e, at_peak, peak, end, fits)
     if softens:
-        return complete_softening(s, fits, e, end, peak)
-    return complete_swing(s, fits, e, back, f, end, peak)
+        return complete_softening(s, fits, e, at_peak, end, peak)
+    return complete_swing(s, fits, e, back, f, at_peak, end, peak)
 
 
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
@@ -3359,7 +3365,7 @@ def integrate_runs(program: Program, tables: Sequence[Any], start: Mapping[str, 
     integrate(program, tables, cells)
     if np.any(cells[ix.STATUS] >= ix.TOO_LONG):
         return None
-    return cells[: len(ix.CELLS), 0].tolist(), spreads(cells)
+    return cells[: ix.RESULTS, 0].tolist(), spreads(cells)
 
 
 def spreads(cells: Floats) -> tuple[float, ...]:

@@ -1,37 +1,37 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5284ba9dfafc074818b4d3ee9b45d9ee8007fe42d5a59ad5e9b0d11662af34ec
+# sha256 of the text below: 8fcb1fc235bced7f4ae9ce06b7ca985e384b81161b83a4940709faedb414c29a
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
 TIME = 0  # t* at the start of the next step
-ROTATION = 1  # rotation where the phase began, signed
-SLIP = 2  # slip over the radius where the phase began
-DIRECTION = 3  # direction of travel, 1 or -1; 0 at rest
-LIFTED = 4  # 1 if contact with the slip surface is lost, else 0
-STATUS = 5  # state of the lane
-STEPS = 6  # steps since the last rest or break
-PHASES = 7  # phases ended
-ORDER = 8  # order of its series
-FACTOR = 9  # ratio of consecutive terms of a series at the end of a step
-END_TIME = 10  # latest end, t*
-ONE_WAY = 11  # 1 if shaking may start it down-slope only
-FIRST_ONLY = 12  # 1 if the first standstill ends it
-LIMIT = 13  # limit friction of weight alone at the start
-LIMIT_REST = 14  # exact limit friction minus LIMIT where the friction is close to it, otherwise 0
-PEAK_TIME = 15  # t* of the greatest speed
-PEAK_ROTATION = 16  # rotation then, signed
-PEAK_OMEGA = 17  # omega* then, signed
-PEAK_RATE = 18  # d omega*/dt* then, signed
-REACH_TIME = 19  # t* of the greatest rotation from the start
-REACH_ROTATION = 20  # that rotation, signed
-END_ROTATION = 21  # rotation at the end, signed
-END_OMEGA = 22  # omega* then, signed
-END_RATE = 23  # d omega*/dt* then, signed
-CLOSE = 24  # least margin of a decision at rest, over its terms
-LIFT_TIME = 25  # t* of the first lift-off
-PASSED = 26  # event at which the phase began
-REST_SINCE = 27  # t* of the standstill since which it rests
-TURNS = 28  # phases against the direction of the preceding phase
+STATUS = 1  # state of the lane
+PHASES = 2  # phases ended
+END_TIME = 3  # latest end, t*
+FIRST_ONLY = 4  # 1 if the first standstill ends it
+LIMIT = 5  # limit friction of weight alone at the start
+LIMIT_REST = 6  # exact limit friction minus LIMIT where the friction is close to it, otherwise 0
+PEAK_TIME = 7  # t* of the greatest speed
+PEAK_ROTATION = 8  # rotation then, signed
+PEAK_OMEGA = 9  # omega* then, signed
+PEAK_RATE = 10  # d omega*/dt* then, signed
+REACH_TIME = 11  # t* of the greatest rotation from the start
+REACH_ROTATION = 12  # that rotation, signed
+END_ROTATION = 13  # rotation at the end, signed
+END_OMEGA = 14  # omega* then, signed
+END_RATE = 15  # d omega*/dt* then, signed
+CLOSE = 16  # least margin of a decision at rest, over its terms
+REST_SINCE = 17  # t* of the standstill since which it rests
+TURNS = 18  # phases against the direction of the preceding phase
+STEPS = 19  # steps since the last rest or break
+ROTATION = 20  # rotation where the phase began, signed
+SLIP = 21  # slip over the radius where the phase began
+DIRECTION = 22  # direction of travel, 1 or -1; 0 at rest
+LIFTED = 23  # 1 if contact with the slip surface is lost, else 0
+ORDER = 24  # order of its series
+FACTOR = 25  # ratio of consecutive terms of a series at the end of a step
+ONE_WAY = 26  # 1 if shaking may start it down-slope only
+LIFT_TIME = 27  # t* of the first lift-off
+PASSED = 28  # event at which the phase began
 LAST_WAY = 29  # direction of the last phase
 NEGLIGIBLE = 30  # last terms of the series of a step that is cut short, over the largest
 X = 31  # rotation since the phase began, in the direction of travel
@@ -118,10 +118,10 @@ NOTE_STANDS = 2  # still
 NOTE_LIFTS = 3  # off
 NOTE_LANDS = 4  # again
 
-CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', 'PHASES', 'ORDER', 'FACTOR', 'END_TIME',
-    'ONE_WAY', 'FIRST_ONLY', 'LIMIT', 'LIMIT_REST', 'PEAK_TIME', 'PEAK_ROTATION', 'PEAK_OMEGA', 'PEAK_RATE',
-    'REACH_TIME', 'REACH_ROTATION', 'END_ROTATION', 'END_OMEGA', 'END_RATE', 'CLOSE', 'LIFT_TIME', 'PASSED',
-    'REST_SINCE', 'TURNS', 'LAST_WAY', 'NEGLIGIBLE', 'x', 'omega')
+CELLS = ('TIME', 'STATUS', 'PHASES', 'END_TIME', 'FIRST_ONLY', 'LIMIT', 'LIMIT_REST', 'PEAK_TIME', 'PEAK_ROTATION',
+    'PEAK_OMEGA', 'PEAK_RATE', 'REACH_TIME', 'REACH_ROTATION', 'END_ROTATION', 'END_OMEGA', 'END_RATE', 'CLOSE',
+    'REST_SINCE', 'TURNS', 'STEPS', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'ORDER', 'FACTOR', 'ONE_WAY',
+    'LIFT_TIME', 'PASSED', 'LAST_WAY', 'NEGLIGIBLE', 'x', 'omega')
 TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'RISE', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'square', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
@@ -140,3 +140,4 @@ SETTLED = 1.4210854715202004e-14
 BETWEEN = 2.0
 LEAST_SIZE = 1e-300
 STRIDE = 42
+RESULTS = 20

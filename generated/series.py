@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f8fce400ec4bf9956e07b1301cecfcf26276f9bf6f818d0960ca7832988888a4
+# sha256 of the text below: ea5fbbad8ef5b5a1a16220f1e705717be12078068a15fe7b33754df269318696
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "ebb1f21f38f3a35b279637c2421e94b5fb10b96d787f05fa6be7182300ef6196"  # of the compiled integrator's source
+DIGEST = "3165c48d5d8e8935df56a3b72775b8434d6df50962eb99c190ec3180d53f8b0a"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -372,8 +372,8 @@ def test_a_phase_keeps_its_digits(numbers: tuple[float, float, float, float]) ->
     b = [0.0] * 4
     energy.functions(b, end, numbers[3])
     energy.mirror(back, *numbers, b)
-    peak = swing.peak_of_swing(s, e, 0.5 * end, end, True)
-    w = [0.0] * STRIDE
+    at_peak, w = [0.0] * STRIDE, [0.0] * STRIDE
+    peak = swing.peak_of_swing(s, e, at_peak, 0.5 * end, end, True)
     duration = swing.duration_of_swing(e, back, end, w, True)
     before = waves.time_to(w, peak, end)
     there = [0.0] * STRIDE
@@ -400,8 +400,23 @@ def test_a_phase_keeps_its_digits(numbers: tuple[float, float, float, float]) ->
             )
             assert time == pytest.approx(float(since), rel=2e-14)
             assert there[1:3] == pytest.approx([float(speed), float(rate)], rel=1e-13)
-    found = (end, duration, peak, before)
-    assert found == pytest.approx([float(x) for x in (exact, whole, top, part)], rel=2e-14)
+        greatest, bend = energy_at(top, given), mpmath.diff(partial(energy_at, numbers=given), top, 2)
+    found = (end, duration, peak, before, at_peak[9])
+    assert found == pytest.approx([float(x) for x in (exact, whole, top, part, greatest)], rel=2e-14)
+    assert abs(at_peak[10]) <= 1e-14 * abs(bend) * peak
+
+
+def test_the_derivatives_of_e_under_constant_friction_are_those_of_its_closed_form() -> None:
+    """Differences with thirty digits, up to the third one, which shortens the search for the peak."""
+    numbers, f = (0.3, -0.45, -0.1, 0.8), [0.0] * STRIDE
+    e = [0.0] * 5
+    s = SimpleNamespace(drive=0.3, net_sine=-0.45, net_vers=-0.1, net_square=-0.4, has=SimpleNamespace(loss_rate=False))
+    energy.factors(e, *numbers)
+    softening.evaluate_at(s, e, f, 0.7)
+    with mpmath.workdps(30):
+        exact = partial(energy_at, numbers=[mpmath.mpf(x) for x in numbers])
+        expected = [float(mpmath.diff(exact, 0.7, order)) for order in range(4)]
+    assert f[5:9] == pytest.approx(expected, rel=1e-14)
 
 
 def test_a_time_that_the_rules_do_not_resolve_is_uncertain() -> None:

@@ -4,20 +4,12 @@ from typing import NamedTuple
 
 from derive.kinds import TextDict, TextMap
 
-# First cells of every program, in this order, with their meaning.
-CELLS = {
+# First cells of every program, in this order, with their meaning: those from which results are computed, and others.
+RESULTS = {
     "TIME": "t* at the start of the next step",
-    "ROTATION": "rotation where the phase began, signed",
-    "SLIP": "slip over the radius where the phase began",
-    "DIRECTION": "direction of travel, 1 or -1; 0 at rest",
-    "LIFTED": "1 if contact with the slip surface is lost, else 0",
     "STATUS": "state of the lane",
-    "STEPS": "steps since the last rest or break",
     "PHASES": "phases ended",
-    "ORDER": "order of its series",
-    "FACTOR": "ratio of consecutive terms of a series at the end of a step",
     "END_TIME": "latest end, t*",
-    "ONE_WAY": "1 if shaking may start it down-slope only",
     "FIRST_ONLY": "1 if the first standstill ends it",
     "LIMIT": "limit friction of weight alone at the start",
     "LIMIT_REST": "exact limit friction minus LIMIT where the friction is close to it, otherwise 0",
@@ -31,10 +23,20 @@ CELLS = {
     "END_OMEGA": "omega* then, signed",
     "END_RATE": "d omega*/dt* then, signed",
     "CLOSE": "least margin of a decision at rest, over its terms",
-    "LIFT_TIME": "t* of the first lift-off",
-    "PASSED": "event at which the phase began",
     "REST_SINCE": "t* of the standstill since which it rests",
     "TURNS": "phases against the direction of the preceding phase",
+    "STEPS": "steps since the last rest or break",
+}
+CELLS = RESULTS | {
+    "ROTATION": "rotation where the phase began, signed",
+    "SLIP": "slip over the radius where the phase began",
+    "DIRECTION": "direction of travel, 1 or -1; 0 at rest",
+    "LIFTED": "1 if contact with the slip surface is lost, else 0",
+    "ORDER": "order of its series",
+    "FACTOR": "ratio of consecutive terms of a series at the end of a step",
+    "ONE_WAY": "1 if shaking may start it down-slope only",
+    "LIFT_TIME": "t* of the first lift-off",
+    "PASSED": "event at which the phase began",
     "LAST_WAY": "direction of the last phase",
     "NEGLIGIBLE": "last terms of the series of a step that is cut short, over the largest",
     "x": "rotation since the phase began, in the direction of travel",
@@ -192,7 +194,7 @@ def python() -> str:
         rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
     given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
-    given["STRIDE"] = STRIDE
+    given |= {"STRIDE": STRIDE, "RESULTS": len(RESULTS)}
     return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
 
 
@@ -209,7 +211,7 @@ def c() -> TextDict:
     shares = [f"#define {x} {y}\n" for x, y in SHARES.items()]
     return {
         "CELLS": "".join(enums + shares),
-        "SIZES": f"HIGHEST = {HIGHEST}, STRIDE = {STRIDE}, CELLS = {len(CELLS)}, PARTS = {len(TABLE) - 1}, "
-        f"REGISTER_ROLES = {sum(not x.startswith('cell_') for x in ROLES)}",
+        "SIZES": f"HIGHEST = {HIGHEST}, STRIDE = {STRIDE}, CELLS = {len(CELLS)}, RESULTS = {len(RESULTS)}, "
+        f"PARTS = {len(TABLE) - 1}, REGISTER_ROLES = {sum(not x.startswith('cell_') for x in ROLES)}",
         "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n",
     }

@@ -59,7 +59,6 @@ FORMS = {
     "number": "(double){a}",
     "none_of": "(M){{0}}",
     "tail": "({0} + 1)",
-    "prologue": "IN(prologue)(job->scalar, job->scalar_end, c, {1})",
     # Statements.
     "skip": "if (!bits(here)) return;",
     "end": ";",

@@ -68,5 +68,5 @@ def c_programs() -> TextDict:
         (begin, rates), (end, others) = parts
         patterns += f"    {{{begin}, {end}, (const int32_t[]){{{', '.join(integers)}}}}},\n"
         functions += FUNCTIONS.format(k=k, rates=rates, others=others)
-        rows += f"    {{order_{k}, later_{k}}},\n"
+        rows += f"    {{orders_{k}, later_{k}}},\n"
     return {"PATTERNS": patterns, "STRAIGHT": functions, "STRAIGHT_ROWS": rows}

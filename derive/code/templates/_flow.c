@@ -54,11 +54,14 @@ typedef struct {
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
     void *memory; /* for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
+    void *begun; /* vectors and integers of lanes that begin side by side, or NULL; see `find_common` */
     int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
 
 @CODES@
+/* How many cells an operation on cells reads. */
+static const unsigned char arguments[] = { @ARGUMENTS@ };
 #if !defined(LEVEL) || defined(__wasm__)
 #ifndef __wasm__
 /* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
@@ -144,9 +147,8 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* Registers that an operation on series names, without the terms of a sum, and cells that one on cells reads. */
+/* Registers that an operation on series names, without the terms of a sum. */
 static const unsigned char named[] = { @REGISTERS@ };
-static const unsigned char arguments[] = { @ARGUMENTS@ };
 
 static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
 static int is_cell(const Job *job, int32_t i) { return i >= 0 && i < job->cells; }
@@ -245,12 +247,15 @@ static int64_t run(Job *job, const Held *held, int level, int fits)
         PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
         return -1;
     }
-    void *memory = malloc((size_t)(MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE + 1) * WIDEST);
+    const int64_t room = MOST_WORKING + job->cells;
+    const int64_t begun = job->shared ? job->cells * WIDEST + 5 * job->cells + 4 * (job->scalar_end - job->scalar) : 0;
+    void *memory = malloc((size_t)((room + (int64_t)job->registers * STRIDE + 1) * WIDEST + begun));
     if (memory == NULL) {
         PyErr_NoMemory();
         return -1;
     }
     job->memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
+    job->begun = begun ? (char *)job->memory + (room + (int64_t)job->registers * STRIDE) * WIDEST : NULL;
     int64_t left;
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(job);
@@ -330,7 +335,7 @@ static PyObject *spreads(PyObject *self, PyObject *args)
     Py_ssize_t count;
     if (!PyArg_ParseTuple(args, "y*n", &cells, &count)) return NULL;
     PyObject *result = NULL;
-    if (count > 0 && cells.len % (8 * count) == 0 && cells.len >= 8 * CELLS * count) result = differences(cells.buf, count);
+    if (count > 0 && cells.len % (8 * count) == 0 && cells.len >= 8 * RESULTS * count) result = differences(cells.buf, count);
     else PyErr_SetString(PyExc_ValueError, "spreads: the cells are not those of as many lanes");
     PyBuffer_Release(&cells);
     return result;
@@ -355,8 +360,8 @@ static int fill_runs(const Job *job, PyObject *start, PyObject *places, const do
 
 static PyObject *first_lane(const double *cells, int64_t count)
 {
-    PyObject *list = PyList_New(CELLS);
-    for (int i = 0; list != NULL && i < CELLS; i++) {
+    PyObject *list = PyList_New(RESULTS);
+    for (int i = 0; list != NULL && i < RESULTS; i++) {
         PyObject *number = PyFloat_FromDouble(cells[i * count]);
         if (number == NULL || PyList_SetItem(list, i, number)) Py_CLEAR(list);
     }
@@ -496,6 +501,10 @@ typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false i
 
 @CELLS@
 _Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
+/* Lanes that begin side by side: cells of a batch before its first step, as far as all lanes of the queue share them, or
+ * NULL; places of cells that each lane has of its own; the operations that depend on these; and whether the others have
+ * been repeated since. Only after that are their results changed. */
+typedef struct { const V *shared; const int32_t *own, *own_end, *scalar_end; int changed; } Begun;
 /* The lanes that are integrated now, beside their cells. */
 typedef struct {
     Job *job;
@@ -503,6 +512,8 @@ typedef struct {
     int64_t column[LANES];
     unsigned held; /* a bit for each lane */
     double inverse[STRIDE];
+    const int32_t *scalar, *scalar_end; /* the operations of the next prologue */
+    Begun begun;
 } Batch;
 typedef struct { V one, other; } Pair;
 
@@ -682,21 +693,40 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
         }
     }
 }
+
+INLINE void prologue(Batch *b, M here)
+{
+    IN(prologue)(b->scalar, b->scalar_end, b->c, here);
+    b->begun.changed |= b->scalar == b->job->scalar;
+    b->scalar = b->job->scalar, b->scalar_end = b->job->scalar_end;
+}
+
 /* --- what the text asks of a program, of tables and of records --- */
+
+/* Coefficient n + 1 of the states. */
+INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const double *inverse)
+{
+    for (; q < q_end; q++) r[q->series + n + 1] = r[q->rate + n] * inverse[n + 1];
+}
 
 /* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
 #if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
 #define HAS_STRAIGHT
 #define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
-/* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
+/* Orders of what rates need, and of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
-    static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n, int squares) \
-    { if (n == 0) rates_##k(own, r, c, 0, by_n, squares); else rates_##k(own, r, c, n, by_n, squares); } \
+    static void orders_##k(const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse, \
+                           int squares, const State *q, const State *q_end) \
+    { \
+        if (n == 0) rates_##k(own, r, c, 0, 0.0, squares), advance_to(r, q, q_end, n++, inverse); \
+        for (; n < behind; n++) rates_##k(own, r, c, n, inverse[n], squares), advance_to(r, q, q_end, n, inverse); \
+    } \
     static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
     { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
 @STRAIGHT@
 static const struct {
-    void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n, int squares);
+    void (*orders)(const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse,
+                   int squares, const State *q, const State *q_end);
     void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
 } straight[] = {
 @STRAIGHT_ROWS@
@@ -706,19 +736,24 @@ const Traits NAMED(flow_traits, LEVEL) = {LANES, 1};
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 0};
 #endif
 
-/* Coefficient n of every register that the rates need. In powers of the rotation, the square of omega is a state. */
-INLINE void operate(const Batch *b, int n, int by_rotation)
+/* Coefficients from n on of every register that the rates need, and one more of the states of masses that move. In powers
+ * of the rotation, the square of omega is a state. */
+INLINE void operate(const Batch *b, int n, int behind, int by_rotation, int moves)
 {
     const Job *const job = b->job;
-    const double per = b->inverse[n];
     const int given = by_rotation && job->by_rotation == 2;
+    const State *const q = job->state, *const q_end = q + (moves ? job->states : 0);
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
-        straight[job->straight].order(job->series, b->r, b->c, n, per, !given);
+        straight[job->straight].orders(job->series, b->r, b->c, n, behind, b->inverse, !given, q, q_end);
         return;
     }
 #endif
-    for (const int32_t *at = job->series + 3 * given; at < job->series_end;) at = operation(at, at, b->r, b->c, n, per);
+    for (; n < behind; n++) {
+        const int32_t *at = job->series + 3 * given;
+        while (at < job->series_end) at = operation(at, at, b->r, b->c, n, b->inverse[n]);
+        advance_to(b->r, q, q_end, n, b->inverse);
+    }
 }
 
 /* Coefficients below n of all others. */
@@ -901,20 +936,54 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
 
+/* What the lanes share that begin side by side: see `Begun`. Cells that follow from cells of their own are their own too,
+ * as the direction from a velocity. Where there are tables, all are. */
+static void find_begun(Batch *b, int64_t first)
+{
+    const Job *const job = b->job;
+    if (!job->begun || job->tables || job->end - first < 2 * LANES) return;
+    V *const shared = job->begun, *const c = b->c;
+    int32_t *const own = (int32_t *)(shared + job->cells), *own_end = own;
+    for (int i = 0; i < job->made; i++) {
+        c[i] = broadcast(at_start(job, i, first));
+        if (!is_shared(job, i)) *own_end++ = i;
+    }
+    start(b, lanes(ALL));
+    prologue(b, lanes(ALL));
+    memcpy(shared, c, job->cells * sizeof(V));
+    int32_t *end = own_end;
+    unsigned char *const differs = (unsigned char *)(own_end + (job->scalar_end - job->scalar));
+    memset(differs, 0, job->cells);
+    for (const int32_t *of = own; of < own_end; of++) differs[*of] = 1;
+    differs[DIRECTION] |= differs[OMEGA];
+    for (const int32_t *at = job->scalar, *next; at < job->scalar_end; at = next) {
+        next = at + 2 + arguments[at[0]];
+        for (const int32_t *from = at + 2; from < next; from++) differs[at[1]] |= differs[*from];
+        if (!differs[at[1]]) continue;
+        memcpy(end, at, (next - at) * sizeof *at);
+        end += next - at;
+    }
+    b->begun = (Begun){shared, own, own_end, end, 0};
+}
+
 /* Neighbours that have not begun take all lanes at once. */
 static int load_neighbours(Batch *b, int64_t first)
 {
     const Job *const job = b->job;
+    const Begun *const begun = &b->begun;
     if (b->held || job->end - first < LANES) return 0;
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
-    const double *from = job->all + first;
-    for (int i = 0; i < job->made; i++, from += job->count) {
-        if (is_shared(job, i)) {
-            b->c[i] = broadcast(job->shared[i]);
-            continue;
+    const double *const from = job->all + first;
+    if (begun->shared) {
+        memcpy(b->c, begun->shared, (begun->changed ? job->cells : job->made) * sizeof(V));
+        for (const int32_t *i = begun->own; i < begun->own_end; i++) {
+            memcpy(b->c + *i, from + *i * job->count, sizeof(V));
+            __builtin_prefetch(from + *i * job->count + LANES); /* for the next neighbours */
         }
-        memcpy(b->c + i, from, sizeof(V));
-        __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
+        b->scalar = begun->own_end, b->scalar_end = begun->scalar_end, b->begun.changed = 0;
+    } else for (int i = 0; i < job->made; i++) {
+        if (is_shared(job, i)) b->c[i] = broadcast(job->shared[i]);
+        else memcpy(b->c + i, from + i * job->count, sizeof(V));
     }
     for (int k = 0; k < LANES; k++) b->column[k] = first + k;
     start(b, lanes(ALL));
@@ -928,8 +997,8 @@ static int store_neighbours(Batch *b, unsigned ended)
     const Job *const job = b->job;
     for (int k = 0; k < LANES; k++) if (b->column[k] != b->column[0] + k) return 0;
     if (ended != ALL || !all_lanes(b->c[STATUS] == (double)ARRESTED)) return 0;
-    double *to = job->all + b->column[0];
-    for (int i = 0; i < OMEGA - 1 + job->states; i++, to += job->count) memcpy(to, b->c + i, sizeof(V));
+    double *const to = job->all + b->column[0];
+    for (int i = 0; i < OMEGA - 1 + job->states; i++) memcpy(to + i * job->count, b->c + i, sizeof(V));
     b->held = 0;
     return 1;
 }
@@ -941,8 +1010,8 @@ static void store_lane(Batch *b, unsigned k)
     const double status = b->c[STATUS][k];
     const int on = status <= RESTING || status == TOO_LONG;
     const int count = on ? job->cells : OMEGA - 1 + job->states;
-    double *to = job->all + b->column[k];
-    for (int i = 0; i < count; i++, to += job->count) *to = b->c[i][k];
+    double *const to = job->all + b->column[k];
+    for (int i = 0; i < count; i++) to[i * job->count] = b->c[i][k];
     b->held &= ~(1u << k);
 }
 
@@ -963,7 +1032,7 @@ static void read_registers(Batch *b)
             b->column[k] = first + k;
         }
         if (job->budget) begin_here(b, lanes((1u << count) - 1));
-        if (job->budget) IN(prologue)(job->scalar, job->scalar_end, b->c, lanes(ALL));
+        if (job->budget) prologue(b, lanes(ALL));
         evaluate(b);
         for (int64_t k = 0; k < count; k++) {
             for (int i = 0; job->budget && i < job->cells; i++) job->all[i * job->count + first + k] = b->c[i][k];
@@ -978,7 +1047,7 @@ enum { LEAST_FREE = LANES / 2 };
 static __attribute__((noinline)) int64_t integrate_queue(Job *job)
 {
     V *const memory = (V *)job->memory + MOST_WORKING;
-    Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
+    Batch batch = {.job = job, .c = memory, .r = memory + job->cells, .scalar = job->scalar, .scalar_end = job->scalar_end}, *const b = &batch;
     V *const c = b->c;
     int64_t next = job->begin;
     memset(job->memory, 0, (size_t)(MOST_WORKING + job->cells) * sizeof(V));
@@ -995,6 +1064,7 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         job->order = order > job->order ? (int)order : job->order;
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(at_start(job, i, 0));
+    find_begun(b, next);
     /* Motions under a record whose series end early begin side by side. */
     const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {

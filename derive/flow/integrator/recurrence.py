@@ -97,7 +97,7 @@ def integrate_in_rotation(s: Lanes, weight: S, n: N) -> None:
     if not has_recurrence(s):
         if s.has.square:
             s.series.square[n] = e[n]
-        operate(s, n, True)
+        operate(s, n, n + 1, True, False)
         s.series.x[n + 1] = 1.0 if n == 0 else 0.0
     e[n + 1] = s.series.net[n] * (2.0 * s.inverse[n + 1])
 

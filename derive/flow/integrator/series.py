@@ -82,7 +82,7 @@ def variable_at(s: Lanes, top: N, time: V) -> V:
 def evaluate(s: Lanes) -> None:
     """Compute order 0 of all registers. Rates of states are per time."""
     begin_series(s)
-    operate(s, 0, False)
+    operate(s, 0, 1, False, False)
     operate_later(s, 1)
     for q in s.states:
         q.rate[0] = per_time(s, q.rate[0], s.omega)
@@ -115,8 +115,9 @@ def truncate(p: S, order: V, top: N) -> None:
 
 
 def cut(s: Lanes, order: V, top: N) -> None:
-    """Truncate the series that events use at each lane's order."""
-    truncate(tail(s.series.omega), order, top)
+    """Truncate the series of the states, and those that events use, at each lane's order."""
+    for q in s.states:
+        truncate(tail(q.series), order, top)
     truncate(s.series.net, order, top)
     if s.has.normal:
         truncate(s.series.normal, order, top)
@@ -127,24 +128,16 @@ def cut(s: Lanes, order: V, top: N) -> None:
 def begin_expansion(s: Lanes, which: M, top: N, at_rest: N) -> None:
     """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     begin_series(s)
+    if at_rest:
+        for q in s.states:
+            for n in up(1, top):
+                q.series[n] = 0.0
     for t in s.tables:
         if t.kind == Kind.TIME:
             t.series[1] = t.rise
         if t.sine:
             expand_sine(s, t, top)
     s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
-
-
-def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
-    """Compute coefficient n + 1 of the states from coefficient n of their rates.
-
-    It is zero beyond a lane's order and at rest.
-    """
-    for q in s.states:
-        coefficient: V = 0.0
-        if not at_rest:
-            coefficient = q.rate[n] * s.inverse[n + 1]
-        q.series[n + 1] = coefficient if alike else where(order > number(n), coefficient, 0.0)
 
 
 def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
@@ -166,7 +159,7 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
 
     If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
     negligible there, three if the speed grows beyond its first term. At rest the states are constant, and the net
-    moment decides. Each lane's order is `series_order`, and net moment, normal force and dip are zero beyond it.
+    moment decides. Each lane's order is `series_order`; states, net moment, normal force and dip are zero beyond it.
     """
     order = where(which, s.order, 1.0)
     top: N = greatest(order)
@@ -176,20 +169,21 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
     power: V = 1.0 if at_rest else room
     in_a_row: V = 0.0
     n: N = 0
+    if not s.timed:
+        operate(s, 0, top, False, True)
+        n = top
     while n < top:
-        operate(s, n, False)
-        integrate_rates(s, n, order, alike, at_rest)
-        if s.timed:
-            counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
-            power = power * room
-            in_a_row = where(counts, 0.0, in_a_row + 1.0)
-            enough = where(s.largest_omega > first, 3.0, 2.0)
-            ends = in_a_row >= (2.0 if at_rest else enough) and order > number(n) and which
-            if n >= 2 and any_lane(ends):
-                order = where(ends, minimum(order, number(n + 1)), order)
-                alike = False
-                if not any_lane(order > number(n + 1)):
-                    top = n + 1
+        operate(s, n, n + 1, False, not at_rest)
+        counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
+        power = power * room
+        in_a_row = where(counts, 0.0, in_a_row + 1.0)
+        enough = where(s.largest_omega > first, 3.0, 2.0)
+        ends = in_a_row >= (2.0 if at_rest else enough) and order > number(n) and which
+        if n >= 2 and any_lane(ends):
+            order = where(ends, minimum(order, number(n + 1)), order)
+            alike = False
+            if not any_lane(order > number(n + 1)):
+                top = n + 1
         n = n + 1
     operate_later(s, top)
     if not alike:

@@ -184,9 +184,10 @@ def energy_at(s: Lanes, e: S, f: S, x: V) -> V:
 
 
 def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
-    """Compute the functions of which E consists, and from place 5 on E and its first two derivatives.
+    """Compute the functions of which E consists, and from place 5 on E and its first three derivatives.
 
-    The derivatives follow from the equation of motion, in which friction softens or is constant.
+    The derivatives follow from the equation of motion, in which friction softens or is constant. In the third one it
+    has done so.
     """
     drive = 1.0 * s.drive
     of_sine = 1.0 * s.net_sine
@@ -205,11 +206,12 @@ def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
         of_sine = of_sine + f[4] * s.net_loss_sine
         of_vers = of_vers + f[4] * s.net_loss_vers
         of_square = of_square + f[4] * s.net_loss_square
-    of_cosine = of_sine * (1.0 - f[2])
-    turns = of_cosine + of_vers * (f[0] - f[3])
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
     twice = 2.0 * of_square
     f[6] = 2.0 * force_at(drive, of_sine, of_vers, f) + twice * f[5]
-    f[7] = 2.0 * (turns + by_loss) + twice * f[6]
+    f[7] = 2.0 * (of_sine * cosine + of_vers * sine + by_loss) + twice * f[6]
+    f[8] = 2.0 * (of_vers * cosine - of_sine * sine) + twice * f[7]
 
 
 def energy_past(s: Lanes, e: S, f: S, past: V, end: V, part: N) -> V:

@@ -85,9 +85,11 @@ def peak_of_cubic(rise: V, fall: V, end: V) -> V:
     return end * rise / falls_by
 
 
-def peak_of_swing(s: Lanes, e: S, x: V, end: V, which: M) -> V:
-    """Return the rotation of the greatest speed, by Newton's method on the derivative of E from a rotation ``x`` on."""
-    f = new_series()
+def peak_of_swing(s: Lanes, e: S, f: S, x: V, end: V, which: M) -> V:
+    """Return the rotation of the greatest speed, by Halley's method on the derivative of E from a rotation ``x`` on.
+
+    Places 9 and 10 of ``f`` have E and its derivative there.
+    """
     low: V = 0.0
     high = end
     count: N = 0
@@ -96,11 +98,15 @@ def peak_of_swing(s: Lanes, e: S, x: V, end: V, which: M) -> V:
         slope = f[6]
         low = where(slope > 0.0, x, low)
         high = where(slope > 0.0, high, x)
-        following = x - slope / f[7]
+        twice = 2.0 * f[7]
+        following = x - slope * twice / (twice * f[7] - slope * f[8])
         following = inside_or_middle(following, low, high)
-        change = abs(following - x)
+        change = following - x
+        bend = f[7] * change
+        f[9] = where(which, f[5] + change * (slope + 0.5 * bend), f[9])
+        f[10] = where(which, slope + bend, f[10])
         x = where(which, following, x)
-        which = which and change > LAST_OF_NEWTON * x
+        which = which and abs(change) > LAST_OF_NEWTON * x
         count = count + 1
     return x
 
@@ -185,11 +191,11 @@ def rest(s: Lanes, here: M, back: S, f: S) -> None:
 def pass_peak(s: Lanes, here: M, f: S, peak: V, before: V) -> None:
     """Record the greatest speed, which lanes reach after the time ``before``.
 
-    ``f`` has E and its derivatives at the rotation ``peak``.
+    ``f`` is that of `peak_of_swing`, which returned the rotation ``peak``.
     """
-    speed = sqrt(f[5])
+    speed = sqrt(f[9])
     then = s.time + before
-    keep_faster(s, here, speed, then, peak, 0.5 * f[6])
+    keep_faster(s, here, speed, then, peak, 0.5 * f[10])
 
 
 def finish(s: Lanes, here: M, end: V, duration: V) -> None:
@@ -217,10 +223,10 @@ def end_within(s: Lanes, here: M, e: S, back: S, w: S, end: V) -> None:
     end_motion(s, here, rate, Status.ENDED)
 
 
-def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M:
+def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, at_peak: S, end: V, peak: V) -> M:
     """Complete phases under constant friction, up to rest or the end time, and return these lanes.
 
-    ``f`` has the functions of E at the end of the phase.
+    ``f`` has the functions of E at the end of the phase, and ``at_peak`` is that of `peak_of_swing`.
     """
     w = new_series()
     off_middle = abs(2.0 * peak - end)
@@ -232,8 +238,6 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M
     ends = fits and until < INFINITY and until > s.end_time * (1.0 + CLOSE_TO_REST)
     if s.samples:
         keep_samples(s, rests or ends, e, back, w, end, until)
-    at_peak = new_series()
-    evaluate_at(s, e, at_peak, peak)
     pass_peak(s, rests or (ends and s.time + before < s.end_time), at_peak, peak, before)
     finish(s, rests, end, duration)
     rest(s, rests, back, f)
@@ -241,14 +245,12 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, end: V, peak: V) -> M
     return rests or ends
 
 
-def complete_softening(s: Lanes, fits: M, e: S, end: V, peak: V) -> M:
+def complete_softening(s: Lanes, fits: M, e: S, at_peak: S, end: V, peak: V) -> M:
     """Complete phases under softening laws, up to rest before the end time, and return these lanes.
 
     Lanes that hardly come to rest before the end time are left at once.
     """
-    f = new_series()
-    evaluate_at(s, e, f, peak)
-    least = LEAST_DURATION * end / sqrt(f[5])
+    least = LEAST_DURATION * end / sqrt(at_peak[9])
     fits = fits and s.time + least < s.end_time
     if not any_lane(fits):
         return fits
@@ -260,7 +262,7 @@ def complete_softening(s: Lanes, fits: M, e: S, end: V, peak: V) -> M:
         before = where(unsure, sooner, before)
         duration = where(unsure, sure, duration)
     fits = fits and s.time + duration < s.end_time
-    pass_peak(s, fits, f, peak, before)
+    pass_peak(s, fits, at_peak, peak, before)
     finish(s, fits, end, duration)
     return fits
 
@@ -293,7 +295,8 @@ def swing(s: Lanes, which: M) -> M:
     fits = fits and has_closed_form(s, f, q)
     if not any_lane(fits):
         return fits
-    peak = peak_of_swing(s, e, peak, end, fits)
+    at_peak = new_series()
+    peak = peak_of_swing(s, e, at_peak, peak, end, fits)
     if softens:
-        return complete_softening(s, fits, e, end, peak)
-    return complete_swing(s, fits, e, back, f, end, peak)
+        return complete_softening(s, fits, e, at_peak, end, peak)
+    return complete_swing(s, fits, e, back, f, at_peak, end, peak)

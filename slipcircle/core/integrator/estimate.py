@@ -81,7 +81,7 @@ def _of_single(problem: Problem, final: Final) -> tuple[float, ...]:
     states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
     duration, *sizes = _summary(final)
     samples = OutputSamples(duration * SHARES, states)
-    runs = integrate_problem(problem, perturbed_runs(problem), samples)[: len(ix.CELLS)]
+    runs = integrate_problem(problem, perturbed_runs(problem), samples)[: ix.RESULTS]
     rotation_and_velocity = states[:2]
     change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
     greatest = np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()

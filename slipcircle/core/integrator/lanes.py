@@ -80,6 +80,3 @@ def _decide_again(problem: Problem, cells: Floats) -> None:
 # Lanes per block, which fit into the cache while the block's own cost is small; not a power of two, since rows would
 # share cache lines.
 BLOCK = 16_400
-ENTRIES = len(ix.CELLS)  # number of cells common to all programs
-# Final cells from which results are computed. In large ensembles the others are not stored and remain zero.
-STORED = (ix.TIME, ix.STATUS, ix.PHASES, ix.END_TIME, *range(ix.FIRST_ONLY, ix.LIFT_TIME), ix.REST_SINCE, ix.TURNS)

@@ -10,7 +10,7 @@ from generated.program import Program
 from slipcircle.base.arrays import INFINITY
 from slipcircle.base.kinds import Floats
 from slipcircle.core.integrator.compiled import engine
-from slipcircle.core.integrator.lanes import ENTRIES, integrate_problem
+from slipcircle.core.integrator.lanes import integrate_problem
 from slipcircle.core.problem.problem import EVERY, NEAR, Problem
 
 # Design of Plackett and Burman (1946): seven factors in eight runs, where run 0 is the motion itself. Random signs miss
@@ -92,4 +92,4 @@ def integrate_single(problem: Problem) -> Any:
         runs = engine().integrate_runs(program, problem.tables(), start, moves)
         if runs and runs[0][ix.CLOSE] >= NEAR:
             return runs
-    return integrate_problem(problem)[:ENTRIES, 0].tolist(), None
+    return integrate_problem(problem)[: ix.RESULTS, 0].tolist(), None

@@ -14,9 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from generated.layout import RESULTS
 from slipcircle.base.arrays import float_or_array
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.integrator.lanes import BLOCK, ENTRIES, STORED, integrate_problem
+from slipcircle.core.integrator.lanes import BLOCK, integrate_problem
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.problem.plan import Plan, plan
@@ -77,14 +78,13 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     lanes = math.prod(scene.shape)
     if lanes <= BLOCK:
         problem = problem_of(chosen, invalid)
-        final = integrate_problem(problem)[:ENTRIES]
-        return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid, problem)
-    final = np.zeros((ENTRIES, lanes))
+        final = integrate_problem(problem)[:RESULTS]
+        return Motion(chosen, final.reshape(RESULTS, *scene.shape), invalid, problem)
+    final = np.empty((RESULTS, lanes))
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
     for first in range(0, lanes, BLOCK):
         which = slice(first, first + BLOCK)
         part = lazy_import("parameters").lanes_of(scene, which, flat=True)
         cells = integrate_problem(problem_of(replace(chosen, scene=part), every_invalid[which]))
-        for entry in STORED:
-            final[entry, which] = cells[entry]
-    return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid)
+        final[:, which] = cells[:RESULTS]
+    return Motion(chosen, final.reshape(RESULTS, *scene.shape), invalid)

@@ -166,7 +166,7 @@ def _at_start(scene: Scene, accuracy: float) -> Motion:
     chosen = plan(scene, accuracy)
     problem = problem_of(chosen)
     problem.reach_farther(np.full(problem.lanes, np.inf))
-    return Motion(chosen, np.zeros((len(ix.CELLS), *scene.shape)), False, problem)
+    return Motion(chosen, np.zeros((ix.RESULTS, *scene.shape)), False, problem)
 
 
 def _others(motion: Motion) -> ValueDict:
