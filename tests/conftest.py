@@ -58,6 +58,12 @@ def pytest_collection_finish() -> None:
     gc.enable()
 
 
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure() -> None:
+    """Exempt what the tests left from another collection, which would take seconds; pytest has just made one."""
+    gc.freeze()
+
+
 @pytest.fixture(autouse=True)
 def precision() -> Iterator[None]:
     """Restore the working precision of ball arithmetic, which is shared by the process, after each test."""

@@ -80,12 +80,12 @@ from derive.check import certify, midpoints
 build.build = partial(build.build, flags=("-O0", *build.FLAGS[1:]))
 certify.HALVINGS = 100
 midpoints.hard = lambda record: []
-from derive.algebra import dynamics, phase_plane, pieces
+from derive.algebra import dynamics, phase_plane, pieces, slopes
 from derive.declare.effects import EFFECTS, LAWS
 from derive.flow import closed, linked, recurrences, sliding
 few = *(effect for effect in EFFECTS if not effect.parameters), *EFFECTS[-2:]
 linked.prove = partial(linked.prove, few, (LAWS[0], next(law for law in LAWS if law.kinks), *LAWS[-2:]))
-for part in (dynamics, phase_plane, pieces, closed, recurrences, sliding):
+for part in (dynamics, phase_plane, pieces, slopes, closed, recurrences, sliding):
     part.prove = list
 """
 HARD_CASES = """

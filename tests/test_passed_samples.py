@@ -92,13 +92,18 @@ def test_records_side_by_side_are_each_alone(name: str, law: Any, effects: dict[
 @pytest.mark.parametrize("effects", [{"rotation": {}}, TURNING], ids=["turning", "centripetal"])
 @pytest.mark.parametrize("name", BACKENDS)
 def test_turning_masses_pass_samples_as_by_series(name: str, effects: dict[str, Any], radius: float) -> None:
-    """Results agree also where a mass turns back, and where pieces are too long for a few orders."""
+    """Results agree also where a mass turns back, and where pieces are too long for a few orders.
+
+    Series in NumPy take a second; they serve for one radius, elsewhere those of the default integrator do.
+    """
     arc = replace(ARC, radius=radius)
     records = quake(11, 300), quake(14, 120)
     scales = np.array([0.3, 0.5, 1.0, 2.0, 12.0, 0.3, 0.7, 1.5, 4.0])
     suite = LaneSeries(records, np.repeat([0, 1], [5, 4]))
     with backend(name):
-        motion, by_series = (shaken(suite, v, arc=arc, effects=effects, scale=scales) for v in (None, STILL))
+        motion = shaken(suite, arc=arc, effects=effects, scale=scales)
+    with backend(name if radius == 9.0 else BACKENDS[0]):
+        by_series = shaken(suite, STILL, arc=arc, effects=effects, scale=scales)
     assert by_series.slips.max() > 4
     assert motion.slips.tolist() == by_series.slips.tolist()
     assert motion.run_out == pytest.approx(by_series.run_out, rel=1e-11)

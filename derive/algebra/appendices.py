@@ -15,9 +15,9 @@ from functools import cache
 from typing import NamedTuple
 
 import sympy as sp
-from sympy import Expr, Le, Rel, atanh, cos, count_ops, default_sort_key, parse_expr, sin, symbols
+from sympy import Expr, Le, Rel, atanh, cos, count_ops, default_sort_key, parse_expr, pi, sin, symbols
 
-from derive.algebra.prove import trig_normal
+from derive.algebra.prove import refute, trig_normal
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
 
@@ -177,7 +177,9 @@ def integrand(expression: Expr) -> Expr:
     derivative = expression.diff(alpha) / sin(alpha)
     k = trig_normal(derivative)
     leaning = k * sin(alpha) / cos(alpha)
-    n = trig_normal(-k.diff(alpha, 2) / leaning.diff(alpha))
+    ratio = -k.diff(alpha, 2) / leaning.diff(alpha)
+    refute(sin(pi * ratio, evaluate=False), "it integrates a power of r")  # its normal form may take seconds
+    n = trig_normal(ratio)
     _require(n.is_Integer, f"it integrates a power of r: n = {n}")
     w = trig_normal((k.diff(alpha) + n * leaning) / 2)
     _require(not w.has(alpha), f"the remaining factor depends on theta_m alone: {w}")

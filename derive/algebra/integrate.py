@@ -148,7 +148,7 @@ def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits:
             # Degree 2 has six nodes, exact for r**11.
             return quad(lambda x: function(x, angle), [chord, 1], method="gauss-legendre", maxdegree=2)
 
-        total = quad(ring, [first, first + half, first + 2 * half])
+        total = quad(ring, [first, first + 2 * half], method="gauss-legendre")
     with workdps(digits):
         return +total
 

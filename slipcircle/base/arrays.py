@@ -14,6 +14,10 @@ EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 FLOATS = frozenset((float, np.float64))
 
+# Freeing a large array raises the sizes at which glibc maps memory for an array, and at which it returns free memory.
+# Otherwise the pages of arrays of an ensemble would be mapped and cleared in each operation, a quarter of the time.
+np.empty(1 << 21)
+
 
 def float_or_array(value: Any) -> Any:
     """Return numbers in the cheapest form for computation, a float or a float64 array."""

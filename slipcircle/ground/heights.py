@@ -10,7 +10,6 @@ half of the circle (cos > 0) and on the upper half.
 """
 
 import math
-from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -29,7 +28,6 @@ class HeightIntegrals(NamedTuple):
     """Pieces of circles with an edge of a line above each, over two turns from -3 pi/2 on."""
 
     pieces: GroundPieces
-    slope: Floats  # of the edge above each piece, (n, pieces)
 
     @property
     def kinks(self) -> Floats:
@@ -45,39 +43,46 @@ class HeightIntegrals(NamedTuple):
         turn = 2 * np.pi
         ahead = first + 1.5 * np.pi
         turns = turn * np.floor(ahead / turn)
-        circles, count = self.slope.shape
         new_first = first - turns  # within a turn from -3 pi/2
         new_last = last - turns
         shape = np.shape(new_first)
-        several = (math.prod(shape[:-1]), circles, 1)
+        *rotations, circles = shape
+        several = (math.prod(rotations), circles, 1)
         start = new_first.reshape(several)
         end = new_last.reshape(several)
         total = np.zeros(start.shape[:2])
-        rows = max(1, _TOGETHER // max(1, circles))
-        arcs = min(rows, len(total)) * circles
-        together = max(1, _TOGETHER // max(1, arcs))
-        first_rows = range(0, len(total), rows)
-        first_pieces = range(0, count, together)
-        for row, k in product(first_rows, first_pieces):
+        if total.size == 0:
+            return total.reshape(shape)
+        rows = max(1, _TOGETHER // circles)
+        together = max(1, _TOGETHER // total.size)
+        lowest = self.pieces.low.min(axis=0)
+        highest = self.pieces.high.max(axis=0)
+        for row in range(0, len(total), rows):
             some = slice(row, row + rows)
-            chosen = slice(k, k + together)
-            pieces = self.pieces.only(chosen)
-            slope = self.slope[:, chosen]
-            by_piece = _over_parts(pieces, slope, start[some], end[some])
-            total[some] += by_piece.sum(axis=-1)
+            begins = start[some]
+            ends = end[some]
+            is_before = highest <= begins.min()
+            is_after = lowest >= ends.max()
+            reached = np.flatnonzero(~(is_before | is_after))
+            for k in range(0, len(reached), together):
+                chosen = reached[k : k + together]
+                pieces = self.pieces.only(chosen)
+                by_piece = _over_parts(pieces, begins, ends)
+                total[some] += by_piece.sum(axis=-1)
         return total.reshape(shape)
 
 
-def _over_parts(pieces: GroundPieces, slope: Floats, first: Floats, last: Floats) -> Any:
+def _over_parts(pieces: GroundPieces, first: Floats, last: Floats) -> Any:
     """Return integrals over the parts of pieces between two angles, each from its own start to avoid cancellation.
 
-    ``slope`` is dy/dx of the edge above each piece. Angles are in rad, (..., n, 1), and the result is (..., n, pieces).
+    Angles are in rad, (rows, n, 1), and the result is (rows, n, pieces), with one row if all rows are equal.
     """
-    low, high, span, sine, cosine, height = pieces
+    low, high, span, sine, cosine, height, slope = pieces
+    if np.all(first <= low) and np.all(last >= high):  # whole in all rows
+        first = first[:1]
+        last = last[:1]
     start = np.clip(first, low, high)
     stop = np.clip(last, low, high)
-    if np.array_equal(start, stop):
-        return np.zeros(1)
     from_low = start <= low
     to_high = stop >= high
     is_whole = from_low & to_high
@@ -139,15 +144,9 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     turn = 2 * np.pi
     before = [pieces.turned(-turn) for pieces in upper]
     after = [pieces.turned(turn) for pieces in lower]
-    two_turns = [*before, *lower, *upper, *after]
-    by_column = zip(*two_turns, strict=True)
+    by_column = zip(*before, *lower, *upper, *after, strict=True)
     columns = [np.concatenate(column, axis=1) for column in by_column]
-    every = GroundPieces(*columns)
-    has_width = every.span > 0.0
-    used = np.flatnonzero(has_width.any(axis=0))
-    pieces = every.only(used)
-    edge = used % slope.shape[1]
-    return HeightIntegrals(pieces, slope[:, edge])
+    return HeightIntegrals(GroundPieces(*columns))
 
 
 def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[GroundPieces], list[GroundPieces]]:
@@ -165,8 +164,8 @@ def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[GroundPieces
     leaves = np.where(has_part_inside, exit_.x, last)
     before, before_upper = _outside(start, slope, start.x, enters)
     after, after_upper = _outside(start, slope, leaves, last)
-    inside = pieces_inside(parts)
-    return [inside, before, after], [before_upper, after_upper]
+    inside = pieces_inside(parts, slope)
+    return [inside.used, before.used, after.used], [before_upper.used, after_upper.used]
 
 
 def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[GroundPieces, GroundPieces]:
@@ -192,10 +191,10 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
     high = np.where(is_above, end_angle, low)
     above_lower = y + cosine
     above_upper = end_y - end_cosine
-    lower = GroundPieces(low, high, span, x, cosine, above_lower)
+    lower = GroundPieces(low, high, span, x, cosine, above_lower, slope)
     upper_low = np.pi - high
     upper_high = np.pi - low
-    upper = GroundPieces(upper_low, upper_high, span, end_x, -end_cosine, above_upper)
+    upper = GroundPieces(upper_low, upper_high, span, end_x, -end_cosine, above_upper, slope)
     return lower, upper
 
 

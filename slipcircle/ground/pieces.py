@@ -23,9 +23,16 @@ class GroundPieces(NamedTuple):
     sine: Floats  # at the low end
     cosine: Floats
     height: Floats
+    slope: Floats  # dy/dx of the edge
+
+    @property
+    def used(self) -> "GroundPieces":
+        """Return the pieces of edges that have a piece over some circle."""
+        has_width = self.span > 0.0
+        return self.only(has_width.any(axis=0))
 
     def only(self, pieces: Any) -> "GroundPieces":
-        """Return the pieces with these indices, or a slice of them."""
+        """Return the pieces with these indices, or where a mask is true."""
         return GroundPieces._make(column[:, pieces] for column in self)
 
     def turned(self, angle: float) -> "GroundPieces":
@@ -40,10 +47,9 @@ def integral_inside(parts: Cut) -> Floats:
 
     Each of the n by E ``parts`` is the part of an edge inside a circle; lengths are over R.
     """
-    pieces = pieces_inside(parts)
     slope = edge_slopes(parts.part)
-    _, _, span, sine, cosine, height = pieces
-    return slopes.head(span, sine, cosine, height, slope)
+    _, _, *of_pieces = pieces_inside(parts, slope)
+    return slopes.head(*of_pieces)
 
 
 def edge_slopes(edge: Vectors) -> Floats:
@@ -53,8 +59,10 @@ def edge_slopes(edge: Vectors) -> Floats:
     return np.divide(edge.y, edge.x, out=of_scarps, where=has_run)
 
 
-def pieces_inside(parts: Cut) -> GroundPieces:
+def pieces_inside(parts: Cut, slope: Floats) -> GroundPieces:
     """Return pieces over the lower half of the circle for the parts of edges inside circles, (n, E).
+
+    ``slope`` is dy/dx of the edges.
 
     With g = 1 - rho^2, known without cancellation near the circle, the arc below a point has cos = sqrt(y^2 + g), and
     the height of the point above it is cos + y = g/(cos - y).
@@ -72,7 +80,7 @@ def pieces_inside(parts: Cut) -> GroundPieces:
     low = np.arctan2(x, cosine)
     high = np.arctan2(end.x, end_cosine)
     span = span_of(parts.part.x, cosine, end_cosine)
-    return GroundPieces(low, high, span, x, cosine, height)
+    return GroundPieces(low, high, span, x, cosine, height, slope)
 
 
 def span_of(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:

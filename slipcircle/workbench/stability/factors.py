@@ -98,13 +98,15 @@ def driven_slices(slope: SlopeArrays, circles: Circles, rule: Rule = EXACT, ever
     arcs = _arcs(slope, circles)
     cracked = bool(np.any(slope.crack))
     slices = slices_above(slope, arcs, _TO_FACE if cracked else rule, every_surface)
-    gravity = slices.driving_moment() + at_shores(slope, arcs)
-    negligible = 1e-9 * slices.weight_along_arc()
+    moment, weight = slices.driving_moment()
+    gravity = moment + at_shores(slope, arcs)
+    negligible = 1e-9 * weight
     facing = np.where(np.abs(gravity) > negligible, np.sign(gravity), 0.0)
     if cracked:
         arcs = _cracked(slope, arcs, facing)
         slices = slices_above(slope, arcs, rule, every_surface)
-        gravity = slices.driving_moment() + at_shores(slope, arcs)
+        moment, _ = slices.driving_moment()
+        gravity = moment + at_shores(slope, arcs)
     slices = slices.facing(facing)
     if slope.ponds is not None:
         slices = submerged(slices, level_at_exit(slope.ponds, arcs, facing))
@@ -203,20 +205,24 @@ def _bishop(driven: Driven) -> Floats:
     """
     slices = driven.slices
     friction = slices.friction
-    cosine = slices.cosine
+    tangent = slices.sine / slices.cosine
     lowest, highest = lever_range(slices)
-    strength = slopes.bishop_strength(cosine, slices.vertical(), 0.0, slices.cohesion(), friction)
+    by_breadth = slopes.bishop_strength(1.0, slices.vertical(), 0.0, slices.stresses.cohesion, friction)
+    strength = slices.weight * slices.at(by_breadth)
     driving = driven.driving
-    start = slices.integral(strength) / driving
+    level_strength = strength * slices.cosine
+    start = slices.sums(level_strength) / driving
     start = np.maximum(start, _LEAST_FACTOR)
     y = np.clip(1.0 / start, lowest, highest)
     y = np.where(lowest < highest, y, np.nan)
     for _ in range(_NEWTON_STEPS):
         factor = 1.0 / y
-        lever = slopes.bishop_lever(slices.sine, cosine, friction, slices.of_arcs(factor))
+        of_interval = slices.of_arcs(factor)
+        lever = slopes.bishop_lever(tangent, 1.0, friction, of_interval)  # over cos a
         shear = strength / lever
-        excess = y * slices.integral(shear) - driving
-        growth = slices.integral(shear * cosine / lever)  # d(y/m_alpha)/dy = cos/m_alpha^2
+        excess = y * slices.sums(shear) - driving
+        shear /= lever
+        growth = slices.sums(shear)  # d(y/m_alpha)/dy = cos/m_alpha^2
         y = np.clip(y - excess / growth, lowest, highest)
         change = np.abs(y * factor - 1.0)
         if not np.any(change > _CLOSE):
@@ -232,7 +238,7 @@ def bishop_normal(slices: Slices, factor: Floats) -> Any:
     """
     sine = slices.sine
     cosine = slices.cosine
-    effective = slices.vertical()
+    effective = slices.at(slices.vertical())
     of_arc = slices.of_arcs(factor)
     return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)
 
@@ -250,7 +256,7 @@ def lever_range(slices: Slices) -> ArrayPair:
     below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)
     below = below.max(axis=0)
     if below.ndim > 1:
-        return np.maximum(below.max(axis=-1), 0.0), above.min(axis=-1)
+        return below.max(axis=-1), above.min(axis=-1)
     count = len(slices.arcs.radius)
     lowest = np.zeros(count)
     highest = np.full(count, greatest)

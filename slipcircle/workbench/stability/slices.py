@@ -22,7 +22,6 @@ from slipcircle.workbench.stability.bases import Arcs, Bases, BaseStresses
 from slipcircle.workbench.stability.columns import SlopeArrays
 
 _GROUND = np.zeros(1, dtype=np.int64)  # number of the ground among the surfaces
-_LEAST_NODES, _NODES_PER_RADIAN = 4, 20  # of half an interval, that are enough on an arc that slopes share
 _INSIDE = 0.45  # of an interval, where its soil is looked up: not its middle, at which arcs touch level boundaries
 
 
@@ -37,11 +36,14 @@ class Rule(NamedTuple):
         Number of equal pieces of each arc.
     at_kinks : bool
         Whether pieces are divided at the kinks of the integrands.
+    widest : float
+        Greatest angle of an interval in rad; wider ones are divided.
     """
 
     nodes: int = 10
     pieces: int = 1
     at_kinks: bool = True
+    widest: float = np.pi
 
 
 EXACT = Rule()
@@ -83,7 +85,11 @@ class Slices(NamedTuple):
 
         The values are a number, or given at the points, (points, intervals).
         """
-        by_interval = (self.weight * values).sum(axis=0)
+        return self.sums(self.weight * values)
+
+    def sums(self, weighted: Any) -> Floats:
+        """Return `integral` of values that are times the weights of the points already."""
+        by_interval = weighted.sum(axis=0)
         if by_interval.ndim > 1:
             return np.asarray(by_interval.sum(axis=-1))
         return np.bincount(self.arc, by_interval, len(self.arcs.radius)).astype(np.float64)
@@ -99,19 +105,16 @@ class Slices(NamedTuple):
             sine=self.sine * sense, gradient=self.gradient * sense, stresses=self.stresses.turned(sense), way=sense
         )
 
-    def driving_moment(self) -> Floats:
-        """Return the moment of gravity and displaced water about the centre of each arc, over gamma R^3.
+    def driving_moment(self) -> ArrayPair:
+        """Return the moment of gravity and displaced water about the centre of each arc, over gamma R^3, and its scale.
 
-        It is positive if it drives the mass to the right.
+        The moment is positive if it drives the mass to the right. Its scale is the integral of the weight.
         """
         stresses = self.stresses
-        weight = self.at(stresses.soil + stresses.displaced + stresses.load)
-        return self.integral(slopes.drive(self.sine, self.cosine, weight, 0.0))
-
-    def weight_along_arc(self) -> Floats:
-        """Return the integral of the vertical stress over each arc's breadth, over gamma R^2: the scale of moments."""
-        stresses = self.stresses
-        return self.integral(self.cosine * self.at(stresses.soil + stresses.load + stresses.pond))
+        vertical = self.at(stresses.soil + stresses.displaced + stresses.load)
+        weight = self.weight * self.cosine * vertical
+        moment = -self.sine * weight
+        return self.sums(moment), self.sums(weight)
 
     def shaking_moment(self) -> Floats:
         """Return the moment of k_h = 1 over gamma R^3, on soil at half its height and on surcharges at the ground."""
@@ -184,10 +187,10 @@ class Slices(NamedTuple):
             tilt = tilt + self.steps[k] * of_unit_weight
         return tilt
 
-    def vertical(self) -> Floats:
-        """Return the effective vertical stress on the arc over gamma R at the points, for Bishop's method."""
+    def vertical(self) -> Any:
+        """Return the effective vertical stress on the arc over gamma R for Bishop's method, in the form of `at`."""
         stresses = self.stresses
-        return self.at(stresses.soil + stresses.load + stresses.pond - stresses.pressure)
+        return stresses.soil + stresses.load + stresses.pond - stresses.pressure
 
     def cohesion(self) -> Floats:
         """Return the cohesion on the arc over gamma R at the points."""
@@ -216,11 +219,7 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, rule: Rule = EXACT, every_surfa
     middle = (first + last) / 2
     inside = first + _INSIDE * (last - first)
     base = Bases(slope, arcs, arc, inside)
-    nodes = rule.nodes
-    if base.is_shared:
-        enough = _LEAST_NODES + int(_NODES_PER_RADIAN * half.max(initial=0.0))
-        nodes = min(nodes, enough)
-    nodes_at, weights = _gauss(nodes)
+    nodes_at, weights = _gauss(rule.nodes)
     angle = middle + half * nodes_at[:, None]
     weight = half * weights[:, None]
     if base.is_shared:
@@ -260,8 +259,13 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.i
         angles.sort(axis=1)
     first = angles[:, :-1]
     last = angles[:, 1:]
-    is_interval = (last > first) & arcs.valid[:, None]
-    return np.nonzero(is_interval)[0], np.stack([first[is_interval], last[is_interval]])
+    width = np.fmax.reduce(last - first, axis=None, initial=0.0)
+    places = np.arange(0.0, width, rule.widest)
+    first = first[..., None] + places
+    last = np.minimum(first + rule.widest, last[..., None])
+    is_interval = (last > first) & arcs.valid[:, None, None]
+    ends = np.stack([first[is_interval], last[is_interval]])
+    return np.nonzero(is_interval)[0], ends
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:

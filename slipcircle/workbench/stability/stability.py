@@ -57,7 +57,7 @@ def least_of(method: str) -> str:
     return "least yield coefficient" if method == YIELD else f"least factor by {method}"
 
 
-_BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
+_BLOCK = 1 << 11  # sections at a time: their slices stay in the caches
 _Layers = Sequence[tuple[Soil, Any]]  # each with its top
 
 

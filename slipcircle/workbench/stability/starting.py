@@ -23,7 +23,7 @@ from slipcircle.workbench.stability.slices import Rule
 from slipcircle.workbench.stability.stability import circles_of, circles_of_lanes, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
-_RULE = Rule(pieces=3)  # random factors are accurate to 1e-14
+_RULE = Rule(nodes=6, widest=0.19)  # random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
@@ -65,17 +65,16 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
     return values if scene.shape else float(values)
 
 
-def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tuple[Driven, int]]:
+def driven_blocks(scene: Any, slipped: bool = False, rule: Rule = _RULE, **most: int) -> Iterator[tuple[Driven, int]]:
     """Yield the slices of the arcs of a scene and the number of lanes, in the blocks of `circles_of`.
 
-    With ``slipped``, strength is residual; ``most`` is the greatest number of lanes in a block.
+    With ``slipped``, strength is residual; ``rule`` sets the points of the integrals, and ``most`` is the greatest
+    number of lanes in a block.
     """
-    blocks = circles_of(scene, slipped, **most)
-    for slope, circles, lanes in blocks:
-        is_shared = _is_shared(slope, circles)
-        if not is_shared:
+    for slope, circles, lanes in circles_of(scene, slipped, **most):
+        if not _is_shared(slope, circles):
             circles = circles_of_lanes(circles, lanes)
-        driven = driven_slices(slope, circles, _RULE)
+        driven = driven_slices(slope, circles, rule)
         yield driven, lanes
 
 
@@ -148,12 +147,12 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
     """Return the strength factors of arcs for a start by a method; if ``shaken``, from equal yield coefficients."""
     if shaken:
         k_h = yield_coefficient(driven, method)
-        target = np.ones_like(k_h)
-        of_closure = factor_by(OF_CLOSURE, _under(k_h, driven))
+        shaken_arcs = _under(k_h, driven)
+        factor = 1.0 / factor_by(OF_CLOSURE, shaken_arcs)
     else:
         target = factor_by(method, driven)
         of_closure = factor_by(OF_CLOSURE, driven)
-    factor = target / of_closure
+        factor = target / of_closure
     slices = driven.slices
     return np.where((slices.integral(slices.friction) > 0.0) & (driven.facing != 0.0), factor, 1.0)
 

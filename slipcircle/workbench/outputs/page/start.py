@@ -19,9 +19,10 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.factors import Driven, factor_by
-from slipcircle.workbench.stability.slices import Slices
+from slipcircle.workbench.stability.slices import Rule, Slices
 from slipcircle.workbench.stability.starting import OF_CLOSURE, driven_blocks
 
+_RULE = Rule(pieces=3)  # with as many pieces of every arc
 _DEGREE = 32  # greatest degree of a series
 _ROUNDING = 1e-15  # relative to the greatest coefficient; smaller terms are dropped
 _STEPS = 100
@@ -92,7 +93,8 @@ class StartSeries(NamedTuple):
         if self.method == "ordinary":
             shear = cohesion + friction * slices.ordinary_normal()
         else:
-            strength = slopes.bishop_strength(slices.cosine, slices.vertical(), 0.0, cohesion, friction)
+            effective = slices.at(slices.vertical())
+            strength = slopes.bishop_strength(slices.cosine, effective, 0.0, cohesion, friction)
             shear = strength / slopes.bishop_lever(slices.sine, slices.cosine, mobilised, 1.0)
         return _by_lane(slices, (slices.weight * shear).sum(axis=0))
 
@@ -152,5 +154,5 @@ def _by_lane(slices: Slices, values: Any) -> Floats:
 
 def _driven(scene: Scene) -> Driven:
     """Return the slices of all lanes of a scene with their driving moments."""
-    ((driven, _),) = driven_blocks(scene, most=1 << 30)
+    ((driven, _),) = driven_blocks(scene, rule=_RULE, most=1 << 30)
     return driven
