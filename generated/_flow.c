@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "3165c48d5d8e8935df56a3b72775b8434d6df50962eb99c190ec3180d53f8b0a"
+#define DIGEST "7a34f26fca2b8925816e11deb77f3d27fe31402640848460a6e08fa42d31d549"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -723,8 +723,8 @@ INLINE V sqrt_of(V x)
 #define vector_map(f, x) f##_of(x)
 #define vector_choose pick
 
-/* What is added at each k from 1 to below another, by turns into parts j = 0 and 1 that do not wait for each other. */
-#define OVER(below, add) do { int k = 1; \
+/* What is added at each k from 2 to below another, by turns into parts j = 0 and 1 that do not wait for each other. */
+#define PAIRWISE(below, add) do { int k = 2; \
     while (k + 1 < (below)) { { const int j = 0; add; } k++; { const int j = 1; add; } k++; } \
     if (k < (below)) { const int j = 0; add; } } while (0)
 
@@ -749,9 +749,15 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         if (n == 0) {
             d[0] = a[0] * b[0];
         } else {
-            V sum0_[2] = {{0}};
-            OVER(n, sum0_[j] += a[k] * b[n - k]);
-            const V sum0 = sum0_[0] + sum0_[1];
+            V sum0 = {0};
+            if (n % 2 == 0) {
+                V sum0_[2] = {a[1] * b[n - 1]}, sum0_next[2] = {{0}}, sum0_before = b[n - 1];
+                PAIRWISE(n, const V sum0_now = b[n - k]; sum0_[j] += a[k] * sum0_now; sum0_next[j] += a[k] * sum0_before; sum0_before = sum0_now);
+                sum0 = sum0_[0] + sum0_[1];
+                d[n + 1] = sum0_next[0] + sum0_next[1];
+            } else if (n > 1) {
+                sum0 = d[n] + a[1] * b[n - 1] + a[n - 1] * b[1];
+            }
             d[n] = sum0 + a[0] * b[n] + a[n] * b[0];
         }
         return at + 4;
@@ -762,10 +768,16 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         if (n == 0) {
             d[0] = a[0] * a[0];
         } else {
-            V sum0_[2] = {{0}};
-            OVER((n + 1) / 2, sum0_[j] += a[k] * a[n - k]);
-            V sum0 = 2.0 * (sum0_[0] + sum0_[1]);
-            if (n % 2 == 0) sum0 += a[n / 2] * a[n / 2];
+            V sum0 = {0};
+            if (n % 2 == 0) {
+                V sum0_[2] = {a[1] * a[n - 1]}, sum0_next[2] = {{0}}, sum0_before = a[n - 1];
+                PAIRWISE(n / 2, const V sum0_now = a[n - k]; sum0_[j] += a[k] * sum0_now; sum0_next[j] += a[k] * sum0_before; sum0_before = sum0_now);
+                const V middle = a[n / 2] * a[n / 2];
+                sum0 = n > 2 ? 2.0 * (sum0_[0] + sum0_[1]) + middle : middle;
+                d[n + 1] = n > 2 ? 2.0 * (sum0_next[0] + sum0_next[1] + a[n / 2] * sum0_before) : (V){0};
+            } else if (n > 1) {
+                sum0 = d[n] + 2.0 * a[1] * a[n - 1];
+            }
             d[n] = sum0 + 2.0 * a[0] * a[n];
         }
         return at + 3;
@@ -789,14 +801,40 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             p6[0] = t1 * t3;
             p7[0] = t2 * t3;
         } else {
-            V sum0_[2] = {{0}}, sum1_[2] = {{0}}, sum2_[2] = {{0}}, sum3_[2] = {{0}}, sum4_[2] = {{0}}, sum5_[2] = {{0}};
-            OVER(n, sum0_[j] += x[k] * p2[n - k]; sum1_[j] += x[k] * p3[n - k]; sum2_[j] += x[k] * p4[n - k]; sum3_[j] += x[k] * p5[n - k]; sum4_[j] += x[k] * p6[n - k]; sum5_[j] += x[k] * x[n - k]);
-            const V sum0 = sum0_[0] + sum0_[1];
-            const V sum1 = sum1_[0] + sum1_[1];
-            const V sum2 = sum2_[0] + sum2_[1];
-            const V sum3 = sum3_[0] + sum3_[1];
-            const V sum4 = sum4_[0] + sum4_[1];
-            const V sum5 = sum5_[0] + sum5_[1];
+            V sum0 = {0};
+            V sum1 = {0};
+            V sum2 = {0};
+            V sum3 = {0};
+            V sum4 = {0};
+            V sum5 = {0};
+            if (n % 2 == 0) {
+                V sum0_[2] = {x[1] * p2[n - 1]}, sum0_next[2] = {{0}}, sum0_before = p2[n - 1];
+                V sum1_[2] = {x[1] * p3[n - 1]}, sum1_next[2] = {{0}}, sum1_before = p3[n - 1];
+                V sum2_[2] = {x[1] * p4[n - 1]}, sum2_next[2] = {{0}}, sum2_before = p4[n - 1];
+                V sum3_[2] = {x[1] * p5[n - 1]}, sum3_next[2] = {{0}}, sum3_before = p5[n - 1];
+                V sum4_[2] = {x[1] * p6[n - 1]}, sum4_next[2] = {{0}}, sum4_before = p6[n - 1];
+                V sum5_[2] = {x[1] * x[n - 1]}, sum5_next[2] = {{0}}, sum5_before = x[n - 1];
+                PAIRWISE(n, const V sum0_now = p2[n - k]; sum0_[j] += x[k] * sum0_now; sum0_next[j] += x[k] * sum0_before; sum0_before = sum0_now; const V sum1_now = p3[n - k]; sum1_[j] += x[k] * sum1_now; sum1_next[j] += x[k] * sum1_before; sum1_before = sum1_now; const V sum2_now = p4[n - k]; sum2_[j] += x[k] * sum2_now; sum2_next[j] += x[k] * sum2_before; sum2_before = sum2_now; const V sum3_now = p5[n - k]; sum3_[j] += x[k] * sum3_now; sum3_next[j] += x[k] * sum3_before; sum3_before = sum3_now; const V sum4_now = p6[n - k]; sum4_[j] += x[k] * sum4_now; sum4_next[j] += x[k] * sum4_before; sum4_before = sum4_now; const V sum5_now = x[n - k]; sum5_[j] += x[k] * sum5_now; sum5_next[j] += x[k] * sum5_before; sum5_before = sum5_now);
+                sum0 = sum0_[0] + sum0_[1];
+                p2[n + 1] = sum0_next[0] + sum0_next[1];
+                sum1 = sum1_[0] + sum1_[1];
+                p3[n + 1] = sum1_next[0] + sum1_next[1];
+                sum2 = sum2_[0] + sum2_[1];
+                p4[n + 1] = sum2_next[0] + sum2_next[1];
+                sum3 = sum3_[0] + sum3_[1];
+                p5[n + 1] = sum3_next[0] + sum3_next[1];
+                sum4 = sum4_[0] + sum4_[1];
+                p6[n + 1] = sum4_next[0] + sum4_next[1];
+                sum5 = sum5_[0] + sum5_[1];
+                p7[n + 1] = sum5_next[0] + sum5_next[1];
+            } else if (n > 1) {
+                sum0 = p2[n] + x[1] * p2[n - 1] + x[n - 1] * p2[1];
+                sum1 = p3[n] + x[1] * p3[n - 1] + x[n - 1] * p3[1];
+                sum2 = p4[n] + x[1] * p4[n - 1] + x[n - 1] * p4[1];
+                sum3 = p5[n] + x[1] * p5[n - 1] + x[n - 1] * p5[1];
+                sum4 = p6[n] + x[1] * p6[n - 1] + x[n - 1] * p6[1];
+                sum5 = p7[n] + x[1] * x[n - 1] + x[n - 1] * x[1];
+            }
             p2[n] = sum5 + 2.0 * x[0] * x[n];
             p3[n] = sum0 + p2[0] * x[n] + p2[n] * x[0];
             p4[n] = sum1 + p3[0] * x[n] + p3[n] * x[0];
@@ -826,12 +864,23 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             s[0] = IN(map)(sin, x[0]);
             v[0] = 2.0 * (t1 * t1);
         } else {
-            V sum0_[2] = {{0}}, sum1_[2] = {{0}};
-            OVER(n, sum0_[j] += q[k] * s[n - k]; sum1_[j] += q[k] * v[n - k]);
-            const V sum0 = sum0_[0] + sum0_[1];
-            const V sum1 = sum1_[0] + sum1_[1];
-            s[n] = (q[n] - sum1 - q[n] * v[0]) * by_n;
-            v[n] = (sum0 + q[n] * s[0]) * by_n;
+            V sum0 = {0};
+            V sum1 = {0};
+            if (n % 2 == 0) {
+                V sum0_[2] = {q[1] * s[n - 1]}, sum0_next[2] = {{0}}, sum0_before = s[n - 1];
+                V sum1_[2] = {q[1] * v[n - 1]}, sum1_next[2] = {{0}}, sum1_before = v[n - 1];
+                PAIRWISE(n, const V sum0_now = s[n - k]; sum0_[j] += q[k] * sum0_now; sum0_next[j] += q[k] * sum0_before; sum0_before = sum0_now; const V sum1_now = v[n - k]; sum1_[j] += q[k] * sum1_now; sum1_next[j] += q[k] * sum1_before; sum1_before = sum1_now);
+                sum0 = sum0_[0] + sum0_[1];
+                s[n + 1] = sum0_next[0] + sum0_next[1];
+                sum1 = sum1_[0] + sum1_[1];
+                v[n + 1] = sum1_next[0] + sum1_next[1];
+            } else if (n > 1) {
+                sum0 = s[n] + q[1] * s[n - 1] + q[n - 1] * s[1];
+                sum1 = v[n] + q[1] * v[n - 1] + q[n - 1] * v[1];
+            }
+            const V b = 1.0 - v[0];
+            s[n] = b * x[n] - by_n * sum1;
+            v[n] = by_n * sum0 + s[0] * x[n];
         }
         return at + 5;
     }
@@ -844,10 +893,16 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             e[0] = IN(map)(exp, z[0]);
             m[0] = IN(map)(expm1, z[0]);
         } else {
-            V sum0_[2] = {{0}};
-            OVER(n, sum0_[j] += q[k] * e[n - k]);
-            const V sum0 = sum0_[0] + sum0_[1];
-            e[n] = (sum0 + e[0] * q[n]) * by_n;
+            V sum0 = {0};
+            if (n % 2 == 0) {
+                V sum0_[2] = {q[1] * e[n - 1]}, sum0_next[2] = {{0}}, sum0_before = e[n - 1];
+                PAIRWISE(n, const V sum0_now = e[n - k]; sum0_[j] += q[k] * sum0_now; sum0_next[j] += q[k] * sum0_before; sum0_before = sum0_now);
+                sum0 = sum0_[0] + sum0_[1];
+                e[n + 1] = sum0_next[0] + sum0_next[1];
+            } else if (n > 1) {
+                sum0 = e[n] + q[1] * e[n - 1] + q[n - 1] * e[1];
+            }
+            e[n] = by_n * sum0 + e[0] * z[n];
             m[n] = e[n];
         }
         return at + 5;
@@ -861,9 +916,15 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             h[0] = 1.0 / t1;
             m[0] = -(z[0] / t1);
         } else {
-            V sum0_[2] = {{0}};
-            OVER(n, sum0_[j] += z[k] * h[n - k]);
-            const V sum0 = sum0_[0] + sum0_[1];
+            V sum0 = {0};
+            if (n % 2 == 0) {
+                V sum0_[2] = {z[1] * h[n - 1]}, sum0_next[2] = {{0}}, sum0_before = h[n - 1];
+                PAIRWISE(n, const V sum0_now = h[n - k]; sum0_[j] += z[k] * sum0_now; sum0_next[j] += z[k] * sum0_before; sum0_before = sum0_now);
+                sum0 = sum0_[0] + sum0_[1];
+                h[n + 1] = sum0_next[0] + sum0_next[1];
+            } else if (n > 1) {
+                sum0 = h[n] + z[1] * h[n - 1] + z[n - 1] * h[1];
+            }
             h[n] = -((sum0 + h[0] * z[n]) * h[0]);
             m[n] = h[n];
         }
@@ -878,9 +939,15 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             u[0] = (V){0};
             l[0] = IN(map)(log1p, z[0]);
         } else {
-            V sum0_[2] = {{0}};
-            OVER(n, sum0_[j] += u[k] * z[n - k]);
-            const V sum0 = sum0_[0] + sum0_[1];
+            V sum0 = {0};
+            if (n % 2 == 0) {
+                V sum0_[2] = {u[1] * z[n - 1]}, sum0_next[2] = {{0}}, sum0_before = z[n - 1];
+                PAIRWISE(n, const V sum0_now = z[n - k]; sum0_[j] += u[k] * sum0_now; sum0_next[j] += u[k] * sum0_before; sum0_before = sum0_now);
+                sum0 = sum0_[0] + sum0_[1];
+                u[n + 1] = sum0_next[0] + sum0_next[1];
+            } else if (n > 1) {
+                sum0 = u[n] + u[1] * z[n - 1] + u[n - 1] * z[1];
+            }
             u[n] = (q[n] - sum0) / (1.0 + z[0]);
             l[n] = by_n * u[n];
         }

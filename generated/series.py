@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ea5fbbad8ef5b5a1a16220f1e705717be12078068a15fe7b33754df269318696
+# sha256 of the text below: 9fbc25a3d821e4cc25aa0f30639a665e1fe94f6ba97c361d15088e0cf048916b
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "3165c48d5d8e8935df56a3b72775b8434d6df50962eb99c190ec3180d53f8b0a"  # of the compiled integrator's source
+DIGEST = "7a34f26fca2b8925816e11deb77f3d27fe31402640848460a6e08fa42d31d549"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -116,8 +116,9 @@ def _turn(r: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> None:
     else:
         sum0 = _over(q, s, n, n - 1)
         sum1 = _over(q, v, n, n - 1)
-        s[n] = (q[n] - sum1 - q[n] * v[0]) * (1.0 / n)
-        v[n] = (sum0 + q[n] * s[0]) * (1.0 / n)
+        b = 1.0 - v[0]
+        s[n] = b * x[n] - (1.0 / n) * sum1
+        v[n] = (1.0 / n) * sum0 + s[0] * x[n]
 
 
 def _exp(r: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
@@ -128,7 +129,7 @@ def _exp(r: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
         m[0] = np.expm1(z[0])
     else:
         sum0 = _over(q, e, n, n - 1)
-        e[n] = (sum0 + e[0] * q[n]) * (1.0 / n)
+        e[n] = (1.0 / n) * sum0 + e[0] * z[n]
         m[n] = e[n]
 
 

@@ -90,10 +90,10 @@ OPERATIONS = {
             (S, V),
             (Q, X),
             (sin(X), 2 * sin(X / 2) ** 2),
-            ((Q[n] - Q[n] * V[0] - _sum(Q, V)) / n, (Q[n] * S[0] + _sum(Q, S)) / n),
+            (X[n] * (1 - V[0]) - _sum(Q, V) / n, X[n] * S[0] + _sum(Q, S) / n),
             (sin(X), 1 - cos(X)),
         ),
-        SeriesOperation("exp", (E, M), (Q, Z), (exp(Z), expm1(Z)), ((Q[n] * E[0] + _sum(Q, E)) / n, E[n])),
+        SeriesOperation("exp", (E, M), (Q, Z), (exp(Z), expm1(Z)), (Z[n] * E[0] + _sum(Q, E) / n, E[n])),
         SeriesOperation("rec", (H, M), (Z,), (1 / (1 + Z), -Z / (1 + Z)), (-H[0] * (Z[n] * H[0] + _sum(Z, H)), H[n])),
         SeriesOperation(
             "log",

@@ -13,7 +13,10 @@ from derive.kinds import TextDict, Texts
 
 
 class _Target(NamedTuple):
-    """Notation of operations on series in a language: statements, zero, and sums, also of a series with itself."""
+    """Notation of operations on series in a language: statements, zero, and sums, also of a series with itself.
+
+    Sums are empty in C, where `_loop` has them.
+    """
 
     language: Language
     zero: str
@@ -22,13 +25,7 @@ class _Target(NamedTuple):
     symmetric: str
 
 
-C = _Target(
-    Language("vector", "const V {name} = {text};", repr),
-    "(V){0}",
-    ";",
-    "const V {name} = {name}_[0] + {name}_[1];",
-    "V {name} = 2.0 * ({name}_[0] + {name}_[1]);\nif (n % 2 == 0) {name} += {a}[n / 2] * {a}[n / 2];",
-)
+C = _Target(Language("vector", "const V {name} = {text};", repr), "(V){0}", ";", "", "")
 NUMPY = _Target(
     Language("python", "{name} = {text}", repr, "np"),
     "0.0",
@@ -36,9 +33,31 @@ NUMPY = _Target(
     "{name} = _over({a}, {b}, n, n - 1)",
     "{name} = 2.0 * _over({a}, {a}, n, (n - 1) // 2)\n{name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0",
 )
-# In C all sums of an operation are one loop, each in two parts.
-PARTS = "{name}_[2] = {{{{0}}}}"
-TERMS = "{name}_[j] += {a}[k] * {b}[n - k]"
+# In C all sums of an operation are one loop, each in two parts. At even orders it also has the known terms of the next
+# order, so that coefficients are read once for two; these terms wait where the next coefficient of a result will be.
+SUMS = """\
+{declared}
+if (n % 2 == 0) {{
+{first}
+    PAIRWISE({below}, {terms});
+{last}
+}} else if (n > 1) {{
+{rest}
+}}"""
+DECLARED = "V {name} = {{0}};"
+FIRST = "V {name}_[2] = {{{a}[1] * {b}[n - 1]}}, {name}_next[2] = {{{{0}}}}, {name}_before = {b}[n - 1];"
+TERMS = (
+    "const V {name}_now = {b}[n - k]; {name}_[j] += {a}[k] * {name}_now; "
+    "{name}_next[j] += {a}[k] * {name}_before; {name}_before = {name}_now"
+)
+LAST = "{name} = {name}_[0] + {name}_[1];\n{slot}[n + 1] = {name}_next[0] + {name}_next[1];"
+REST = "{name} = {slot}[n] + {a}[1] * {b}[n - 1] + {a}[n - 1] * {b}[1];"
+LAST_OF_SQUARE = (
+    "const V middle = {a}[n / 2] * {a}[n / 2];\n"
+    "{name} = n > 2 ? 2.0 * ({name}_[0] + {name}_[1]) + middle : middle;\n"
+    "{slot}[n + 1] = n > 2 ? 2.0 * ({name}_next[0] + {name}_next[1] + {a}[n / 2] * {name}_before) : (V){{0}};"
+)
+REST_OF_SQUARE = "{name} = {slot}[n] + 2.0 * {a}[1] * {a}[n - 1];"
 CASE = """\
     case {code}: {{ /* {means} */
 {names}
@@ -64,12 +83,13 @@ def _{code}(r: Floats, n: int, {parameters}) -> None:
 
 
 class _Sum(NamedTuple):
-    """Sum of a[k] b[n - k] in an operation's step."""
+    """Sum of a[k] b[n - k] in an operation's step, and the result in which its terms of the next order wait."""
 
     total: Sum
     name: str
     a: IndexedBase
     b: IndexedBase
+    slot: IndexedBase
 
 
 def _sums(o: SeriesOperation) -> list[_Sum]:
@@ -78,7 +98,7 @@ def _sums(o: SeriesOperation) -> list[_Sum]:
     totals = {total for e in o.step for total in e.atoms(Sum)}
     for i, total in enumerate(sorted(totals, key=str)):
         at_k, at_rest = sorted(total.function.atoms(Indexed), key=lambda x: x.indices != (k,))
-        sums.append(_Sum(total, f"sum{i}", at_k.base, at_rest.base))
+        sums.append(_Sum(total, f"sum{i}", at_k.base, at_rest.base, o.results[i]))
     return sums
 
 
@@ -111,7 +131,7 @@ def _body(o: SeriesOperation, target: _Target) -> tuple[Texts, Texts]:
     sums = _sums(o)
     form = target.symmetric if _symmetric(sums) else target.sum
     step = []
-    for s in sums:
+    for s in sums if form else ():
         step += form.format(**s._asdict()).split("\n")
     for x, e in zip(o.results, o.step, strict=True):
         lines, (text,) = _texts([e], target.language, sums)
@@ -133,10 +153,16 @@ def _loop(sums: Sequence[_Sum]) -> Texts:
     """Return the lines of C with the loop of all sums of an operation, none without sums."""
     if not sums:
         return []
-    parts = (PARTS.format(**s._asdict()) for s in sums)
-    terms = (TERMS.format(**s._asdict()) for s in sums)
-    below = "(n + 1) / 2" if _symmetric(sums) else "n"
-    return [f"V {', '.join(parts)};", f"OVER({below}, {'; '.join(terms)});"]
+    square = _symmetric(sums)
+    parts = {"declared": DECLARED, "first": FIRST, "terms": TERMS, "last": LAST, "rest": REST}
+    if square:
+        parts |= {"last": LAST_OF_SQUARE, "rest": REST_OF_SQUARE}
+    joined = {}
+    for part, form in parts.items():
+        lines = [form.format(**s._asdict()) for s in sums]
+        joined[part] = "; ".join(lines) if part == "terms" else _indented("\n".join(lines).split("\n"), 4)
+    joined["declared"] = joined["declared"].replace("    ", "")
+    return SUMS.format(below="n / 2" if square else "n", **joined).splitlines()
 
 
 def _c_case(o: SeriesOperation) -> str:

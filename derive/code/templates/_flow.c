@@ -658,8 +658,8 @@ INLINE V sqrt_of(V x)
 #define vector_map(f, x) f##_of(x)
 #define vector_choose pick
 
-/* What is added at each k from 1 to below another, by turns into parts j = 0 and 1 that do not wait for each other. */
-#define OVER(below, add) do { int k = 1; \
+/* What is added at each k from 2 to below another, by turns into parts j = 0 and 1 that do not wait for each other. */
+#define PAIRWISE(below, add) do { int k = 2; \
     while (k + 1 < (below)) { { const int j = 0; add; } k++; { const int j = 1; add; } k++; } \
     if (k < (below)) { const int j = 0; add; } } while (0)
 
