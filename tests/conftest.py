@@ -60,7 +60,7 @@ def pytest_collection_finish() -> None:
 
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure() -> None:
-    """Exempt what the tests left from another collection, which would take seconds; pytest has just made one."""
+    """Exempt what the tests left from a second collection, as pytest has just made one."""
     gc.freeze()
 
 
