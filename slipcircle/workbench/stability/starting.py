@@ -185,4 +185,4 @@ def _resistance(driven: Driven, method: str) -> Floats:
     lowest, highest = lever_range(slices)
     one = np.ones_like(lowest)
     friction = slices.friction * bishop_normal(slices, one)
-    return np.where((lowest < one) & (one < highest), slices.integral(slices.cohesion() + friction), np.nan)
+    return np.where((lowest < 1.0) & (highest > 1.0), slices.integral(slices.cohesion() + friction), np.nan)
