@@ -68,10 +68,11 @@ def test_a_suite_is_that_of_the_exact_block(name: str) -> None:
 @pytest.mark.parametrize("name", BACKENDS)
 def test_records_side_by_side_are_each_alone(name: str, law: Any, effects: dict[str, Any]) -> None:
     """Bit for bit, in any order: of any length, that end at a jump or not, that start late, and that are held."""
+    count = 700 if name == "C" else 200  # NumPy takes a hundred times as long
     short = quake(12, 90)
-    late = Series(1.0 + quake(13, 300).time, quake(13, 300).values)
+    late = Series(1.0 + quake(13, count // 2).time, quake(13, count // 2).values)
     cut = Series(short.time, np.where(short.time == short.time[-1], 0.2, short.values), held=False)
-    records = quake(11, 700), short, late, cut, quake(14, 120)
+    records = quake(11, count), short, late, cut, quake(14, 120)
     which = np.array([3, 0, 1, 4, 2, 0, 3, 1, 2, 4, 4])
     scales = np.linspace(1.0, 3.0, which.size)
     frozen = isinstance(law, float) and not effects

@@ -439,45 +439,36 @@ def test_functions_without_cancellation() -> None:
 
 
 def test_a_fault_of_the_closed_form_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = energy.factors
+    right, softens, complete = energy.factors, softening.softening_factors, recurrence.complete_net
 
-    def wrong(e: Any, drive: Any, sine: Any, vers: Any, q: Any) -> None:
-        right(e, drive, sine, vers, q)
+    def wrong(e: Any, *problem: Any) -> None:
+        right(e, *problem)
         e[1] = -e[1]
-
-    monkeypatch.setattr(energy, "factors", wrong)
-    with pytest.raises(ProofError, match="E in the integrator"):
-        closed.prove()
-    monkeypatch.undo()
-    softens = softening.softening_factors
 
     def wrong_term(s: Any, e: Any) -> None:
         softens(s, e)
         e[softening.SINE + 2] = -e[softening.SINE + 2]
 
-    monkeypatch.setattr(softening, "softening_factors", wrong_term)
-    with pytest.raises(ProofError, match="E under softening friction in the integrator"):
-        closed.prove()
-    monkeypatch.undo()
-
     def wrong_series(s: Any, e: Any) -> None:
         softens(s, e)
         e[hyperbolic.POWER + 2 * hyperbolic.HALF] *= 1 + 1e-9
-
-    monkeypatch.setattr(closed, "_prove_softening", lambda: None)  # which takes longest, and is right again
-    monkeypatch.setattr(softening, "softening_factors", wrong_series)
-    with pytest.raises(ProofError, match="E under hyperbolic friction in the integrator"):
-        closed.prove()
-    monkeypatch.undo()
-    complete = recurrence.complete_net
 
     def wrong_weight(s: Any, weight: Any, n: int) -> None:
         complete(s, weight, n)
         weight[n] *= 1.01 if n == 1 else 1
 
-    monkeypatch.setattr(recurrence, "complete_net", wrong_weight)
-    with pytest.raises(ProofError, match="E in a piece of a table in the integrator"):
-        closed.prove()
+    faults: list[tuple[Any, str, Any, str]] = [
+        (softening, "softening_factors", wrong_term, "E under softening friction in the integrator"),
+        (softening, "softening_factors", wrong_series, "E under hyperbolic friction in the integrator"),
+        (recurrence, "complete_net", wrong_weight, "E in a piece of a table in the integrator"),
+        (energy, "factors", wrong, "E in the integrator"),
+    ]
+    for module, name, fault, claim in faults:
+        with monkeypatch.context() as patch:
+            patch.setattr(module, name, fault)
+            with pytest.raises(ProofError, match=claim):
+                closed.prove()
+        monkeypatch.setattr(closed, "_prove_softening", lambda: None)  # it takes longest, and its fault comes first
     monkeypatch.setattr(phase_plane, "NET", phase_plane.NET + phase_plane.x)
     with pytest.raises(ProofError, match="term 0 under softening"):
         phase_plane.prove()
