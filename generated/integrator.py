@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 223052ce2e939638272aac578c31943fe6eb1a318c6412d4dff397dba42ec2f8
+# sha256 of the text below: 3ae02b2041e7b4af7dca99deebe09efda6e778c26a014d7cf6af15aa18b7517a
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -369,6 +369,8 @@ NEXT_SHARES = (0.6506981459528086, -1.3904518577536216, 0.739753711800813, 0.739
     0.6003665987606669, -0.6076977904534808, 0.6022867338773646, -0.5846181008158503, 0.5555142313787836,
     -0.5161184901411058, 0.4678720159660525, -0.4124853958917247, 0.3519075741302629, -0.28829564702411775,
     0.22399186460403825, -0.16152034625672088, 0.10363303001903508, -0.05349347277944268, 0.015395378857163744)
+RATIO = 0.25
+RATIO_TO_ROUNDING = 0.18
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -415,8 +417,6 @@ TERMS = 8
 GREATEST = 0.0625
 DRIVEN = 1024.0
 ALIKE = 3.814697265625e-06
-PER_STEP = 4.0
-PER_STEP_TO_ROUNDING = 5.555555555555556
 BETWEEN = 0.24
 BENT = 0.325
 CLOSER_TO_POLE = 3.0
@@ -2738,8 +2738,8 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats, closer
     to_end = passed_to(s, end)
     unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * c[s.roles.loss_rate]
-    unchanged = np.where(c[ix.FACTOR] < BETWEEN, PER_STEP_TO_ROUNDING, PER_STEP)
-    change = c[ix.FACTOR] * unchanged
+    usual = np.where(c[ix.FACTOR] < BETWEEN, RATIO_TO_ROUNDING, RATIO)
+    change = c[ix.FACTOR] / usual
     bend = change * BENT * np.sqrt(softened)
     if s.roles.per_pole >= 0:
         bend = change * CLOSER_TO_POLE

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8fcb1fc235bced7f4ae9ce06b7ca985e384b81161b83a4940709faedb414c29a
+# sha256 of the text below: 98ab150cd88938de2d76ef7ab7869ab18c8b7353873579d7feee2f068fd2166b
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -131,6 +131,8 @@ ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'square', 'cell_drive', 'cell
     'cell_net_loss_sine', 'cell_net_loss_vers', 'cell_net_loss_square', 'cell_loss_rate', 'cell_per_pole',
     'cell_net_record', 'cell_net_record_sine', 'cell_net_record_vers', 'cell_normal_record', 'cell_normal_record_sine',
     'cell_normal_record_vers')
+RATIO = 0.25
+RATIO_TO_ROUNDING = 0.18
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

@@ -154,6 +154,10 @@ ROLES = (
 )
 HIGHEST = 40  # order of a series
 STRIDE = HIGHEST + 2  # distance of registers: states have one more coefficient, followed by zero
+# Ratio of consecutive terms at the end of a step: the truncation error of a series of order n is RATIO^n. It is smaller
+# for single scenes, because coefficients of high order overflow and extrema within a step are lost in the rounding of
+# its terms.
+RATIOS = {"RATIO": 0.25, "RATIO_TO_ROUNDING": 0.18}
 # Greatest numbers for a lane, without breaks of functions of time. A step that changes the speed by less than a share
 # is shortened by a fast transient (the motion is stiff), and counts as several steps.
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
@@ -193,7 +197,7 @@ def python() -> str:
     for words, prefix, start, names in NUMBERED.values():
         rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
-    given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
+    given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | RATIOS | LIMITS | SHARES
     given |= {"STRIDE": STRIDE, "RESULTS": len(RESULTS)}
     return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
 

@@ -87,6 +87,7 @@ GIVEN = (
     "SHARES",
     "LAST_SHARES",
     "NEXT_SHARES",
+    *layout.RATIOS,
 )
 
 

@@ -15,8 +15,8 @@ from slipcircle.ground.doubledouble import DoubleDouble
 from slipcircle.ground.plane import Vectors, each_lane
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
-_PLACES = (1.0 + _NODES[:, None, None]) / 2  # for integrals from 0 to 1
-_SHARES = _WEIGHTS[:, None, None] / 2
+_PLACES = (1.0 + _NODES[:, None]) / 2  # for integrals from 0 to 1
+_SHARES = _WEIGHTS[:, None] / 2
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 13  # edges per block, whose arrays fit into the cache
 
@@ -236,74 +236,62 @@ def moments(parts: Cut, mine: Flags) -> ArrayDict:
     """Return integrals over the mass below selected parts for each circle, by the names in ``MEASURES``, (n,).
 
     ``mine`` is a mask of the parts above the mass, (n, E), and lengths are over R. Source: `generated.slopes`. The
-    relative error is about 1e-15, for vectors relative to their length.
+    relative error is about 1e-15, for vectors relative to their length. Short edges are integrated by quadrature of
+    rings, and long edges by sectors and triangles.
     """
-    n, count = mine.shape
-    out = np.zeros((len(MEASURES), n))
-    rows = max(1, _BLOCK // max(count, 1))
-    for k in range(0, n, rows):
-        some = slice(k, k + rows)
-        of_some = parts.only(some)
-        out[:, some] = _moments(of_some, mine[some])
-    return dict(zip(MEASURES, out, strict=True))
-
-
-def _moments(parts: Cut, mine: Flags) -> Floats:
-    """Return `moments` of one block, (measures, n).
-
-    Short edges are integrated by quadrature of rings, and long edges by sectors and triangles.
-    """
-    start = parts.start
-    edge = parts.part.where(mine)
-    end = start + edge
-    distance = slopes.REACH * (start.length + end.length)
-    is_long = edge.square > distance**2
-    total = _ring_moments(parts, edge.where(~is_long))
-    at = np.nonzero(is_long)
+    bounds_mass = mine & parts.part.is_nonzero
+    at = np.nonzero(bounds_mass)
     lane, _ = at
-    if lane.size:
-        circles = len(mine)
-        total += _sector_moments(start[at], edge[at], lane, circles)
-    return total
+    start = parts.start[at]
+    edge = parts.part[at]
+    end = start + edge
+    from_centre = start.length + end.length
+    reach = slopes.REACH * from_centre
+    is_long = edge.square > reach**2
+    first = parts.first[at]
+    second = parts.second[at]
+    by_edge = np.empty((len(MEASURES), len(lane)))
+    short = np.flatnonzero(~is_long)
+    for k in range(0, len(short), _BLOCK):
+        some = short[k : k + _BLOCK]
+        rings = _ring_moments(start[some], edge[some], first[some], second[some])
+        by_edge[:, some] = rings
+    if np.any(is_long):
+        sectors = _sector_moments(start[is_long], edge[is_long])
+        by_edge[:, is_long] = sectors
+    circles = len(mine)
+    by_circle = [np.bincount(lane, values, circles) for values in by_edge]
+    totals = np.array(by_circle)
+    return dict(zip(MEASURES, totals, strict=True))
 
 
-def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Floats:
-    """Return moments below edges by the closed forms of sectors and triangles, summed by circle, (measures, n).
-
-    ``start`` and ``edge`` are over R, ``lane`` is the circle of each edge, and ``count`` is the number of circles.
-    """
+def _sector_moments(start: Vectors, edge: Vectors) -> Any:
+    """Return moments below edges by the closed forms of sectors and triangles, each (edges,); lengths are over R."""
     end = start + edge
     angle = np.arctan2(start.cross(edge), start.dot(end))
-    by_edge = slopes.closed(start.x, start.y, edge.x, edge.y, angle)
-    by_circle = [np.bincount(lane, values, count) for values in by_edge]
-    return np.array(by_circle)
+    return slopes.closed(start.x, start.y, edge.x, edge.y, angle)
 
 
-def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
-    """Return moments of the rings between edges and arcs, summed by circle, (measures, n).
+def _ring_moments(start: Vectors, edge: Vectors, first: Floats, second: Floats) -> Floats:
+    """Return moments of the rings between edges and arcs, (measures, edges).
 
-    ``edge`` are the parts of edges, 0 where an edge does not count.
-
-    Along an edge g = (1-s) g_1 + s g_2 + s (1-s) d^2.
+    Lengths are over R. ``first`` and ``second`` are g_1 and g_2 at the ends: g = (1-s) g_1 + s g_2 + s (1-s) d^2.
     """
-    used = edge.is_nonzero
-    first = np.where(used, parts.first, 0.0)
-    second = np.where(used, parts.second, 0.0)
-    square = edge.square
     rest = 1.0 - _PLACES
     of_first = rest * first
     of_second = _PLACES * second
-    bend = _PLACES * rest * square
-    rings = slopes.rings(of_first + of_second + bend)
+    bend = _PLACES * rest * edge.square
+    gap = of_first + of_second + bend
+    rings = slopes.rings(gap)
     parts_of_rings = [_SHARES * values for values in rings]
     area, polar, inertia, radial, moment = (values.sum(axis=0) for values in parts_of_rings)
     along_edge = [_PLACES * values for values in parts_of_rings[3:]]
     radial_s, moment_s = (values.sum(axis=0) for values in along_edge)
-    start = parts.start
     of_radial = start * radial + edge * radial_s
     of_moment = start * moment + edge * moment_s
     by_edge = np.array([area, polar, inertia, *of_radial, *of_moment])
-    return (by_edge * start.cross(edge)).sum(axis=2)
+    doubled_area = start.cross(edge)
+    return by_edge * doubled_area
 
 
 def thickness(parts: Cut, mine: Flags) -> Floats:

@@ -66,6 +66,7 @@ def _codes(name: str) -> Any:
 Kind, Status, Passed, Pending, Event, Note = map(_codes, ("Kind", "Status", "Passed", "Pending", "Event", "Note"))
 Limit: Any = SimpleNamespace(**layout.LIMITS)
 Share: Any = SimpleNamespace(**layout.SHARES)
+RATIO, RATIO_TO_ROUNDING = layout.RATIOS.values()
 
 
 def up(first: int, last: int) -> range:

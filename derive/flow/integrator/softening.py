@@ -22,6 +22,8 @@ from derive.flow.integrator.one_lane import (
     LAST_SHARES,
     NEXT_SHARES,
     NODES,
+    RATIO,
+    RATIO_TO_ROUNDING,
     SHARES,
     SHORTEST,
     Lanes,
@@ -44,9 +46,6 @@ TERMS = 8  # of the series
 GREATEST = 0.0625  # brake/slope, of which powers above the last term are below rounding
 DRIVEN = 1024.0  # greatest load that friction loses over the drive, with which the digits lost by the sum increase
 ALIKE = 2.0**-18  # last coefficients of an integrand up to which its integral is accurate, `CLOSER` beyond `FINEST`
-# Reciprocals of the factor that lanes usually have, the ratio of terms at the end of a step.
-PER_STEP = 4.0
-PER_STEP_TO_ROUNDING = 5.555555555555556
 BETWEEN = 0.24  # factors of lanes that are solved to rounding are smaller, all others greater
 BENT = 0.325  # factor of the root of slope x in a rule with closer nodes where friction softens
 CLOSER_TO_POLE = 3.0  # of nodes in the logarithm of the distance from the pole
@@ -273,8 +272,8 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V, closer: N) -> tuple[V
     to_end = passed_to(s, end)
     unit = to_peak / (to_end - to_peak)
     softened = 1.0 - peak * s.loss_rate
-    unchanged = where(s.factor < BETWEEN, PER_STEP_TO_ROUNDING, PER_STEP)
-    change = s.factor * unchanged
+    usual = where(s.factor < BETWEEN, RATIO_TO_ROUNDING, RATIO)
+    change = s.factor / usual
     bend = change * BENT * sqrt(softened)
     if s.has.per_pole:
         bend = change * CLOSER_TO_POLE

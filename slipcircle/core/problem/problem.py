@@ -25,11 +25,6 @@ from slipcircle.core.scene.mass import Farther
 from slipcircle.core.scene.piecewise import Data
 
 FINEST = 1e-14  # accuracy of single scenes, since lower orders save little time
-# Ratio of consecutive terms at the end of a step: the truncation error of a series of order n is STEP^n. It is smaller
-# for single scenes, because coefficients of high order overflow and extrema within a step are lost in the rounding of
-# its terms.
-STEP = 0.25
-STEP_TO_ROUNDING = 0.18
 NEAR = 2e13  # margin of a decision at rest, in units of rounding, from which the rounded limit friction is accurate
 LOWEST = 8  # least order, since steps depend on the first five and the last four coefficients
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
@@ -290,7 +285,7 @@ def _cells_of_method(program: Program, accuracy: float, lanes: int, shaken: bool
     lane) are solved to rounding.
     """
     attainable = max(accuracy if lanes > 1 else min(accuracy, FINEST), 1e-16)
-    step, margin = (STEP, 2.0) if attainable > FINEST else (STEP_TO_ROUNDING, 1.0)
+    step, margin = (ix.RATIO, 2.0) if attainable > FINEST else (ix.RATIO_TO_ROUNDING, 1.0)
     if shaken:
         margin = 3.0  # displacements are small sums of steps, which end where the terms of a series are negligible
     terms = math.ceil(margin + math.log(attainable) / math.log(step))

@@ -192,8 +192,7 @@ class SlopeArrays:
         """
         tops = slice(first, first + len(self.tops) + 1)
         height = self.columns.height[tops]
-        values = np.stack([height, self.columns.gradient[tops], np.ones_like(height)])
-        values = values * self.steps[tops, :, None]
+        values = np.stack([height, self.columns.gradient[tops], np.ones_like(height)]) * self.steps[tops, :, None]
         for k in range(len(self.tops)):  # not by cumsum, which takes several times as long
             values[:, k + 1] += values[:, k]
         return values

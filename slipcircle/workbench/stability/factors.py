@@ -105,8 +105,7 @@ def driven_slices(slope: SlopeArrays, circles: Circles, rule: Rule = EXACT, ever
     if cracked:
         arcs = _cracked(slope, arcs, facing)
         slices = slices_above(slope, arcs, rule, every_surface)
-        moment, _ = slices.driving_moment()
-        gravity = moment + at_shores(slope, arcs)
+        gravity = slices.driving_moment()[0] + at_shores(slope, arcs)
     slices = slices.facing(facing)
     if slope.ponds is not None:
         slices = submerged(slices, level_at_exit(slope.ponds, arcs, facing))
@@ -210,15 +209,13 @@ def _bishop(driven: Driven) -> Floats:
     by_breadth = slopes.bishop_strength(1.0, slices.vertical(), 0.0, slices.stresses.cohesion, friction)
     strength = slices.weight * slices.at(by_breadth)
     driving = driven.driving
-    level_strength = strength * slices.cosine
-    start = slices.sums(level_strength) / driving
+    start = slices.sums(strength * slices.cosine) / driving
     start = np.maximum(start, _LEAST_FACTOR)
     y = np.clip(1.0 / start, lowest, highest)
     y = np.where(lowest < highest, y, np.nan)
     for _ in range(_NEWTON_STEPS):
         factor = 1.0 / y
-        of_interval = slices.of_arcs(factor)
-        lever = slopes.bishop_lever(tangent, 1.0, friction, of_interval)  # over cos a
+        lever = slopes.bishop_lever(tangent, 1.0, friction, slices.of_arcs(factor))  # over cos a
         shear = strength / lever
         excess = y * slices.sums(shear) - driving
         shear /= lever

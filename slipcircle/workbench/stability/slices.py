@@ -43,7 +43,7 @@ class Rule(NamedTuple):
     nodes: int = 10
     pieces: int = 1
     at_kinks: bool = True
-    widest: float = np.pi
+    widest: float = 4.0  # wider than every arc
 
 
 EXACT = Rule()

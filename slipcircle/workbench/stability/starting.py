@@ -23,7 +23,7 @@ from slipcircle.workbench.stability.slices import Rule
 from slipcircle.workbench.stability.stability import circles_of, circles_of_lanes, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
-_RULE = Rule(nodes=6, widest=0.19)  # random factors are accurate to 1e-14
+_RULE = Rule(nodes=7, widest=0.26)  # random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
@@ -185,4 +185,4 @@ def _resistance(driven: Driven, method: str) -> Floats:
     lowest, highest = lever_range(slices)
     one = np.ones_like(lowest)
     friction = slices.friction * bishop_normal(slices, one)
-    return np.where((lowest < one) & (one < highest), slices.integral(slices.cohesion() + friction), np.nan)
+    return np.where((lowest < 1.0) & (highest > 1.0), slices.integral(slices.cohesion() + friction), np.nan)
