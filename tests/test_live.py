@@ -41,7 +41,7 @@ def motion(name: str) -> Motion:
 
 @cache
 def sliders_of(name: str) -> list[Slider]:
-    """Return the sliders of a scene's page, which of a layered scene take three seconds."""
+    """Return the sliders of a scene's page, which of a layered scene take a second."""
     return default_sliders(load(name))
 
 

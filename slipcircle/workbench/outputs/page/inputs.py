@@ -209,52 +209,68 @@ def _lobatto(degree: int) -> Floats:
 def fits_of(inputs: PageInputs, most: float = math.inf) -> list[Interpolant]:
     """Return interpolants of all rows that vary; raise `NoFit` if they need more than ``most`` numbers."""
     present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
-    every = range(len(inputs.sliders))
-    degrees = [_degrees(inputs, present, k) for k in every]
+    degrees = _degrees(inputs, present)
     steep = {row for of_slider in degrees for row, degree in of_slider.items() if degree > _STEEP}
     if steep and inputs.friction:
         inputs.divided = sorted(steep)
-        degrees = [_degrees(inputs, present, k) for k in every]
+        degrees = _degrees(inputs, present)
     groups: dict[tuple[tuple[int, int], ...], list[int]] = {}
     for row in sorted({row for of_slider in degrees for row in of_slider}):
         key = tuple((k, of_slider[row]) for k, of_slider in enumerate(degrees) if row in of_slider)
         groups.setdefault(key, []).append(row)
     if any(math.prod(degree + 1 for _, degree in key) > most for key in groups):
         raise NoFit
-    fits = [_fit(inputs, present, key, rows) for key, rows in groups.items()]
+    grids = [_grid(present, *zip(*key, strict=True)) for key in groups]
+    values = _at_each(inputs, grids)
+    fits = [_fit(inputs, of_group, key, rows) for of_group, (key, rows) in zip(values, groups.items(), strict=True)]
     if sum(fit.weights.size + fit.coefficients.size for fit in fits) > most:
         raise NoFit
     return fits
 
 
-def _degrees(inputs: PageInputs, present: Floats, k: int) -> dict[int, int]:
-    """Return the degree in slider ``k`` of each row that varies with this slider, by the index of the row.
+def _at_each(inputs: PageInputs, grids: Sequence[Floats]) -> list[Floats]:
+    """Return the rows at each of several grids of places, (sliders, places), of which one ensemble is laid out."""
+    if not grids:
+        return []
+    values = inputs.at(np.concatenate(grids, axis=1))
+    return np.split(values, np.cumsum([grid.shape[1] for grid in grids[:-1]]), axis=1)
 
-    ``present`` are the places of the scene's own values, (sliders, 1).
+
+def _grid(present: Floats, of: Shape, degrees: Shape) -> Floats:
+    """Return the places, (sliders, places), of Lobatto points in some sliders, by their indices and degrees.
+
+    ``present`` are the places of the scene's own values, (sliders, 1), at which the other sliders remain.
     """
-    places = np.repeat(present, DEGREE + 1, axis=1)
-    places[k] = _lobatto(DEGREE)
-    values = inputs.at(places)
-    values = np.where(np.isfinite(values), values, 0.0)
-    coefficients = values @ np.linalg.inv(chebyshev.chebvander(places[k], DEGREE)).T
-    counted = np.abs(coefficients) > ROUNDING * inputs.sizes(values)[:, None]
-    degrees = DEGREE - np.argmax(counted[:, ::-1], axis=1)
-    (varied,) = np.nonzero(np.any(counted[:, 1:], axis=1))
-    return dict(zip(varied.tolist(), degrees[varied].tolist(), strict=True))
-
-
-def _fit(inputs: PageInputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int]) -> Interpolant:
-    """Return the interpolant of rows of the same degrees, by a singular value decomposition of its coefficients.
-
-    ``present`` is as in `_degrees`, ``key`` has pairs of slider index and degree, ``rows`` the indices of the rows.
-    """
-    of, degrees = zip(*key, strict=True)
-    axes = np.meshgrid(*(_lobatto(degree) for degree in degrees), indexing="ij")
+    axes = np.meshgrid(*map(_lobatto, degrees), indexing="ij")
     places = np.repeat(present, axes[0].size, axis=1)
     places[list(of)] = [axis.ravel() for axis in axes]
-    values = inputs.at(places)
+    return places
+
+
+def _degrees(inputs: PageInputs, present: Floats) -> list[dict[int, int]]:
+    """Return for each slider the degree of each row that varies with it, by the index of the row.
+
+    ``present`` is as in `_grid`.
+    """
+    inverse = np.linalg.inv(chebyshev.chebvander(_lobatto(DEGREE), DEGREE)).T
+    of_sliders = []
+    for values in _at_each(inputs, [_grid(present, (k,), (DEGREE,)) for k in range(len(present))]):
+        finite = np.where(np.isfinite(values), values, 0.0)
+        counted = np.abs(finite @ inverse) > ROUNDING * inputs.sizes(finite)[:, None]
+        degrees = DEGREE - np.argmax(counted[:, ::-1], axis=1)
+        (varied,) = np.nonzero(np.any(counted[:, 1:], axis=1))
+        of_sliders.append(dict(zip(varied.tolist(), degrees[varied].tolist(), strict=True)))
+    return of_sliders
+
+
+def _fit(inputs: PageInputs, values: Floats, key: tuple[tuple[int, int], ...], rows: list[int]) -> Interpolant:
+    """Return the interpolant of rows of the same degrees, by a singular value decomposition of its coefficients.
+
+    ``values`` are all rows at the `_grid` of ``key``, pairs of slider index and degree; ``rows`` are row indices.
+    """
+    of, degrees = zip(*key, strict=True)
     sizes = inputs.sizes(values)[rows, None]
-    coefficients = (values[rows] / sizes).reshape(len(rows), *axes[0].shape)
+    coefficients = (values[rows] / sizes).reshape(len(rows), *(degree + 1 for degree in degrees))
     for axis, degree in enumerate(degrees, 1):
         inverse = np.linalg.inv(chebyshev.chebvander(_lobatto(degree), degree))
         coefficients = np.moveaxis(np.tensordot(inverse, coefficients, (1, axis)), 0, axis)
