@@ -79,10 +79,11 @@ def test_records_side_by_side_are_each_alone(name: str, law: Any, effects: dict[
     with backend(name):
         together = shaken(LaneSeries(records, which), mu=law, effects=effects, scale=scales)
         for k, record in enumerate(records):
-            alone = shaken(record, mu=law, effects=effects, scale=scales[which == k])
+            lanes = which == k
+            alone = shaken(record, mu=law, effects=effects, scale=scales[lanes])
             for outcome in ("run_out", "peak_velocity", "duration"):
-                np.testing.assert_array_equal(together.outcomes[outcome][which == k], alone.outcomes[outcome])
-            for run_out, scale in zip(alone.run_out, scales[which == k], strict=True):
+                np.testing.assert_array_equal(together.outcomes[outcome][lanes], alone.outcomes[outcome])
+            for run_out, scale in zip(alone.run_out, scales[lanes], strict=True):
                 if frozen and not record.held:
                     places, _, _ = of_block(replace(record, values=scale * record.values))
                     assert run_out == pytest.approx(places[-1], rel=1e-12)
