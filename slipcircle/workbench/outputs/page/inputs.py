@@ -233,7 +233,8 @@ def _at_each(inputs: PageInputs, grids: Sequence[Floats]) -> list[Floats]:
     if not grids:
         return []
     values = inputs.at(np.concatenate(grids, axis=1))
-    return np.split(values, np.cumsum([grid.shape[1] for grid in grids[:-1]]), axis=1)
+    counts = [grid.shape[1] for grid in grids]
+    return np.split(values, np.cumsum(counts)[:-1], axis=1)
 
 
 def _grid(present: Floats, of: Shape, degrees: Shape) -> Floats:
@@ -254,7 +255,8 @@ def _degrees(inputs: PageInputs, present: Floats) -> list[dict[int, int]]:
     """
     inverse = np.linalg.inv(chebyshev.chebvander(_lobatto(DEGREE), DEGREE)).T
     of_sliders = []
-    for values in _at_each(inputs, [_grid(present, (k,), (DEGREE,)) for k in range(len(present))]):
+    grids = [_grid(present, (k,), (DEGREE,)) for k in range(len(present))]
+    for values in _at_each(inputs, grids):
         finite = np.where(np.isfinite(values), values, 0.0)
         counted = np.abs(finite @ inverse) > ROUNDING * inputs.sizes(finite)[:, None]
         degrees = DEGREE - np.argmax(counted[:, ::-1], axis=1)
