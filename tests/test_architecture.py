@@ -263,7 +263,8 @@ def test_a_plain_scene_loads_no_lazy_package_and_a_plain_section_only_the_ground
     assert loaded('arc, 0.1, ["rotation", "centripetal"]') == set()
     softening = {"law": "exponential", "peak": 0.3, "residual": 0.1, "length": 1.0}
     effects = {"rotation": {}, "drag": {"xi": 500.0}, "pore_pressure": {"ratio": 0.1}}
-    assert loaded(f"arc, {softening}, {effects}, np.array([0.0, 1.0])") == {"tree"}
+    assert loaded(f"arc, {softening}, {effects}, np.array([0.0, 1.0])") == set()
+    assert loaded(f"arc, {softening} | {{'peak': np.array([0.3, 0.4])}}, {effects}") == {"tree"}
     section = "s.Section(ground, centre=[22, 38], radius=38.0, unit_weight=20e3)"
     assert loaded(f'{section}, 0.2, ["rotation"]') == {"ground"}
     assert loaded('arc, 0.1, ["rotation"]', ".error_estimate") == set()
