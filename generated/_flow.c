@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e617538e72048e2e26e94e2b349e4497e268f28848a0446e07d07019fd900bf5"
+#define DIGEST "aaac44d070ae990c8dc49c71168bdd3a21bfff963524e66fddde276d06915816"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -56,7 +56,7 @@ typedef struct {
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
     void *memory; /* for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
-    void *begun; /* vectors and integers of lanes that begin side by side, or NULL; see `find_common` */
+    void *begun; /* vectors and integers of lanes that begin side by side, or NULL; see `find_begun` */
     int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
@@ -4944,9 +4944,11 @@ static void find_begun(Batch *b, int64_t first)
         c[i] = broadcast(at_start(job, i, first));
         if (!is_shared(job, i)) *own_end++ = i;
     }
+    const V velocity = c[OMEGA];
     start(b, lanes(ALL));
     prologue(b, lanes(ALL));
     memcpy(shared, c, job->cells * sizeof(V));
+    shared[OMEGA] = velocity; /* with its sign, from which `start` has the direction */
     int32_t *end = own_end;
     unsigned char *const differs = (unsigned char *)(own_end + (job->scalar_end - job->scalar));
     memset(differs, 0, job->cells);

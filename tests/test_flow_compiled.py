@@ -46,7 +46,7 @@ def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, m
     assert np.array_equal(integrate(bound), whole, equal_nan=True)
 
 
-@pytest.mark.parametrize("start", [{}, {"omega": 0.0}], ids=["pushed", "from rest"])
+@pytest.mark.parametrize("start", [{}, {"omega": 0.0}, {"omega": -0.1}], ids=["pushed", "from rest", "up-slope"])
 @pytest.mark.parametrize("name", SCENES)
 def test_lanes_that_share_cells_are_the_same_as_with_their_own(name: str, start: dict[str, float]) -> None:
     """Numbers that all lanes share at the start are computed once, also where some lanes are not solved."""

@@ -54,7 +54,7 @@ typedef struct {
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
     void *memory; /* for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
-    void *begun; /* vectors and integers of lanes that begin side by side, or NULL; see `find_common` */
+    void *begun; /* vectors and integers of lanes that begin side by side, or NULL; see `find_begun` */
     int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
@@ -948,9 +948,11 @@ static void find_begun(Batch *b, int64_t first)
         c[i] = broadcast(at_start(job, i, first));
         if (!is_shared(job, i)) *own_end++ = i;
     }
+    const V velocity = c[OMEGA];
     start(b, lanes(ALL));
     prologue(b, lanes(ALL));
     memcpy(shared, c, job->cells * sizeof(V));
+    shared[OMEGA] = velocity; /* with its sign, from which `start` has the direction */
     int32_t *end = own_end;
     unsigned char *const differs = (unsigned char *)(own_end + (job->scalar_end - job->scalar));
     memset(differs, 0, job->cells);
