@@ -31,7 +31,7 @@ INTEGRATOR = ("-ffp-contract=fast", "-fvisibility=hidden", "-Wno-psabi")
 KINDS = {
     "avx512": ("-DWIDE=512", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma", "-mprefer-vector-width=512"),
     "avx2": ("-DWIDE=256", "-mavx2", "-mfma"),
-    "baseline": ("-DWIDE=128",),
+    "baseline": ("-DWIDE=128", "-Os"),
 }
 MODULES = ("_kernels", "_flow")
 Parts = tuple[tuple[str, ...], ...]  # flags of each object of a module

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from derive.flow.restricted import Text
 from derive.flow.writer import TypedExpression, Writer
 
+SHORT = 12  # statements of functions that are always inlined; compilers decide about longer ones, for smaller wheels
 TYPES = {"V": "V", "M": "M", "S": "V *", "N": "int", "T": "int", "NONE": "void", "PAIR": "Pair"}
 FORMS = {
     "False": "0",
@@ -96,7 +97,7 @@ class C(Writer):
         first = ["Batch *b"] if f.of_lanes else []
         others = {x: TYPES[kind] for x, kind in f.parameters.items() if kind in TYPES}
         rest = [f"{kind} {x}".replace("* ", "*") for x, kind in others.items()]
-        inline = "static" if self.all.iterates(f.name) else "INLINE"
+        inline = "INLINE" if len(body) <= SHORT and not self.all.iterates(f.name) else "static"
         words = textwrap.wrap(" ".join(f.words.split()), 112)
         yield "/* " + "\n * ".join(words) + " */"
         yield f"{inline} {TYPES[f.returns]} {f.name}({', '.join([*first, *rest])})"

@@ -478,7 +478,9 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #include <immintrin.h>
 #endif
 
-#ifdef __wasm__ /* pages shall be small */
+/* Pages shall be small, and wheels: x86 processors without AVX2 are old. */
+#if defined(__wasm__) || (WIDE == 128 && defined(__x86_64__))
+#define SMALL
 #define INLINE static inline
 #else
 #define INLINE static inline __attribute__((always_inline))
@@ -709,8 +711,7 @@ INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const do
     for (; q < q_end; q++) r[q->series + n + 1] = r[q->rate + n] * inverse[n + 1];
 }
 
-/* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
-#if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
+#ifndef SMALL
 #define HAS_STRAIGHT
 #define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* Orders of what rates need, and of the others; order 0 apart, so that no operation asks which it is. */
