@@ -51,7 +51,7 @@ def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, m
 def test_lanes_that_share_cells_are_the_same_as_with_their_own(
     name: str, start: dict[str, float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Numbers that all lanes share at the start are computed once, also if some lanes are not solved, or interrupted."""
+    """Numbers that all lanes share at the start are computed once, also if lanes are not solved or are interrupted."""
     bound = problem(name)
     bound.start = {**bound.start, **start}
     failed = np.arange(LANES) % 19 == 18
