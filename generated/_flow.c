@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "aaac44d070ae990c8dc49c71168bdd3a21bfff963524e66fddde276d06915816"
+#define DIGEST "eb72a5f39c9694005ea3ebcb4baf847c4b2d99f698b3ea1ab6989542f6bea151"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -4928,6 +4928,7 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     const int starts = from[STATUS * job->count] == START;
     for (int i = 0; starts && i < job->made; i++) c[i][k] = at_start(job, i, column);
     for (int i = 0; !starts && i < job->cells; i++, from += job->count) c[i][k] = *from;
+    b->begun.changed |= !starts;
     b->column[k] = column, b->held |= 1u << k;
     if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
@@ -4949,6 +4950,7 @@ static void find_begun(Batch *b, int64_t first)
     prologue(b, lanes(ALL));
     memcpy(shared, c, job->cells * sizeof(V));
     shared[OMEGA] = velocity; /* with its sign, from which `start` has the direction */
+    memset(job->memory, 0, MOST_WORKING * sizeof(V)); /* lanes that are resumed are ready for a step */
     int32_t *end = own_end;
     unsigned char *const differs = (unsigned char *)(own_end + (job->scalar_end - job->scalar));
     memset(differs, 0, job->cells);

@@ -36,7 +36,6 @@ NUMPY = _Target(
 # In C all sums of an operation are one loop, each in two parts. At even orders it also has the known terms of the next
 # order, so that coefficients are read once for two; these terms wait where the next coefficient of a result will be.
 SUMS = """\
-{declared}
 if (n % 2 == 0) {{
 {first}
     PAIRWISE({below}, {terms});
@@ -153,16 +152,14 @@ def _loop(sums: Sequence[_Sum]) -> Texts:
     """Return the lines of C with the loop of all sums of an operation, none without sums."""
     if not sums:
         return []
-    square = _symmetric(sums)
-    parts = {"declared": DECLARED, "first": FIRST, "terms": TERMS, "last": LAST, "rest": REST}
-    if square:
-        parts |= {"last": LAST_OF_SQUARE, "rest": REST_OF_SQUARE}
-    joined = {}
-    for part, form in parts.items():
-        lines = [form.format(**s._asdict()) for s in sums]
-        joined[part] = "; ".join(lines) if part == "terms" else _indented("\n".join(lines).split("\n"), 4)
-    joined["declared"] = joined["declared"].replace("    ", "")
-    return SUMS.format(below="n / 2" if square else "n", **joined).splitlines()
+    below, last, rest = ("n / 2", LAST_OF_SQUARE, REST_OF_SQUARE) if _symmetric(sums) else ("n", LAST, REST)
+
+    def lines(form: str) -> Texts:
+        return [line for s in sums for line in form.format(**s._asdict()).split("\n")]
+
+    texts = {part: _indented(lines(form), 4) for part, form in (("first", FIRST), ("last", last), ("rest", rest))}
+    loop = SUMS.format(below=below, terms="; ".join(lines(TERMS)), **texts)
+    return [*lines(DECLARED), *loop.split("\n")]
 
 
 def _c_case(o: SeriesOperation) -> str:
