@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "fb133de5cedcc9fc392d5f571a5d5ac28035412d1810b9943d92a8cf5e2c08b7"
+#define DIGEST "eb72a5f39c9694005ea3ebcb4baf847c4b2d99f698b3ea1ab6989542f6bea151"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -529,9 +529,7 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #include <immintrin.h>
 #endif
 
-/* Pages shall be small, and wheels: x86 processors without AVX2 are old. */
-#if defined(__wasm__) || (WIDE == 128 && defined(__x86_64__))
-#define SMALL
+#ifdef __wasm__ /* pages shall be small */
 #define INLINE static inline
 #else
 #define INLINE static inline __attribute__((always_inline))
@@ -1003,7 +1001,8 @@ INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const do
     for (; q < q_end; q++) r[q->series + n + 1] = r[q->rate + n] * inverse[n + 1];
 }
 
-#ifndef SMALL
+/* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
+#if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
 #define HAS_STRAIGHT
 #define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* Orders of what rates need, and of the others; order 0 apart, so that no operation asks which it is. */
@@ -1815,7 +1814,7 @@ INLINE V rise_of_sine(Batch *b, int t, V local, V past)
 }
 
 /* Compute the end of the piece of a function of time and the increment there, from a distance from its left end. */
-static void find_end_of_piece(Batch *b, M here, int t, V local)
+INLINE void find_end_of_piece(Batch *b, M here, int t, V local)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1866,7 +1865,7 @@ static void begin_in_time(Batch *b, M here, int t)
 
 /* Enter the next piece of a function of time. If its value jumps, the contact must be checked. Increments
  * accumulate rounding along a record. Beyond some path the difference of two values is more accurate. */
-static void pass_break(Batch *b, M here, int t)
+INLINE void pass_break(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1928,7 +1927,7 @@ INLINE V next_break(Batch *b)
 }
 
 /* Compute the value at the start of a phase and the coefficients about it. */
-static void develop(Batch *b, M here, int t, V local, V unit)
+INLINE void develop(Batch *b, M here, int t, V local, V unit)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2159,7 +2158,7 @@ INLINE void cut(Batch *b, V order, int top)
 }
 
 /* Set order 0 of the registers that do not result from operations, and the series of functions of time. */
-static void begin_expansion(Batch *b, M which, int top, int at_rest)
+INLINE void begin_expansion(Batch *b, M which, int top, int at_rest)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2202,7 +2201,7 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
  * negligible there, three if the speed grows beyond its first term. At rest the states are constant, and the net
  * moment decides. Each lane's order is `series_order`; states, net moment, normal force and dip are zero beyond
  * it. */
-static int expand(Batch *b, V room, M which, int at_rest)
+INLINE int expand(Batch *b, V room, M which, int at_rest)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2247,7 +2246,7 @@ static int expand(Batch *b, V room, M which, int at_rest)
  * Term n is at most factor^n of the largest of the first five, so that the step is the factor times the radius of
  * convergence if the series is geometric. Entire functions, whose terms decrease ever faster, allow longer steps.
  * The step is 2^1000 if these coefficients are zero. */
-static V longest_step(Batch *b, V *p, int top, V order)
+INLINE V longest_step(Batch *b, V *p, int top, V order)
 {
     V *const c = b->c;
     V first[STRIDE];
@@ -2456,7 +2455,7 @@ INLINE void rest_one_way(Batch *b, M here)
 }
 
 /* Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick. */
-static void resolve_stick_or_slip(Batch *b, M here)
+INLINE void resolve_stick_or_slip(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2512,7 +2511,7 @@ INLINE void carry_net_moment(Batch *b, M here, V net)
 }
 
 /* Begin the phases for which lanes wait, from their net moments and normal forces. */
-static void resolve_pending(Batch *b, M waits, V net, V force)
+INLINE void resolve_pending(Batch *b, M waits, V net, V force)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2598,7 +2597,7 @@ INLINE void stand_before(Batch *b, M here, int t, V piece, V now)
 
 /* Bound the values of the function of time, without its factor, for which sign p certainly keeps its sign. p is
  * linear in the function. */
-static void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
+INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2694,7 +2693,7 @@ INLINE V standstill(V omega, V net, V rise)
 }
 
 /* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
-static void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
+INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2715,7 +2714,7 @@ static void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 
 /* Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path. Lanes
  * start at its beginning, or stop within it. ``span`` and path are over the length of the piece. */
-static Pair pass_part(Batch *b, M here, V now, V length, V span, V omega, V net, V rise)
+INLINE Pair pass_part(Batch *b, M here, V now, V length, V span, V omega, V net, V rise)
 {
     V *const c = b->c;
     V mean = net + ((0.5 * span) * rise);
@@ -2751,7 +2750,7 @@ INLINE Pair pass_change(Batch *b, M here, V now, V length, V x, V omega, V net, 
 }
 
 /* Return the speed at the end of a piece and the path over its length; lanes outside the mask ``here`` rest. */
-static Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
+INLINE Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
 {
     V twice = net + after;
     V by_rates = net + twice;
@@ -2943,7 +2942,7 @@ INLINE void change_contact(Batch *b, M here)
 }
 
 /* Place lanes exactly at an edge of a table of slip, speed or rotation, in the next piece. */
-static void on_breakpoint(Batch *b, M here, int t, M upwards)
+INLINE void on_breakpoint(Batch *b, M here, int t, M upwards)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2996,7 +2995,7 @@ INLINE void end_motion(Batch *b, M here, V rate, V status)
 }
 
 /* Apply the consequences of the event that ends a step. */
-static void settle(Batch *b, M here, V rate)
+INLINE void settle(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3299,7 +3298,7 @@ INLINE V coefficient_of_product(V *p, V *q, int n)
 }
 
 /* Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates. */
-static void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
+INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3395,7 +3394,7 @@ static void move_within(Batch *b, M here, int t)
 
 /* Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place.
  * The piece must end before the end time, and not at the last break, where the function may jump. */
-static M fits(Batch *b, int t)
+INLINE M fits(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3416,7 +3415,7 @@ static M fits(Batch *b, int t)
 
 /* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. The
  * net moment is valid in contact. Lanes that may lift within a piece stay at its left end, where they leave. */
-static M wait_for_start(Batch *b, M here, int t)
+INLINE M wait_for_start(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3627,7 +3626,7 @@ static int expand_in_rotation(Batch *b, V room, M which)
 
 /* Return the integral of v dv/(sqrt(E) (1 + per v^2)^2) over a path by a rule, infinite if it is uncertain. The
  * path begins where v is ``first``, ``span`` is its length, and ``k_first`` the number of the rule's first node. */
-static V integral(V *p, int n, int k_first, V most, V side, V first, V span, V per)
+INLINE V integral(V *p, int n, int k_first, V most, V side, V first, V span, V per)
 {
     V total = broadcast(0.0);
     V last = broadcast(0.0);
@@ -3657,7 +3656,7 @@ static V integral(V *p, int n, int k_first, V most, V side, V first, V span, V p
  * motion if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the
  * variable v with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes; on
  * a short path far from rest half as many may suffice. */
-static V time_over(V *p, int n, int fine, V way, V beyond, V per)
+INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
 {
     V size = magnitude(way);
     V side = pick(way < 0.0, broadcast(-1.0), broadcast(1.0));
@@ -3726,7 +3725,7 @@ INLINE V rest_ahead(Batch *b, M peaks, V to_end, V path)
 
 /* Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain. ``peak``
  * is the rotation at the greatest speed, infinite without one. */
-static Pair times_of_step(Batch *b, M here, int top, V peak)
+INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3794,7 +3793,7 @@ INLINE void shorten(Batch *b, M here)
 }
 
 /* Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``. */
-static void complete(Batch *b, M here, int top, V peak, V before, V until)
+INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3861,7 +3860,7 @@ static void turn_on(Batch *b, M here)
 }
 
 /* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
-static Pair turned(V x)
+INLINE Pair turned(V x)
 {
     V h = 0.25 * x;
     V square = h * h;
@@ -3969,7 +3968,7 @@ INLINE void reverse(V *f, V q)
 }
 
 /* Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning. */
-static void expand_right_side(Batch *b, V *e, V drive)
+INLINE void expand_right_side(Batch *b, V *e, V drive)
 {
     V q = e[4];
     V sine = e[NET + 1] + (e[FIRST] * e[LOAD + 1]);
@@ -3992,7 +3991,7 @@ static void expand_right_side(Batch *b, V *e, V drive)
 }
 
 /* Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning. */
-static void hyperbolic_factors(Batch *b, V *e, V q, V drive)
+INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
 {
     e[0] = 2.0 * e[NET];
     e[4] = q;
@@ -4027,7 +4026,7 @@ INLINE V hyperbolic_energy(V *e, V *f, V passed)
 }
 
 /* Compute the factors of all terms from the numbers of the net moment without the load, and of the load. */
-static void factors_of_terms(V *e, V q, V rate)
+INLINE void factors_of_terms(V *e, V q, V rate)
 {
     factors(e, e[NET], e[NET + 1], e[NET + 2], q);
     V part[STRIDE];
@@ -4128,7 +4127,7 @@ INLINE void count_from_end(Batch *b, V *back, V *f, V x)
 }
 
 /* Return E from its factors and its functions. */
-static V softening_energy(V *e, V *f)
+INLINE V softening_energy(V *e, V *f)
 {
     V first = e[FIRST];
     V left = first + f[4];
@@ -4183,7 +4182,7 @@ INLINE V energy_at(Batch *b, V *e, V *f, V x)
 /* Compute the functions of which E consists, and from place 5 on E and its first three derivatives. The
  * derivatives follow from the equation of motion, in which friction softens or is constant. In the third one it
  * has done so. */
-static void evaluate_at(Batch *b, V *e, V *f, V x)
+INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4247,7 +4246,7 @@ INLINE Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
  * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node.
  * There are twice as many nodes if they are to be ``closer``. */
-static V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part, int closer)
+INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part, int closer)
 {
     const Job *const job = b->job;
     V total = broadcast(0.0);
@@ -4273,7 +4272,7 @@ static V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part, int close
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
  * change the factor of a lane, and with it the rules, which they so compare. */
-static Pair duration_of_softening(Batch *b, V *e, V end, V peak, int closer)
+INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak, int closer)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4313,7 +4312,7 @@ INLINE V mean_of(V *both, int pairs, int by)
 /* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
  * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
  * sums of ``odd``. */
-static void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
+INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
 {
     if (!bits(here)) return;
     V scale = broadcast(1.0 / (double)pairs);
@@ -4336,7 +4335,7 @@ static void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
 
 /* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
  * -cos(2 u) and sin(2 u). */
-static Pair time_at(V *w, V u, V place, V sine)
+INLINE Pair time_at(V *w, V u, V place, V sine)
 {
     int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
     V twice = (-2.0) * place;
@@ -4545,7 +4544,7 @@ INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 }
 
 /* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
-static V duration_of_swing(V *e, V *back, V end, V *w, M which)
+INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
 {
     V both[STRIDE];
     V odd[STRIDE];
@@ -4574,7 +4573,7 @@ static V duration_of_swing(V *e, V *back, V end, V *w, M which)
 
 /* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
  * ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there. */
-static void rest(Batch *b, M here, V *back, V *f)
+INLINE void rest(Batch *b, M here, V *back, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4661,7 +4660,7 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V *at_peak, V end
 
 /* Complete phases under softening laws, up to rest before the end time, and return these lanes. Lanes that hardly
  * come to rest before the end time are left at once. */
-static M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
+INLINE M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4780,7 +4779,7 @@ INLINE void start_again(Batch *b, M here)
 }
 
 /* Advance to the first change: start of slip, change of contact, break or end. */
-static void leave_rest(Batch *b, M here, V limit)
+INLINE void leave_rest(Batch *b, M here, V limit)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4929,6 +4928,7 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     const int starts = from[STATUS * job->count] == START;
     for (int i = 0; starts && i < job->made; i++) c[i][k] = at_start(job, i, column);
     for (int i = 0; !starts && i < job->cells; i++, from += job->count) c[i][k] = *from;
+    b->begun.changed |= !starts;
     b->column[k] = column, b->held |= 1u << k;
     if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
@@ -4950,6 +4950,7 @@ static void find_begun(Batch *b, int64_t first)
     prologue(b, lanes(ALL));
     memcpy(shared, c, job->cells * sizeof(V));
     shared[OMEGA] = velocity; /* with its sign, from which `start` has the direction */
+    memset(job->memory, 0, MOST_WORKING * sizeof(V)); /* lanes that are resumed are ready for a step */
     int32_t *end = own_end;
     unsigned char *const differs = (unsigned char *)(own_end + (job->scalar_end - job->scalar));
     memset(differs, 0, job->cells);

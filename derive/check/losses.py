@@ -29,6 +29,13 @@ def distance(n: int, bits: int) -> arb:
 
 
 @cache
+def least_distance(most: int) -> float:
+    """Return a lower bound on the distance of n pi from the multiples of 2**-52, for n from 2 to ``most``."""
+    with working(400):
+        return min(below(distance(n, 52)) for n in range(2, most + 1))
+
+
+@cache
 def reduction_loss() -> float:
     """Return a bound on the relative error of b + low, for ends within LIMIT and at most pi (1 + 4 eps) apart.
 
@@ -45,7 +52,7 @@ def reduction_loss() -> float:
         raise ArithmeticError("a part of pi times n is not exact")
     with working(400):
         missing = above(sum(map(arb, PI), -arb.pi()))
-        nearest = min(below(distance(n, 52)) for n in range(2, most + 1))
+        nearest = least_distance(most)
         first = min(below(distance(1, 106)), below(distance(1, 52)) - 2.0**-54)
     last = PI[-1] * HALF_ULP  # n times the last part is rounded, where n is no power of two
     cases = (
@@ -104,7 +111,13 @@ def cotangent_loss() -> float:
 
 @cache
 def slope_gap(statement: str) -> float:
-    """Return a bound on |alpha C'/C - 3 k(alpha)|.
+    """Return a bound on |alpha C'/C - 3 k(alpha)|, where a series computes k(x) = x cot(x)."""
+    return exact_gap(statement) + 3 * cotangent_loss()
+
+
+@cache
+def exact_gap(statement: str) -> float:
+    """Return a bound on |alpha C'/C - 3 alpha cot(alpha)|.
 
     The chord's end moves: C' = 2 sin(alpha) T_n for r^n cos u (`truth`). As alpha cos(alpha)^n <= T_n <= alpha, they
     are within 3 (cos(alpha)^-(n + 2) - 1) of each other, which serves on the first segment.
@@ -120,7 +133,7 @@ def slope_gap(statement: str) -> float:
                 slope = 2 * s * truth.folded(power, x, s, c, truth.artanh_of_sine(x))
                 steepness = x * slope / model(x - segment.centre)
                 worst = max(worst, above(steepness - 3 * x * c / s))
-    return worst + 3 * cotangent_loss()
+    return worst
 
 
 def boxes(lower: float, upper: float) -> Iterator[arb]:

@@ -933,6 +933,7 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     const int starts = from[STATUS * job->count] == START;
     for (int i = 0; starts && i < job->made; i++) c[i][k] = at_start(job, i, column);
     for (int i = 0; !starts && i < job->cells; i++, from += job->count) c[i][k] = *from;
+    b->begun.changed |= !starts;
     b->column[k] = column, b->held |= 1u << k;
     if (c[STATUS][k] == START) start(b, lanes(1u << k));
 }
@@ -954,6 +955,7 @@ static void find_begun(Batch *b, int64_t first)
     prologue(b, lanes(ALL));
     memcpy(shared, c, job->cells * sizeof(V));
     shared[OMEGA] = velocity; /* with its sign, from which `start` has the direction */
+    memset(job->memory, 0, MOST_WORKING * sizeof(V)); /* lanes that are resumed are ready for a step */
     int32_t *end = own_end;
     unsigned char *const differs = (unsigned char *)(own_end + (job->scalar_end - job->scalar));
     memset(differs, 0, job->cells);

@@ -149,9 +149,9 @@ class Motion(Conversions, Generic[Numbers]):
         final = self._final
         unsolved = self._unsolved
         duration = final[ix.REST_SINCE] * self._time_scale
-        scene = self.plan.scene
-        if scene.end_time is not None:
-            duration = choose(final[ix.STATUS] == ix.ENDED, scene.until, duration)
+        ended = final[ix.STATUS] == ix.ENDED
+        if ended is not False:
+            duration = choose(ended, self.plan.scene.until, duration)
         return {
             "run_out": self._radius * final[ix.REACH_ROTATION] + unsolved,
             "peak_velocity": self._radius * (final[ix.PEAK_OMEGA] / self._time_scale) + unsolved,
