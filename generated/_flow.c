@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "eb72a5f39c9694005ea3ebcb4baf847c4b2d99f698b3ea1ab6989542f6bea151"
+#define DIGEST "dac9c0d78c9be7d1030230590584a9802b39f7bfab69cc1f6bc3008f9aae25be"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -529,7 +529,9 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #include <immintrin.h>
 #endif
 
-#ifdef __wasm__ /* pages shall be small */
+/* Pages shall be small, and wheels: x86 processors without AVX2 are old. */
+#if defined(__wasm__) || (WIDE == 128 && defined(__x86_64__))
+#define SMALL
 #define INLINE static inline
 #else
 #define INLINE static inline __attribute__((always_inline))
@@ -1001,8 +1003,7 @@ INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const do
     for (; q < q_end; q++) r[q->series + n + 1] = r[q->rate + n] * inverse[n + 1];
 }
 
-/* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
-#if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
+#ifndef SMALL
 #define HAS_STRAIGHT
 #define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* Orders of what rates need, and of the others; order 0 apart, so that no operation asks which it is. */
@@ -1814,7 +1815,7 @@ INLINE V rise_of_sine(Batch *b, int t, V local, V past)
 }
 
 /* Compute the end of the piece of a function of time and the increment there, from a distance from its left end. */
-INLINE void find_end_of_piece(Batch *b, M here, int t, V local)
+static void find_end_of_piece(Batch *b, M here, int t, V local)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1865,7 +1866,7 @@ static void begin_in_time(Batch *b, M here, int t)
 
 /* Enter the next piece of a function of time. If its value jumps, the contact must be checked. Increments
  * accumulate rounding along a record. Beyond some path the difference of two values is more accurate. */
-INLINE void pass_break(Batch *b, M here, int t)
+static void pass_break(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1927,7 +1928,7 @@ INLINE V next_break(Batch *b)
 }
 
 /* Compute the value at the start of a phase and the coefficients about it. */
-INLINE void develop(Batch *b, M here, int t, V local, V unit)
+static void develop(Batch *b, M here, int t, V local, V unit)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2158,7 +2159,7 @@ INLINE void cut(Batch *b, V order, int top)
 }
 
 /* Set order 0 of the registers that do not result from operations, and the series of functions of time. */
-INLINE void begin_expansion(Batch *b, M which, int top, int at_rest)
+static void begin_expansion(Batch *b, M which, int top, int at_rest)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2201,7 +2202,7 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
  * negligible there, three if the speed grows beyond its first term. At rest the states are constant, and the net
  * moment decides. Each lane's order is `series_order`; states, net moment, normal force and dip are zero beyond
  * it. */
-INLINE int expand(Batch *b, V room, M which, int at_rest)
+static int expand(Batch *b, V room, M which, int at_rest)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2246,7 +2247,7 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
  * Term n is at most factor^n of the largest of the first five, so that the step is the factor times the radius of
  * convergence if the series is geometric. Entire functions, whose terms decrease ever faster, allow longer steps.
  * The step is 2^1000 if these coefficients are zero. */
-INLINE V longest_step(Batch *b, V *p, int top, V order)
+static V longest_step(Batch *b, V *p, int top, V order)
 {
     V *const c = b->c;
     V first[STRIDE];
@@ -2455,7 +2456,7 @@ INLINE void rest_one_way(Batch *b, M here)
 }
 
 /* Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick. */
-INLINE void resolve_stick_or_slip(Batch *b, M here)
+static void resolve_stick_or_slip(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2511,7 +2512,7 @@ INLINE void carry_net_moment(Batch *b, M here, V net)
 }
 
 /* Begin the phases for which lanes wait, from their net moments and normal forces. */
-INLINE void resolve_pending(Batch *b, M waits, V net, V force)
+static void resolve_pending(Batch *b, M waits, V net, V force)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2597,7 +2598,7 @@ INLINE void stand_before(Batch *b, M here, int t, V piece, V now)
 
 /* Bound the values of the function of time, without its factor, for which sign p certainly keeps its sign. p is
  * linear in the function. */
-INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
+static void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2693,7 +2694,7 @@ INLINE V standstill(V omega, V net, V rise)
 }
 
 /* Place lanes at the left end of a piece, at rest or in motion. Another phase begins there. */
-INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
+static void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2714,7 +2715,7 @@ INLINE void end_slide(Batch *b, M here, int t, int piece, V x, V omega)
 
 /* Pass a part of a piece in which the net moment keeps its sign; return the speed at its end and the path. Lanes
  * start at its beginning, or stop within it. ``span`` and path are over the length of the piece. */
-INLINE Pair pass_part(Batch *b, M here, V now, V length, V span, V omega, V net, V rise)
+static Pair pass_part(Batch *b, M here, V now, V length, V span, V omega, V net, V rise)
 {
     V *const c = b->c;
     V mean = net + ((0.5 * span) * rise);
@@ -2750,7 +2751,7 @@ INLINE Pair pass_change(Batch *b, M here, V now, V length, V x, V omega, V net, 
 }
 
 /* Return the speed at the end of a piece and the path over its length; lanes outside the mask ``here`` rest. */
-INLINE Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
+static Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
 {
     V twice = net + after;
     V by_rates = net + twice;
@@ -2942,7 +2943,7 @@ INLINE void change_contact(Batch *b, M here)
 }
 
 /* Place lanes exactly at an edge of a table of slip, speed or rotation, in the next piece. */
-INLINE void on_breakpoint(Batch *b, M here, int t, M upwards)
+static void on_breakpoint(Batch *b, M here, int t, M upwards)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2995,7 +2996,7 @@ INLINE void end_motion(Batch *b, M here, V rate, V status)
 }
 
 /* Apply the consequences of the event that ends a step. */
-INLINE void settle(Batch *b, M here, V rate)
+static void settle(Batch *b, M here, V rate)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3298,7 +3299,7 @@ INLINE V coefficient_of_product(V *p, V *q, int n)
 }
 
 /* Compute the series of a piece from the factors of 1, sin(x) and 1 - cos(x), and from their rates. */
-INLINE void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
+static void expand_piece(Batch *b, V *e, V *rise, V *sine, V *versine)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3394,7 +3395,7 @@ static void move_within(Batch *b, M here, int t)
 
 /* Return whether masses are pressed through a piece, for which the series suffice, and not at the lowest place.
  * The piece must end before the end time, and not at the last break, where the function may jump. */
-INLINE M fits(Batch *b, int t)
+static M fits(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3415,7 +3416,7 @@ INLINE M fits(Batch *b, int t)
 
 /* Advance lanes at rest to the start of their motion, and return the lanes that start in the piece they reach. The
  * net moment is valid in contact. Lanes that may lift within a piece stay at its left end, where they leave. */
-INLINE M wait_for_start(Batch *b, M here, int t)
+static M wait_for_start(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3626,7 +3627,7 @@ static int expand_in_rotation(Batch *b, V room, M which)
 
 /* Return the integral of v dv/(sqrt(E) (1 + per v^2)^2) over a path by a rule, infinite if it is uncertain. The
  * path begins where v is ``first``, ``span`` is its length, and ``k_first`` the number of the rule's first node. */
-INLINE V integral(V *p, int n, int k_first, V most, V side, V first, V span, V per)
+static V integral(V *p, int n, int k_first, V most, V side, V first, V span, V per)
 {
     V total = broadcast(0.0);
     V last = broadcast(0.0);
@@ -3656,7 +3657,7 @@ INLINE V integral(V *p, int n, int k_first, V most, V side, V first, V span, V p
  * motion if the rest is at the end. ``per`` is 1 over the distance of another rest in this direction, or 0. In the
  * variable v with v^2 = (beyond + y)/(1 - per y) both rests are regular. With ``fine`` the rule has more nodes; on
  * a short path far from rest half as many may suffice. */
-INLINE V time_over(V *p, int n, int fine, V way, V beyond, V per)
+static V time_over(V *p, int n, int fine, V way, V beyond, V per)
 {
     V size = magnitude(way);
     V side = pick(way < 0.0, broadcast(-1.0), broadcast(1.0));
@@ -3725,7 +3726,7 @@ INLINE V rest_ahead(Batch *b, M peaks, V to_end, V path)
 
 /* Return the durations of the parts of a step before and after its greatest speed, infinite if uncertain. ``peak``
  * is the rotation at the greatest speed, infinite without one. */
-INLINE Pair times_of_step(Batch *b, M here, int top, V peak)
+static Pair times_of_step(Batch *b, M here, int top, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3793,7 +3794,7 @@ INLINE void shorten(Batch *b, M here)
 }
 
 /* Bring lanes to the end of their step at the time ``until``, by the greatest speed after the time ``before``. */
-INLINE void complete(Batch *b, M here, int top, V peak, V before, V until)
+static void complete(Batch *b, M here, int top, V peak, V before, V until)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -3860,7 +3861,7 @@ static void turn_on(Batch *b, M here)
 }
 
 /* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
-INLINE Pair turned(V x)
+static Pair turned(V x)
 {
     V h = 0.25 * x;
     V square = h * h;
@@ -3968,7 +3969,7 @@ INLINE void reverse(V *f, V q)
 }
 
 /* Compute the power series of the right-hand side. ``drive`` is the net moment with the load at the beginning. */
-INLINE void expand_right_side(Batch *b, V *e, V drive)
+static void expand_right_side(Batch *b, V *e, V drive)
 {
     V q = e[4];
     V sine = e[NET + 1] + (e[FIRST] * e[LOAD + 1]);
@@ -3991,7 +3992,7 @@ INLINE void expand_right_side(Batch *b, V *e, V drive)
 }
 
 /* Compute -w/p and the power series. ``drive`` is the net moment with the load at the beginning. */
-INLINE void hyperbolic_factors(Batch *b, V *e, V q, V drive)
+static void hyperbolic_factors(Batch *b, V *e, V q, V drive)
 {
     e[0] = 2.0 * e[NET];
     e[4] = q;
@@ -4026,7 +4027,7 @@ INLINE V hyperbolic_energy(V *e, V *f, V passed)
 }
 
 /* Compute the factors of all terms from the numbers of the net moment without the load, and of the load. */
-INLINE void factors_of_terms(V *e, V q, V rate)
+static void factors_of_terms(V *e, V q, V rate)
 {
     factors(e, e[NET], e[NET + 1], e[NET + 2], q);
     V part[STRIDE];
@@ -4127,7 +4128,7 @@ INLINE void count_from_end(Batch *b, V *back, V *f, V x)
 }
 
 /* Return E from its factors and its functions. */
-INLINE V softening_energy(V *e, V *f)
+static V softening_energy(V *e, V *f)
 {
     V first = e[FIRST];
     V left = first + f[4];
@@ -4182,7 +4183,7 @@ INLINE V energy_at(Batch *b, V *e, V *f, V x)
 /* Compute the functions of which E consists, and from place 5 on E and its first three derivatives. The
  * derivatives follow from the equation of motion, in which friction softens or is constant. In the third one it
  * has done so. */
-INLINE void evaluate_at(Batch *b, V *e, V *f, V x)
+static void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4246,7 +4247,7 @@ INLINE Pair at_node(Batch *b, V *e, V end, V unit, V bend, V node, int part)
  * variable v of the rule is 0 at rest and 1 at the peak: unit v^2/(1 + bend (1 - v))^2 is the ratio of the
  * distances to both rests, under hyperbolic friction of their logarithms from its pole. E rises from node to node.
  * There are twice as many nodes if they are to be ``closer``. */
-INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part, int closer)
+static V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part, int closer)
 {
     const Job *const job = b->job;
     V total = broadcast(0.0);
@@ -4272,7 +4273,7 @@ INLINE V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part, int close
 
 /* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
  * change the factor of a lane, and with it the rules, which they so compare. */
-INLINE Pair duration_of_softening(Batch *b, V *e, V end, V peak, int closer)
+static Pair duration_of_softening(Batch *b, V *e, V end, V peak, int closer)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4312,7 +4313,7 @@ INLINE V mean_of(V *both, int pairs, int by)
 /* Compute the coefficients of the time as a series in u and sines of 2 u from the nodes of a rule. It is the
  * integral of a series of cosines, whose even coefficients are sums of ``both``, and whose odd coefficients are
  * sums of ``odd``. */
-INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
+static void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
 {
     if (!bits(here)) return;
     V scale = broadcast(1.0 / (double)pairs);
@@ -4335,7 +4336,7 @@ INLINE void find_waves(V *w, M here, V *both, V *odd, int pairs, int by)
 
 /* Return the time since rest at the rotation end sin(u)^2, and its derivative by u. ``place`` and ``sine`` are
  * -cos(2 u) and sin(2 u). */
-INLINE Pair time_at(V *w, V u, V place, V sine)
+static Pair time_at(V *w, V u, V place, V sine)
 {
     int top = bits(w[LONG] > 0.0) ? (2 * PAIRS) : PAIRS;
     V twice = (-2.0) * place;
@@ -4544,7 +4545,7 @@ INLINE void add_node(V *e, V *back, V end, V *both, V *odd, int k)
 }
 
 /* Return the time from rest to rest, infinite if it is uncertain, and compute the time as a series in ``w``. */
-INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
+static V duration_of_swing(V *e, V *back, V end, V *w, M which)
 {
     V both[STRIDE];
     V odd[STRIDE];
@@ -4573,7 +4574,7 @@ INLINE V duration_of_swing(V *e, V *back, V end, V *w, M which)
 
 /* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
  * ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there. */
-INLINE void rest(Batch *b, M here, V *back, V *f)
+static void rest(Batch *b, M here, V *back, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4660,7 +4661,7 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V *at_peak, V end
 
 /* Complete phases under softening laws, up to rest before the end time, and return these lanes. Lanes that hardly
  * come to rest before the end time are left at once. */
-INLINE M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
+static M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -4779,7 +4780,7 @@ INLINE void start_again(Batch *b, M here)
 }
 
 /* Advance to the first change: start of slip, change of contact, break or end. */
-INLINE void leave_rest(Batch *b, M here, V limit)
+static void leave_rest(Batch *b, M here, V limit)
 {
     const Job *const job = b->job;
     V *const c = b->c;
