@@ -11,7 +11,7 @@ from slipcircle import LayeredSection, Scene, Soil, solve
 from slipcircle.ground.construction import circle_through
 from slipcircle.ground.section import Section
 from slipcircle.workbench.stability import family
-from slipcircle.workbench.stability.critical import at_circle
+from slipcircle.workbench.stability.critical import at_circle, circle_of
 from slipcircle.workbench.stability.factors import factors_by
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.search import critical
@@ -146,6 +146,21 @@ def test_a_lifted_toe_is_refused_by_bishop_alone() -> None:
     centre, radius = circle_through((-22.0, 3.0), (30.0, 0.0), depth=20.0)
     found = at_circle(slope, Section(slope.ground, centre, float(radius), 1.0))
     assert [method for method, factor in found.factors_of_safety.items() if factor is None] == ["bishop"]
+
+
+@pytest.mark.parametrize("length", [1e-3, 1e-4])
+def test_thin_masses_have_the_factors_of_an_infinite_slope(length: float) -> None:
+    """Stresses of thin masses are small differences, of which no digits are lost; both methods have a closed form."""
+    tangent, k_h, radius = 0.78, 0.15, 166.0
+    slope = Slope(np.array([[0.0, 25], [30, 25], [50, 35], [90, 35]]), 0.0, tangent, 19500.0, k_h=k_h, base=20.0)
+    sine, cosine = np.array([1.0, 2.0]) / math.sqrt(5)
+    middle, along = np.array([44.0, 32.0]), length / 2 * np.array([cosine, sine])
+    centre = middle + math.sqrt(radius**2 - (length / 2) ** 2) * np.array([-sine, cosine])
+    ends = (middle - along)[None], (middle + along)[None]
+    found = circle_of(slope, centre[None], np.array([radius]), *ends).factors_of_safety
+    driving = sine + k_h * cosine
+    assert found["ordinary"] == pytest.approx(tangent * (cosine - k_h * sine) / driving, rel=1e-9)
+    assert found["bishop"] == pytest.approx(tangent * (1 - driving * sine) / (driving * cosine), rel=1e-9)
 
 
 @pytest.mark.parametrize(

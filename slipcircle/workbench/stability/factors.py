@@ -206,8 +206,8 @@ def _bishop(driven: Driven) -> Floats:
     friction = slices.friction
     tangent = slices.sine / slices.cosine
     lowest, highest = lever_range(slices)
-    by_breadth = slopes.bishop_strength(1.0, slices.vertical(), 0.0, slices.stresses.cohesion, friction)
-    strength = slices.weight * slices.at(by_breadth)
+    by_breadth = slopes.bishop_strength(1.0, slices.vertical(), 0.0, slices.cohesion(), friction)
+    strength = slices.weight * by_breadth
     driving = driven.driving
     start = slices.sums(strength * slices.cosine) / driving
     start = np.maximum(start, _LEAST_FACTOR)
@@ -235,7 +235,7 @@ def bishop_normal(slices: Slices, factor: Floats) -> Any:
     """
     sine = slices.sine
     cosine = slices.cosine
-    effective = slices.at(slices.vertical())
+    effective = slices.vertical()
     of_arc = slices.of_arcs(factor)
     return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)
 

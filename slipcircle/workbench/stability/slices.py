@@ -187,10 +187,13 @@ class Slices(NamedTuple):
             tilt = tilt + self.steps[k] * of_unit_weight
         return tilt
 
-    def vertical(self) -> Any:
-        """Return the effective vertical stress on the arc over gamma R for Bishop's method, in the form of `at`."""
+    def vertical(self) -> Floats:
+        """Return the effective vertical stress on the arc over gamma R at the points, for Bishop's method.
+
+        On a thin mass it is a small difference, whose terms must not be rounded before they are added.
+        """
         stresses = self.stresses
-        return stresses.soil + stresses.load + stresses.pond - stresses.pressure
+        return self.at(stresses.soil + stresses.load + stresses.pond - stresses.pressure)
 
     def cohesion(self) -> Floats:
         """Return the cohesion on the arc over gamma R at the points."""
