@@ -11,7 +11,6 @@ import pytest
 from flint import ctx
 
 from slipcircle.__main__ import main
-from tests.support.searches import once
 
 # The longest tests run first, so that no worker is left alone with one.
 LONGEST = (
@@ -71,16 +70,6 @@ def precision() -> Iterator[None]:
     before = ctx.prec
     yield
     ctx.prec = before
-
-
-@pytest.fixture(scope="session", autouse=True)
-def searches() -> Iterator[None]:
-    """Search for the critical circle of equal slopes in scene files once in each process."""
-    from slipcircle.workbench.stability.search import critical  # which loads much
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("slipcircle.workbench.files.slope.critical", once(critical))
-        yield
 
 
 @pytest.fixture

@@ -93,8 +93,7 @@ class StartSeries(NamedTuple):
         if self.method == "ordinary":
             shear = cohesion + friction * slices.ordinary_normal()
         else:
-            effective = slices.vertical()
-            strength = slopes.bishop_strength(slices.cosine, effective, 0.0, cohesion, friction)
+            strength = slopes.bishop_strength(slices.cosine, slices.vertical(), 0.0, cohesion, friction)
             shear = strength / slopes.bishop_lever(slices.sine, slices.cosine, mobilised, 1.0)
         return _by_lane(slices, (slices.weight * shear).sum(axis=0))
 
