@@ -28,10 +28,11 @@ OPTIONAL = (("-fno-thread-jumps", "-fschedule-insns", "-fsched-pressure"), ("--p
 # The integrator is compiled once for every kind of processor, and once for the module. It proves nothing bit by bit: a
 # product and a sum may be one operation.
 INTEGRATOR = ("-ffp-contract=fast", "-fvisibility=hidden", "-Wno-psabi")
+BASELINE = ("-DWIDE=128",)
 KINDS = {
     "avx512": ("-DWIDE=512", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma", "-mprefer-vector-width=512"),
     "avx2": ("-DWIDE=256", "-mavx2", "-mfma"),
-    "baseline": ("-DWIDE=128", "-Os"),
+    "baseline": (*BASELINE, "-Os"),  # few processors need it, and wheels shall be small
 }
 MODULES = ("_kernels", "_flow")
 Parts = tuple[tuple[str, ...], ...]  # flags of each object of a module
@@ -101,7 +102,7 @@ def object_flags(name: str, machine: str) -> Parts:
     """
     if name == "_kernels":
         return ((),)
-    kinds = KINDS if machine in ("x86_64", "AMD64") else {"baseline": KINDS["baseline"]}
+    kinds = KINDS if machine in ("x86_64", "AMD64") else {"baseline": BASELINE}
     return (*((*INTEGRATOR, f"-DLEVEL={kind}", *flags) for kind, flags in kinds.items()), INTEGRATOR)
 
 
