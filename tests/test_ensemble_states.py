@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
+from slipcircle.derivatives import with_parameter_arrays
 from tests.support import accuracy, golden
 from tests.support.ensembles import together
 
@@ -87,3 +88,30 @@ def test_references_together() -> None:
             assert found.peak.velocity[k] == pytest.approx(float(wanted["peak_velocity"]), rel=bound)
             seen += bound < 1e-11
     assert seen > 160
+
+
+@pytest.mark.parametrize(
+    "friction",
+    [{"law": "linear", "peak": np.array([0.2]), "residual": 0.1, "length": 2.0},
+     {"law": "linear", "peak": 0.2, "residual": np.array([0.1]), "length": 2.0},
+     {"law": "exponential", "peak": np.array([0.2]), "residual": 0.1, "length": 2.0}],
+    ids=["peak", "residual", "exponential"],
+)  # fmt: skip
+def test_an_ensemble_of_one_scene_has_its_results_and_an_estimate(friction: dict[str, Any]) -> None:
+    """The runs of an estimate share the table of the only lane."""
+    arc = load("vaiont").arc
+    alone = solve(Scene(arc, {name: x if isinstance(x, str) else float(np.ravel(x)[0]) for name, x in friction.items()},
+                        golden.TURNING))  # fmt: skip
+    found = solve(Scene(arc, friction, golden.TURNING))
+    assert found.run_out == pytest.approx([alone.run_out], rel=1e-9)
+    assert found.error_estimate.shape == (1,)
+    assert abs(found.run_out[0] / alone.run_out - 1) <= found.error_estimate[0] < 1e-9
+
+
+@pytest.mark.parametrize("name", ["layered-slope", "valley-side"])
+def test_an_ensemble_of_one_section_has_an_estimate(name: str) -> None:
+    scene = load(name)
+    scenes, invalid = with_parameter_arrays(scene, {"radius": np.atleast_1d(scene.numbers["radius"])})
+    found = solve(scenes, invalid=invalid)
+    assert found.run_out == pytest.approx([solve(scene).run_out], rel=1e-9)
+    assert 0.0 <= found.error_estimate[0] < 1e-9

@@ -117,12 +117,14 @@ class Problem:
     def tables(self, which: Any = None) -> list[Data]:
         """Return the tables (piecewise functions) of all or some lanes in the order of the program.
 
-        ``which`` is a NumPy index of lanes.
+        ``which`` is a NumPy index of lanes. Tables of a single lane have no axis of lanes, as its runs share them.
         """
         if not self.data:
             return []
         tables = [self.data[table.name] for table in self.program.tables]
-        return tables if which is None else [table.lanes(which) for table in tables]
+        if which is None and self.lanes > 1:
+            return tables
+        return [table.lanes(0 if which is None else which) for table in tables]
 
     def reach_farther(self, rotation: Floats, lane: Any = EVERY) -> bool:
         """Extend functions of the rotation to their full range if a lane exceeds them, and return whether one does.
