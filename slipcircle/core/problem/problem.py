@@ -122,7 +122,7 @@ class Problem:
         if not self.data:
             return []
         tables = [self.data[table.name] for table in self.program.tables]
-        if which is None and self.lanes > 1:
+        if which is None and self.lanes != 1:
             return tables
         return [table.lanes(0 if which is None else which) for table in tables]
 
