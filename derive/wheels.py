@@ -36,7 +36,7 @@ ZIG_FLAGS = {"_kernels": ("-fno-unroll-loops", "-mllvm", "-enable-epilogue-vecto
 # The library that Zig adds to a binary for Windows has 30 kB, of which two functions are needed; Windows has the other.
 WINDOWS = ("-nostdlib", "-lc", str(HERE / "stack.s"))
 WINDOWS_NAMES = ("-D__isnan=_isnan", "-fno-builtin-cos")  # or a sine beside a cosine becomes `sincos`, which it lacks
-LARGEST = 1.3e6  # bytes of a wheel, of which larger ones are reported
+LARGEST = 1.3e6  # bytes of a wheel; larger wheels are reported
 STABLE = ("-DPy_LIMITED_API=0x030b0000", "-DNDEBUG", "-g0")
 # NumPy's headers contain the sizes of this machine; of the sizes in our source only these differ elsewhere.
 SIZES = """

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "dac9c0d78c9be7d1030230590584a9802b39f7bfab69cc1f6bc3008f9aae25be"
+#define DIGEST "9b8622955203a8558e5f47ec5a7a264d76493fd5a0c375f0fb1d1a35fb0d7f5b"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -298,15 +298,15 @@ static int64_t run(Job *job, const Held *held, int level, int fits)
         PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
         return -1;
     }
-    const int64_t room = MOST_WORKING + job->cells;
+    const int64_t room = (MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE) * WIDEST;
     const int64_t begun = job->shared ? job->cells * WIDEST + 5 * job->cells + 4 * (job->scalar_end - job->scalar) : 0;
-    void *memory = malloc((size_t)((room + (int64_t)job->registers * STRIDE + 1) * WIDEST + begun));
+    void *memory = malloc((size_t)(room + WIDEST + begun));
     if (memory == NULL) {
         PyErr_NoMemory();
         return -1;
     }
     job->memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
-    job->begun = begun ? (char *)job->memory + (room + (int64_t)job->registers * STRIDE) * WIDEST : NULL;
+    job->begun = begun ? (char *)job->memory + room : NULL;
     int64_t left;
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(job);
@@ -4181,8 +4181,8 @@ INLINE V energy_at(Batch *b, V *e, V *f, V x)
 }
 
 /* Compute the functions of which E consists, and from place 5 on E and its first three derivatives. The
- * derivatives follow from the equation of motion, in which friction softens or is constant. In the third one it
- * has done so. */
+ * derivatives follow from the equation of motion, in which friction softens or is constant. The third one leaves
+ * out that friction softens further. */
 static void evaluate_at(Batch *b, V *e, V *f, V x)
 {
     const Job *const job = b->job;
@@ -4998,8 +4998,8 @@ static int store_neighbours(Batch *b, unsigned ended)
     const Job *const job = b->job;
     for (int k = 0; k < LANES; k++) if (b->column[k] != b->column[0] + k) return 0;
     if (ended != ALL || !all_lanes(b->c[STATUS] == (double)ARRESTED)) return 0;
-    double *const to = job->all + b->column[0];
-    for (int i = 0; i < OMEGA - 1 + job->states; i++) memcpy(to + i * job->count, b->c + i, sizeof(V));
+    double *to = job->all + b->column[0];
+    for (int i = 0; i < OMEGA - 1 + job->states; i++, to += job->count) memcpy(to, b->c + i, sizeof(V));
     b->held = 0;
     return 1;
 }
@@ -5011,8 +5011,8 @@ static void store_lane(Batch *b, unsigned k)
     const double status = b->c[STATUS][k];
     const int on = status <= RESTING || status == TOO_LONG;
     const int count = on ? job->cells : OMEGA - 1 + job->states;
-    double *const to = job->all + b->column[k];
-    for (int i = 0; i < count; i++) to[i * job->count] = b->c[i][k];
+    double *to = job->all + b->column[k];
+    for (int i = 0; i < count; i++, to += job->count) *to = b->c[i][k];
     b->held &= ~(1u << k);
 }
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5984e54d46719c2e4a8090d36972df64c4fbfefcb373fbc58c6e4d38d3668ac8
+# sha256 of the text below: 1c5ea7d6b78cec2926827a537b52d191c6208690bc2071398353eacf913b3f75
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "dac9c0d78c9be7d1030230590584a9802b39f7bfab69cc1f6bc3008f9aae25be"  # of the compiled integrator's source
+DIGEST = "9b8622955203a8558e5f47ec5a7a264d76493fd5a0c375f0fb1d1a35fb0d7f5b"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

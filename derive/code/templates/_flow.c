@@ -247,15 +247,15 @@ static int64_t run(Job *job, const Held *held, int level, int fits)
         PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
         return -1;
     }
-    const int64_t room = MOST_WORKING + job->cells;
+    const int64_t room = (MOST_WORKING + job->cells + (int64_t)job->registers * STRIDE) * WIDEST;
     const int64_t begun = job->shared ? job->cells * WIDEST + 5 * job->cells + 4 * (job->scalar_end - job->scalar) : 0;
-    void *memory = malloc((size_t)((room + (int64_t)job->registers * STRIDE + 1) * WIDEST + begun));
+    void *memory = malloc((size_t)(room + WIDEST + begun));
     if (memory == NULL) {
         PyErr_NoMemory();
         return -1;
     }
     job->memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
-    job->begun = begun ? (char *)job->memory + (room + (int64_t)job->registers * STRIDE) * WIDEST : NULL;
+    job->begun = begun ? (char *)job->memory + room : NULL;
     int64_t left;
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(job);
@@ -1002,8 +1002,8 @@ static int store_neighbours(Batch *b, unsigned ended)
     const Job *const job = b->job;
     for (int k = 0; k < LANES; k++) if (b->column[k] != b->column[0] + k) return 0;
     if (ended != ALL || !all_lanes(b->c[STATUS] == (double)ARRESTED)) return 0;
-    double *const to = job->all + b->column[0];
-    for (int i = 0; i < OMEGA - 1 + job->states; i++) memcpy(to + i * job->count, b->c + i, sizeof(V));
+    double *to = job->all + b->column[0];
+    for (int i = 0; i < OMEGA - 1 + job->states; i++, to += job->count) memcpy(to, b->c + i, sizeof(V));
     b->held = 0;
     return 1;
 }
@@ -1015,8 +1015,8 @@ static void store_lane(Batch *b, unsigned k)
     const double status = b->c[STATUS][k];
     const int on = status <= RESTING || status == TOO_LONG;
     const int count = on ? job->cells : OMEGA - 1 + job->states;
-    double *const to = job->all + b->column[k];
-    for (int i = 0; i < count; i++) to[i * job->count] = b->c[i][k];
+    double *to = job->all + b->column[k];
+    for (int i = 0; i < count; i++, to += job->count) *to = b->c[i][k];
     b->held &= ~(1u << k);
 }
 

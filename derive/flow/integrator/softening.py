@@ -185,8 +185,8 @@ def energy_at(s: Lanes, e: S, f: S, x: V) -> V:
 def evaluate_at(s: Lanes, e: S, f: S, x: V) -> None:
     """Compute the functions of which E consists, and from place 5 on E and its first three derivatives.
 
-    The derivatives follow from the equation of motion, in which friction softens or is constant. In the third one it
-    has done so.
+    The derivatives follow from the equation of motion, in which friction softens or is constant. The third one leaves
+    out that friction softens further.
     """
     drive = 1.0 * s.drive
     of_sine = 1.0 * s.net_sine
