@@ -111,9 +111,11 @@ class Slices(NamedTuple):
         The moment is positive if it drives the mass to the right. Its scale is the integral of the weight.
         """
         stresses = self.stresses
-        weighted = self.weight * self.at(stresses.soil + stresses.displaced + stresses.load)
+        vertical = self.at(stresses.soil + stresses.displaced + stresses.load)
+        weighted = self.weight * vertical
+        weight = self.cosine * weighted
         moment = slopes.drive(self.sine, self.cosine, weighted, 0.0)
-        return self.sums(moment), self.sums(self.cosine * weighted)
+        return self.sums(moment), self.sums(weight)
 
     def shaking_moment(self) -> Floats:
         """Return the moment of k_h = 1 over gamma R^3, on soil at half its height and on surcharges at the ground."""
