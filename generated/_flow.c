@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9b8622955203a8558e5f47ec5a7a264d76493fd5a0c375f0fb1d1a35fb0d7f5b"
+#define DIGEST "8491d1935a3114b6d59082c237279e3e6a43d67c5d215eac12b313ec04bf1ef1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -67,23 +67,23 @@ enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S
 static const unsigned char arguments[] = { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3 };
 #if !defined(LEVEL) || defined(__wasm__)
 #ifndef __wasm__
-/* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
- * are operations that rates need. */
-static const struct { int rates, length; const int32_t *operations; } patterns[] = {
-    {43, 75, (const int32_t[]){2, 462, 42, 4, 84, 0, 5, 126, 168, 84, 0, 3, 210, 252, 294, 336, 378, 420, 0, 0, 10, 504, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 10, 546, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 588, 126, 168, CELL, CELL, CELL}},
-    {35, 59, (const int32_t[]){2, 336, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 6, 378, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 6, 420, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 462, 168, 210, CELL, CELL, CELL}},
-    {49, 79, (const int32_t[]){2, 462, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 9, 504, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 588, 210, 252, CELL, CELL, CELL}},
-    {59, 73, (const int32_t[]){2, 420, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 4, 252, 210, 6, 294, 336, 252, 210, 0, 1, 378, 336, CELL, CELL, 0, 3, 462, 126, 168, 420, CELL, CELL, CELL, CELL, 1, 504, 378, 462, 0, 5, 546, 126, 168, 378, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 588, 462, CELL, CELL, 0, 2, 630, 126, 168, CELL, CELL, CELL}},
-    {81, 95, (const int32_t[]){2, 672, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 4, 252, 210, 6, 294, 336, 252, 210, 0, 1, 378, 336, CELL, CELL, 3, 420, 462, 504, 546, 588, 630, 0, 0, 10, 714, 0, 126, 168, 420, 462, 504, 546, 588, 630, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 756, 378, 714, 0, 5, 798, 126, 168, 378, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 840, 714, CELL, CELL, 0, 2, 882, 126, 168, CELL, CELL, CELL}},
-    {79, 93, (const int32_t[]){2, 546, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 0, CELL, CELL, 4, 378, 336, 6, 420, 462, 378, 336, 0, 1, 504, 462, CELL, CELL, 0, 6, 588, 84, 168, 210, 252, 294, 546, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 630, 504, 588, 0, 8, 672, 84, 168, 210, 252, 294, 504, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 714, 588, CELL, CELL, 0, 2, 756, 168, 210, CELL, CELL, CELL}},
-    {99, 113, (const int32_t[]){2, 672, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 0, CELL, CELL, 4, 504, 462, 6, 546, 588, 504, 462, 0, 1, 630, 588, CELL, CELL, 0, 9, 714, 84, 126, 210, 252, 294, 336, 378, 420, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 756, 630, 714, 0, 11, 798, 84, 126, 210, 252, 294, 336, 378, 420, 630, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 840, 714, CELL, CELL, 0, 2, 882, 210, 252, CELL, CELL, CELL}},
-    {45, 63, (const int32_t[]){2, 84, 42, 0, 2, 126, 42, 84, CELL, CELL, CELL, 4, 168, 0, 5, 210, 252, 168, 0, 0, 3, 294, 84, 210, 252, CELL, CELL, CELL, CELL, 1, 336, 294, 42, 0, 4, 378, 84, 210, 252, 336, CELL, CELL, CELL, CELL, CELL, 0, 3, 420, 84, 210, 252, CELL, CELL, CELL, CELL, 0, 2, 462, 210, 252, CELL, CELL, CELL}},
-    {77, 91, (const int32_t[]){2, 630, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 42, CELL, CELL, 7, 252, 294, 210, 0, 1, 336, 294, CELL, CELL, 3, 378, 420, 462, 504, 546, 588, 0, 0, 10, 672, 0, 126, 168, 378, 420, 462, 504, 546, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 714, 336, 672, 0, 5, 756, 126, 168, 336, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 798, 672, CELL, CELL, 0, 2, 840, 126, 168, CELL, CELL, CELL}},
-    {75, 89, (const int32_t[]){2, 504, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 42, CELL, CELL, 7, 378, 420, 336, 0, 1, 462, 420, CELL, CELL, 0, 6, 546, 84, 168, 210, 252, 294, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 462, 546, 0, 8, 630, 84, 168, 210, 252, 294, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 168, 210, CELL, CELL, CELL}},
-    {95, 109, (const int32_t[]){2, 630, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 42, CELL, CELL, 7, 504, 546, 462, 0, 1, 588, 546, CELL, CELL, 0, 9, 672, 84, 126, 210, 252, 294, 336, 378, 420, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 714, 588, 672, 0, 11, 756, 84, 126, 210, 252, 294, 336, 378, 420, 588, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 798, 672, CELL, CELL, 0, 2, 840, 210, 252, CELL, CELL, CELL}},
-    {67, 81, (const int32_t[]){2, 504, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 3, 252, 294, 336, 378, 420, 462, 0, 0, 10, 546, 0, 126, 168, 252, 294, 336, 378, 420, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 210, 546, 0, 5, 630, 126, 168, 210, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 126, 168, CELL, CELL, CELL}},
-    {65, 79, (const int32_t[]){2, 378, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 0, CELL, CELL, 0, 6, 420, 84, 168, 210, 252, 294, 378, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 462, 336, 420, 0, 8, 504, 84, 168, 210, 252, 294, 336, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 546, 420, CELL, CELL, 0, 2, 588, 168, 210, CELL, CELL, CELL}},
-    {85, 99, (const int32_t[]){2, 504, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 0, CELL, CELL, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 462, 546, 0, 11, 630, 84, 126, 210, 252, 294, 336, 378, 420, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 210, 252, CELL, CELL, CELL}},
+/* Programs with functions of their own: their operations on series and their states, CELL where any cell may be, and where
+ * the operations that rates need, all operations, and the states end. */
+static const struct { int rates, later, length; const int32_t *operations; } patterns[] = {
+    {43, 75, 81, (const int32_t[]){2, 462, 42, 4, 84, 0, 5, 126, 168, 84, 0, 3, 210, 252, 294, 336, 378, 420, 0, 0, 10, 504, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 10, 546, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 588, 126, 168, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 504}},
+    {35, 59, 65, (const int32_t[]){2, 336, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 6, 378, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 6, 420, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 462, 168, 210, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 378}},
+    {49, 79, 85, (const int32_t[]){2, 462, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 9, 504, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 2, 588, 210, 252, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 504}},
+    {59, 73, 79, (const int32_t[]){2, 420, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 4, 252, 210, 6, 294, 336, 252, 210, 0, 1, 378, 336, CELL, CELL, 0, 3, 462, 126, 168, 420, CELL, CELL, CELL, CELL, 1, 504, 378, 462, 0, 5, 546, 126, 168, 378, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 588, 462, CELL, CELL, 0, 2, 630, 126, 168, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 546}},
+    {81, 95, 101, (const int32_t[]){2, 672, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 4, 252, 210, 6, 294, 336, 252, 210, 0, 1, 378, 336, CELL, CELL, 3, 420, 462, 504, 546, 588, 630, 0, 0, 10, 714, 0, 126, 168, 420, 462, 504, 546, 588, 630, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 756, 378, 714, 0, 5, 798, 126, 168, 378, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 840, 714, CELL, CELL, 0, 2, 882, 126, 168, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 798}},
+    {79, 93, 99, (const int32_t[]){2, 546, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 0, CELL, CELL, 4, 378, 336, 6, 420, 462, 378, 336, 0, 1, 504, 462, CELL, CELL, 0, 6, 588, 84, 168, 210, 252, 294, 546, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 630, 504, 588, 0, 8, 672, 84, 168, 210, 252, 294, 504, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 714, 588, CELL, CELL, 0, 2, 756, 168, 210, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 672}},
+    {99, 113, 119, (const int32_t[]){2, 672, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 0, CELL, CELL, 4, 504, 462, 6, 546, 588, 504, 462, 0, 1, 630, 588, CELL, CELL, 0, 9, 714, 84, 126, 210, 252, 294, 336, 378, 420, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 756, 630, 714, 0, 11, 798, 84, 126, 210, 252, 294, 336, 378, 420, 630, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 840, 714, CELL, CELL, 0, 2, 882, 210, 252, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 798}},
+    {45, 63, 69, (const int32_t[]){2, 84, 42, 0, 2, 126, 42, 84, CELL, CELL, CELL, 4, 168, 0, 5, 210, 252, 168, 0, 0, 3, 294, 84, 210, 252, CELL, CELL, CELL, CELL, 1, 336, 294, 42, 0, 4, 378, 84, 210, 252, 336, CELL, CELL, CELL, CELL, CELL, 0, 3, 420, 84, 210, 252, CELL, CELL, CELL, CELL, 0, 2, 462, 210, 252, CELL, CELL, CELL, CELL, 0, 126, CELL, 42, 378}},
+    {77, 91, 97, (const int32_t[]){2, 630, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 42, CELL, CELL, 7, 252, 294, 210, 0, 1, 336, 294, CELL, CELL, 3, 378, 420, 462, 504, 546, 588, 0, 0, 10, 672, 0, 126, 168, 378, 420, 462, 504, 546, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 714, 336, 672, 0, 5, 756, 126, 168, 336, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 798, 672, CELL, CELL, 0, 2, 840, 126, 168, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 756}},
+    {75, 89, 95, (const int32_t[]){2, 504, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 42, CELL, CELL, 7, 378, 420, 336, 0, 1, 462, 420, CELL, CELL, 0, 6, 546, 84, 168, 210, 252, 294, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 462, 546, 0, 8, 630, 84, 168, 210, 252, 294, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 168, 210, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 630}},
+    {95, 109, 115, (const int32_t[]){2, 630, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 42, CELL, CELL, 7, 504, 546, 462, 0, 1, 588, 546, CELL, CELL, 0, 9, 672, 84, 126, 210, 252, 294, 336, 378, 420, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 714, 588, 672, 0, 11, 756, 84, 126, 210, 252, 294, 336, 378, 420, 588, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 798, 672, CELL, CELL, 0, 2, 840, 210, 252, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 756}},
+    {67, 81, 87, (const int32_t[]){2, 504, 42, 4, 84, 0, 5, 126, 168, 84, 0, 0, 1, 210, 0, CELL, CELL, 3, 252, 294, 336, 378, 420, 462, 0, 0, 10, 546, 0, 126, 168, 252, 294, 336, 378, 420, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 210, 546, 0, 5, 630, 126, 168, 210, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 126, 168, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 630}},
+    {65, 79, 85, (const int32_t[]){2, 378, 42, 4, 126, 0, 5, 168, 210, 126, 0, 1, 252, 84, 168, 1, 294, 84, 210, 0, 1, 336, 0, CELL, CELL, 0, 6, 420, 84, 168, 210, 252, 294, 378, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 462, 336, 420, 0, 8, 504, 84, 168, 210, 252, 294, 336, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 546, 420, CELL, CELL, 0, 2, 588, 168, 210, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 504}},
+    {85, 99, 105, (const int32_t[]){2, 504, 42, 4, 168, 0, 5, 210, 252, 168, 0, 1, 294, 84, 210, 1, 336, 84, 252, 1, 378, 126, 210, 1, 420, 126, 252, 0, 1, 462, 0, CELL, CELL, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 1, 588, 462, 546, 0, 11, 630, 84, 126, 210, 252, 294, 336, 378, 420, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, 0, 1, 672, 546, CELL, CELL, 0, 2, 714, 210, 252, CELL, CELL, CELL, CELL, 0, 42, CELL, 42, 630}},
 };
 
 static int straight_of(const Job *job)
@@ -91,7 +91,8 @@ static int straight_of(const Job *job)
     const int32_t *const own = job->series;
     for (int k = 0; k < (int)(sizeof patterns / sizeof *patterns); k++) {
         const int32_t *const known = patterns[k].operations;
-        int same = patterns[k].rates == job->series_end - own && patterns[k].length == job->later_end - own;
+        int same = patterns[k].rates == job->series_end - own && patterns[k].later == job->later_end - own &&
+                   patterns[k].length == patterns[k].later + 3 * job->states;
         for (int i = 0; same && i < patterns[k].length; i++) same = known[i] == CELL || known[i] == own[i];
         if (same) return k;
     }
@@ -725,11 +726,6 @@ INLINE V sqrt_of(V x)
 #define vector_map(f, x) f##_of(x)
 #define vector_choose pick
 
-/* What is added at each k from 2 to below another, by turns into parts j = 0 and 1 that do not wait for each other. */
-#define PAIRWISE(below, add) do { int k = 2; \
-    while (k + 1 < (below)) { { const int j = 0; add; } k++; { const int j = 1; add; } k++; } \
-    if (k < (below)) { const int j = 0; add; } } while (0)
-
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
  * code, its results and its arguments; a sum is its code, how many terms, its result, their registers, the cell of its
  * constant and those of the factors. What is read off a table is there already.
@@ -751,15 +747,19 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         if (n == 0) {
             d[0] = a[0] * b[0];
         } else {
-            V sum0 = {0};
             if (n % 2 == 0) {
-                V sum0_[2] = {a[1] * b[n - 1]}, sum0_next[2] = {{0}}, sum0_before = b[n - 1];
-                PAIRWISE(n, const V sum0_now = b[n - k]; sum0_[j] += a[k] * sum0_now; sum0_next[j] += a[k] * sum0_before; sum0_before = sum0_now);
-                sum0 = sum0_[0] + sum0_[1];
-                d[n + 1] = sum0_next[0] + sum0_next[1];
-            } else if (n > 1) {
-                sum0 = d[n] + a[1] * b[n - 1] + a[n - 1] * b[1];
+                V sum0 = n > 2 ? a[2] * b[n - 2] : (V){0}, sum0_next = {0}, sum0_before = b[n - 2];
+                for (int i = 2; 2 * i < n; i++) {
+                    sum0_next += a[2 * i - 1] * sum0_before; sum0_before = b[n - 2 * i + 1];
+                    sum0 += a[2 * i - 1] * sum0_before; sum0_next += a[2 * i] * sum0_before;
+                    sum0_before = b[n - 2 * i]; sum0 += a[2 * i] * sum0_before;
+                }
+                d[n] = n > 2 ? sum0 + a[1] * b[n - 1] + a[n - 1] * b[1] : a[1] * b[1];
+                d[n + 1] = n > 2 ? sum0_next + a[2] * b[n - 1] + a[n - 1] * b[2] : (V){0};
+            } else {
+                d[n] = n > 1 ? d[n] + a[1] * b[n - 1] + a[n - 1] * b[1] : (V){0};
             }
+            const V sum0 = d[n];
             d[n] = sum0 + a[0] * b[n] + a[n] * b[0];
         }
         return at + 4;
@@ -770,16 +770,17 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         if (n == 0) {
             d[0] = a[0] * a[0];
         } else {
-            V sum0 = {0};
             if (n % 2 == 0) {
-                V sum0_[2] = {a[1] * a[n - 1]}, sum0_next[2] = {{0}}, sum0_before = a[n - 1];
-                PAIRWISE(n / 2, const V sum0_now = a[n - k]; sum0_[j] += a[k] * sum0_now; sum0_next[j] += a[k] * sum0_before; sum0_before = sum0_now);
-                const V middle = a[n / 2] * a[n / 2];
-                sum0 = n > 2 ? 2.0 * (sum0_[0] + sum0_[1]) + middle : middle;
-                d[n + 1] = n > 2 ? 2.0 * (sum0_next[0] + sum0_next[1] + a[n / 2] * sum0_before) : (V){0};
-            } else if (n > 1) {
-                sum0 = d[n] + 2.0 * a[1] * a[n - 1];
+                V sum0 = {0}, sum0_next = {0};
+                for (int i = 2; 2 * i < n; i++) {
+                    const V sum0_now = a[n - i]; sum0 += a[i] * sum0_now; sum0_next += a[i + 1] * sum0_now;
+                }
+                d[n] = n > 2 ? a[n / 2] * a[n / 2] + 2.0 * (sum0 + a[1] * a[n - 1]) : a[1] * a[1],
+                    d[n + 1] = n > 2 ? 2.0 * (sum0_next + a[2] * a[n - 1]) : (V){0};
+            } else {
+                d[n] = n > 1 ? d[n] + 2.0 * a[1] * a[n - 1] : (V){0};
             }
+            const V sum0 = d[n];
             d[n] = sum0 + 2.0 * a[0] * a[n];
         }
         return at + 3;
@@ -803,40 +804,57 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             p6[0] = t1 * t3;
             p7[0] = t2 * t3;
         } else {
-            V sum0 = {0};
-            V sum1 = {0};
-            V sum2 = {0};
-            V sum3 = {0};
-            V sum4 = {0};
-            V sum5 = {0};
             if (n % 2 == 0) {
-                V sum0_[2] = {x[1] * p2[n - 1]}, sum0_next[2] = {{0}}, sum0_before = p2[n - 1];
-                V sum1_[2] = {x[1] * p3[n - 1]}, sum1_next[2] = {{0}}, sum1_before = p3[n - 1];
-                V sum2_[2] = {x[1] * p4[n - 1]}, sum2_next[2] = {{0}}, sum2_before = p4[n - 1];
-                V sum3_[2] = {x[1] * p5[n - 1]}, sum3_next[2] = {{0}}, sum3_before = p5[n - 1];
-                V sum4_[2] = {x[1] * p6[n - 1]}, sum4_next[2] = {{0}}, sum4_before = p6[n - 1];
-                V sum5_[2] = {x[1] * x[n - 1]}, sum5_next[2] = {{0}}, sum5_before = x[n - 1];
-                PAIRWISE(n, const V sum0_now = p2[n - k]; sum0_[j] += x[k] * sum0_now; sum0_next[j] += x[k] * sum0_before; sum0_before = sum0_now; const V sum1_now = p3[n - k]; sum1_[j] += x[k] * sum1_now; sum1_next[j] += x[k] * sum1_before; sum1_before = sum1_now; const V sum2_now = p4[n - k]; sum2_[j] += x[k] * sum2_now; sum2_next[j] += x[k] * sum2_before; sum2_before = sum2_now; const V sum3_now = p5[n - k]; sum3_[j] += x[k] * sum3_now; sum3_next[j] += x[k] * sum3_before; sum3_before = sum3_now; const V sum4_now = p6[n - k]; sum4_[j] += x[k] * sum4_now; sum4_next[j] += x[k] * sum4_before; sum4_before = sum4_now; const V sum5_now = x[n - k]; sum5_[j] += x[k] * sum5_now; sum5_next[j] += x[k] * sum5_before; sum5_before = sum5_now);
-                sum0 = sum0_[0] + sum0_[1];
-                p2[n + 1] = sum0_next[0] + sum0_next[1];
-                sum1 = sum1_[0] + sum1_[1];
-                p3[n + 1] = sum1_next[0] + sum1_next[1];
-                sum2 = sum2_[0] + sum2_[1];
-                p4[n + 1] = sum2_next[0] + sum2_next[1];
-                sum3 = sum3_[0] + sum3_[1];
-                p5[n + 1] = sum3_next[0] + sum3_next[1];
-                sum4 = sum4_[0] + sum4_[1];
-                p6[n + 1] = sum4_next[0] + sum4_next[1];
-                sum5 = sum5_[0] + sum5_[1];
-                p7[n + 1] = sum5_next[0] + sum5_next[1];
-            } else if (n > 1) {
-                sum0 = p2[n] + x[1] * p2[n - 1] + x[n - 1] * p2[1];
-                sum1 = p3[n] + x[1] * p3[n - 1] + x[n - 1] * p3[1];
-                sum2 = p4[n] + x[1] * p4[n - 1] + x[n - 1] * p4[1];
-                sum3 = p5[n] + x[1] * p5[n - 1] + x[n - 1] * p5[1];
-                sum4 = p6[n] + x[1] * p6[n - 1] + x[n - 1] * p6[1];
-                sum5 = p7[n] + x[1] * x[n - 1] + x[n - 1] * x[1];
+                V sum0 = n > 2 ? x[2] * p2[n - 2] : (V){0}, sum0_next = {0}, sum0_before = p2[n - 2];
+                V sum1 = n > 2 ? x[2] * p3[n - 2] : (V){0}, sum1_next = {0}, sum1_before = p3[n - 2];
+                V sum2 = n > 2 ? x[2] * p4[n - 2] : (V){0}, sum2_next = {0}, sum2_before = p4[n - 2];
+                V sum3 = n > 2 ? x[2] * p5[n - 2] : (V){0}, sum3_next = {0}, sum3_before = p5[n - 2];
+                V sum4 = n > 2 ? x[2] * p6[n - 2] : (V){0}, sum4_next = {0}, sum4_before = p6[n - 2];
+                V sum5 = {0}, sum5_next = {0};
+                for (int i = 2; 2 * i < n; i++) {
+                    sum0_next += x[2 * i - 1] * sum0_before; sum0_before = p2[n - 2 * i + 1];
+                    sum0 += x[2 * i - 1] * sum0_before; sum0_next += x[2 * i] * sum0_before;
+                    sum0_before = p2[n - 2 * i]; sum0 += x[2 * i] * sum0_before;
+                    sum1_next += x[2 * i - 1] * sum1_before; sum1_before = p3[n - 2 * i + 1];
+                    sum1 += x[2 * i - 1] * sum1_before; sum1_next += x[2 * i] * sum1_before;
+                    sum1_before = p3[n - 2 * i]; sum1 += x[2 * i] * sum1_before;
+                    sum2_next += x[2 * i - 1] * sum2_before; sum2_before = p4[n - 2 * i + 1];
+                    sum2 += x[2 * i - 1] * sum2_before; sum2_next += x[2 * i] * sum2_before;
+                    sum2_before = p4[n - 2 * i]; sum2 += x[2 * i] * sum2_before;
+                    sum3_next += x[2 * i - 1] * sum3_before; sum3_before = p5[n - 2 * i + 1];
+                    sum3 += x[2 * i - 1] * sum3_before; sum3_next += x[2 * i] * sum3_before;
+                    sum3_before = p5[n - 2 * i]; sum3 += x[2 * i] * sum3_before;
+                    sum4_next += x[2 * i - 1] * sum4_before; sum4_before = p6[n - 2 * i + 1];
+                    sum4 += x[2 * i - 1] * sum4_before; sum4_next += x[2 * i] * sum4_before;
+                    sum4_before = p6[n - 2 * i]; sum4 += x[2 * i] * sum4_before;
+                    const V sum5_now = x[n - i]; sum5 += x[i] * sum5_now; sum5_next += x[i + 1] * sum5_now;
+                }
+                p2[n] = n > 2 ? sum0 + x[1] * p2[n - 1] + x[n - 1] * p2[1] : x[1] * p2[1];
+                p2[n + 1] = n > 2 ? sum0_next + x[2] * p2[n - 1] + x[n - 1] * p2[2] : (V){0};
+                p3[n] = n > 2 ? sum1 + x[1] * p3[n - 1] + x[n - 1] * p3[1] : x[1] * p3[1];
+                p3[n + 1] = n > 2 ? sum1_next + x[2] * p3[n - 1] + x[n - 1] * p3[2] : (V){0};
+                p4[n] = n > 2 ? sum2 + x[1] * p4[n - 1] + x[n - 1] * p4[1] : x[1] * p4[1];
+                p4[n + 1] = n > 2 ? sum2_next + x[2] * p4[n - 1] + x[n - 1] * p4[2] : (V){0};
+                p5[n] = n > 2 ? sum3 + x[1] * p5[n - 1] + x[n - 1] * p5[1] : x[1] * p5[1];
+                p5[n + 1] = n > 2 ? sum3_next + x[2] * p5[n - 1] + x[n - 1] * p5[2] : (V){0};
+                p6[n] = n > 2 ? sum4 + x[1] * p6[n - 1] + x[n - 1] * p6[1] : x[1] * p6[1];
+                p6[n + 1] = n > 2 ? sum4_next + x[2] * p6[n - 1] + x[n - 1] * p6[2] : (V){0};
+                p7[n] = n > 2 ? x[n / 2] * x[n / 2] + 2.0 * (sum5 + x[1] * x[n - 1]) : x[1] * x[1],
+                    p7[n + 1] = n > 2 ? 2.0 * (sum5_next + x[2] * x[n - 1]) : (V){0};
+            } else {
+                p2[n] = n > 1 ? p2[n] + x[1] * p2[n - 1] + x[n - 1] * p2[1] : (V){0};
+                p3[n] = n > 1 ? p3[n] + x[1] * p3[n - 1] + x[n - 1] * p3[1] : (V){0};
+                p4[n] = n > 1 ? p4[n] + x[1] * p4[n - 1] + x[n - 1] * p4[1] : (V){0};
+                p5[n] = n > 1 ? p5[n] + x[1] * p5[n - 1] + x[n - 1] * p5[1] : (V){0};
+                p6[n] = n > 1 ? p6[n] + x[1] * p6[n - 1] + x[n - 1] * p6[1] : (V){0};
+                p7[n] = n > 1 ? p7[n] + 2.0 * x[1] * x[n - 1] : (V){0};
             }
+            const V sum0 = p2[n];
+            const V sum1 = p3[n];
+            const V sum2 = p4[n];
+            const V sum3 = p5[n];
+            const V sum4 = p6[n];
+            const V sum5 = p7[n];
             p2[n] = sum5 + 2.0 * x[0] * x[n];
             p3[n] = sum0 + p2[0] * x[n] + p2[n] * x[0];
             p4[n] = sum1 + p3[0] * x[n] + p3[n] * x[0];
@@ -866,20 +884,27 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             s[0] = IN(map)(sin, x[0]);
             v[0] = 2.0 * (t1 * t1);
         } else {
-            V sum0 = {0};
-            V sum1 = {0};
             if (n % 2 == 0) {
-                V sum0_[2] = {q[1] * s[n - 1]}, sum0_next[2] = {{0}}, sum0_before = s[n - 1];
-                V sum1_[2] = {q[1] * v[n - 1]}, sum1_next[2] = {{0}}, sum1_before = v[n - 1];
-                PAIRWISE(n, const V sum0_now = s[n - k]; sum0_[j] += q[k] * sum0_now; sum0_next[j] += q[k] * sum0_before; sum0_before = sum0_now; const V sum1_now = v[n - k]; sum1_[j] += q[k] * sum1_now; sum1_next[j] += q[k] * sum1_before; sum1_before = sum1_now);
-                sum0 = sum0_[0] + sum0_[1];
-                s[n + 1] = sum0_next[0] + sum0_next[1];
-                sum1 = sum1_[0] + sum1_[1];
-                v[n + 1] = sum1_next[0] + sum1_next[1];
-            } else if (n > 1) {
-                sum0 = s[n] + q[1] * s[n - 1] + q[n - 1] * s[1];
-                sum1 = v[n] + q[1] * v[n - 1] + q[n - 1] * v[1];
+                V sum0 = n > 2 ? q[2] * s[n - 2] : (V){0}, sum0_next = {0}, sum0_before = s[n - 2];
+                V sum1 = n > 2 ? q[2] * v[n - 2] : (V){0}, sum1_next = {0}, sum1_before = v[n - 2];
+                for (int i = 2; 2 * i < n; i++) {
+                    sum0_next += q[2 * i - 1] * sum0_before; sum0_before = s[n - 2 * i + 1];
+                    sum0 += q[2 * i - 1] * sum0_before; sum0_next += q[2 * i] * sum0_before;
+                    sum0_before = s[n - 2 * i]; sum0 += q[2 * i] * sum0_before;
+                    sum1_next += q[2 * i - 1] * sum1_before; sum1_before = v[n - 2 * i + 1];
+                    sum1 += q[2 * i - 1] * sum1_before; sum1_next += q[2 * i] * sum1_before;
+                    sum1_before = v[n - 2 * i]; sum1 += q[2 * i] * sum1_before;
+                }
+                s[n] = n > 2 ? sum0 + q[1] * s[n - 1] + q[n - 1] * s[1] : q[1] * s[1];
+                s[n + 1] = n > 2 ? sum0_next + q[2] * s[n - 1] + q[n - 1] * s[2] : (V){0};
+                v[n] = n > 2 ? sum1 + q[1] * v[n - 1] + q[n - 1] * v[1] : q[1] * v[1];
+                v[n + 1] = n > 2 ? sum1_next + q[2] * v[n - 1] + q[n - 1] * v[2] : (V){0};
+            } else {
+                s[n] = n > 1 ? s[n] + q[1] * s[n - 1] + q[n - 1] * s[1] : (V){0};
+                v[n] = n > 1 ? v[n] + q[1] * v[n - 1] + q[n - 1] * v[1] : (V){0};
             }
+            const V sum0 = s[n];
+            const V sum1 = v[n];
             const V b = 1.0 - v[0];
             s[n] = b * x[n] - by_n * sum1;
             v[n] = by_n * sum0 + s[0] * x[n];
@@ -895,15 +920,19 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             e[0] = IN(map)(exp, z[0]);
             m[0] = IN(map)(expm1, z[0]);
         } else {
-            V sum0 = {0};
             if (n % 2 == 0) {
-                V sum0_[2] = {q[1] * e[n - 1]}, sum0_next[2] = {{0}}, sum0_before = e[n - 1];
-                PAIRWISE(n, const V sum0_now = e[n - k]; sum0_[j] += q[k] * sum0_now; sum0_next[j] += q[k] * sum0_before; sum0_before = sum0_now);
-                sum0 = sum0_[0] + sum0_[1];
-                e[n + 1] = sum0_next[0] + sum0_next[1];
-            } else if (n > 1) {
-                sum0 = e[n] + q[1] * e[n - 1] + q[n - 1] * e[1];
+                V sum0 = n > 2 ? q[2] * e[n - 2] : (V){0}, sum0_next = {0}, sum0_before = e[n - 2];
+                for (int i = 2; 2 * i < n; i++) {
+                    sum0_next += q[2 * i - 1] * sum0_before; sum0_before = e[n - 2 * i + 1];
+                    sum0 += q[2 * i - 1] * sum0_before; sum0_next += q[2 * i] * sum0_before;
+                    sum0_before = e[n - 2 * i]; sum0 += q[2 * i] * sum0_before;
+                }
+                e[n] = n > 2 ? sum0 + q[1] * e[n - 1] + q[n - 1] * e[1] : q[1] * e[1];
+                e[n + 1] = n > 2 ? sum0_next + q[2] * e[n - 1] + q[n - 1] * e[2] : (V){0};
+            } else {
+                e[n] = n > 1 ? e[n] + q[1] * e[n - 1] + q[n - 1] * e[1] : (V){0};
             }
+            const V sum0 = e[n];
             e[n] = by_n * sum0 + e[0] * z[n];
             m[n] = e[n];
         }
@@ -918,15 +947,19 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             h[0] = 1.0 / t1;
             m[0] = -(z[0] / t1);
         } else {
-            V sum0 = {0};
             if (n % 2 == 0) {
-                V sum0_[2] = {z[1] * h[n - 1]}, sum0_next[2] = {{0}}, sum0_before = h[n - 1];
-                PAIRWISE(n, const V sum0_now = h[n - k]; sum0_[j] += z[k] * sum0_now; sum0_next[j] += z[k] * sum0_before; sum0_before = sum0_now);
-                sum0 = sum0_[0] + sum0_[1];
-                h[n + 1] = sum0_next[0] + sum0_next[1];
-            } else if (n > 1) {
-                sum0 = h[n] + z[1] * h[n - 1] + z[n - 1] * h[1];
+                V sum0 = n > 2 ? z[2] * h[n - 2] : (V){0}, sum0_next = {0}, sum0_before = h[n - 2];
+                for (int i = 2; 2 * i < n; i++) {
+                    sum0_next += z[2 * i - 1] * sum0_before; sum0_before = h[n - 2 * i + 1];
+                    sum0 += z[2 * i - 1] * sum0_before; sum0_next += z[2 * i] * sum0_before;
+                    sum0_before = h[n - 2 * i]; sum0 += z[2 * i] * sum0_before;
+                }
+                h[n] = n > 2 ? sum0 + z[1] * h[n - 1] + z[n - 1] * h[1] : z[1] * h[1];
+                h[n + 1] = n > 2 ? sum0_next + z[2] * h[n - 1] + z[n - 1] * h[2] : (V){0};
+            } else {
+                h[n] = n > 1 ? h[n] + z[1] * h[n - 1] + z[n - 1] * h[1] : (V){0};
             }
+            const V sum0 = h[n];
             h[n] = -((sum0 + h[0] * z[n]) * h[0]);
             m[n] = h[n];
         }
@@ -941,15 +974,19 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             u[0] = (V){0};
             l[0] = IN(map)(log1p, z[0]);
         } else {
-            V sum0 = {0};
             if (n % 2 == 0) {
-                V sum0_[2] = {u[1] * z[n - 1]}, sum0_next[2] = {{0}}, sum0_before = z[n - 1];
-                PAIRWISE(n, const V sum0_now = z[n - k]; sum0_[j] += u[k] * sum0_now; sum0_next[j] += u[k] * sum0_before; sum0_before = sum0_now);
-                sum0 = sum0_[0] + sum0_[1];
-                u[n + 1] = sum0_next[0] + sum0_next[1];
-            } else if (n > 1) {
-                sum0 = u[n] + u[1] * z[n - 1] + u[n - 1] * z[1];
+                V sum0 = n > 2 ? u[2] * z[n - 2] : (V){0}, sum0_next = {0}, sum0_before = z[n - 2];
+                for (int i = 2; 2 * i < n; i++) {
+                    sum0_next += u[2 * i - 1] * sum0_before; sum0_before = z[n - 2 * i + 1];
+                    sum0 += u[2 * i - 1] * sum0_before; sum0_next += u[2 * i] * sum0_before;
+                    sum0_before = z[n - 2 * i]; sum0 += u[2 * i] * sum0_before;
+                }
+                u[n] = n > 2 ? sum0 + u[1] * z[n - 1] + u[n - 1] * z[1] : u[1] * z[1];
+                u[n + 1] = n > 2 ? sum0_next + u[2] * z[n - 1] + u[n - 1] * z[2] : (V){0};
+            } else {
+                u[n] = n > 1 ? u[n] + u[1] * z[n - 1] + u[n - 1] * z[1] : (V){0};
             }
+            const V sum0 = u[n];
             u[n] = (q[n] - sum0) / (1.0 + z[0]);
             l[n] = by_n * u[n];
         }
@@ -1005,283 +1042,3984 @@ INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const do
 
 #ifndef SMALL
 #define HAS_STRAIGHT
-#define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
-/* Orders of what rates need, and of the others; order 0 apart, so that no operation asks which it is. */
-#define EACH_ORDER(k) \
-    static void orders_##k(const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse, \
-                           int squares, const State *q, const State *q_end) \
-    { \
-        if (n == 0) rates_##k(own, r, c, 0, 0.0, squares), advance_to(r, q, q_end, n++, inverse); \
-        for (; n < behind; n++) rates_##k(own, r, c, n, inverse[n], squares), advance_to(r, q, q_end, n, inverse); \
-    } \
-    static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
-    { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
-INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+#define ORDERS const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse, int squares, \
+               int moves
+#define LATER const int32_t *own, V *restrict r, const V *restrict c, int top
+static void orders_0(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 462, 42);
-    OPERATION(3, 4, 84, 0);
-    OPERATION(6, 5, 126, 168, 84, 0);
-    OPERATION(11, 3, 210, 252, 294, 336, 378, 420, 0);
-    OPERATION(19, 0, 10, 504, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x11 = (r + 462)[n];
+        if (squares) {
+            x11 = x1 * x1;
+            (r + 462)[n] = x11;
+        }
+        V x2;
+        {
+            x2 = (V){0};
+            (r + 84)[n] = x2;
+        }
+        V x3;
+        V x4;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x3 = IN(map)(sin, x0);
+            x4 = 2.0 * (t1 * t1);
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        V x6;
+        V x7;
+        V x8;
+        V x9;
+        V x10;
+        {
+            const V t1 = x0 * x0;
+            const V t2 = x0 * t1;
+            const V t3 = t1 * t1;
+            x5 = t1;
+            x6 = t2;
+            x7 = t3;
+            x8 = x0 * t3;
+            x9 = t1 * t3;
+            x10 = t2 * t3;
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+            (r + 294)[n] = x7;
+            (r + 336)[n] = x8;
+            (r + 378)[n] = x9;
+            (r + 420)[n] = x10;
+        }
+        V x12;
+        {
+            x12 = c[own[32]];
+            x12 += c[own[33]] * x0;
+            x12 += c[own[34]] * x3;
+            x12 += c[own[35]] * x4;
+            x12 += c[own[36]] * x5;
+            x12 += c[own[37]] * x6;
+            x12 += c[own[38]] * x7;
+            x12 += c[own[39]] * x8;
+            x12 += c[own[40]] * x9;
+            x12 += c[own[41]] * x10;
+            x12 += c[own[42]] * x11;
+            (r + 504)[n] = x12;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x12 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
+            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
+            V sum3 = n > 2 ? (r + 0)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
+                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
+                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
+                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+                sum3_next += (r + 0)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 0)[2 * i - 1] * sum3_before; sum3_next += (r + 0)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 0)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 462)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
+            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
+            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 210)[n] = n > 2 ? sum3 + (r + 0)[1] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[1] : (r + 0)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum3_next + (r + 0)[2] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            if (squares) (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 0)[1] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 0)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
+            V sum5 = n > 2 ? (r + 0)[2] * (r + 294)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 294)[n - 2];
+            V sum6 = n > 2 ? (r + 0)[2] * (r + 336)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 336)[n - 2];
+            V sum7 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 378)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
+                sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+                sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 294)[n - 2 * i + 1];
+                sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
+                sum5_before = (r + 294)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
+                sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 336)[n - 2 * i + 1];
+                sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
+                sum6_before = (r + 336)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
+                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 378)[n - 2 * i + 1];
+                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
+                sum7_before = (r + 378)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
+            }
+            (r + 252)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (r + 0)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (r + 0)[1] * (r + 294)[1];
+            (r + 294)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[2] : (V){0};
+            (r + 336)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (r + 0)[1] * (r + 336)[1];
+            (r + 336)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[2] : (V){0};
+            (r + 378)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
+            (r + 378)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
+        } else {
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (V){0};
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (V){0};
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum8 = {0}, sum8_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum8_now = (r + 0)[n - i]; sum8 += (r + 0)[i] * sum8_now; sum8_next += (r + 0)[i + 1] * sum8_now;
+            }
+            (r + 420)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum8 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
+                (r + 420)[n + 1] = n > 2 ? 2.0 * (sum8_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+        } else {
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x11 = (r + 462)[n];
+        if (squares) {
+            const V sum0 = x11;
+            x11 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 462)[n] = x11;
+        }
+        V x2 = (r + 84)[n];
+        {
+            x2 = x0 * n;
+            (r + 84)[n] = x2;
+        }
+        V x3 = (r + 126)[n];
+        V x4 = (r + 168)[n];
+        {
+            const V sum0 = x3;
+            const V sum1 = x4;
+            const V b = 1.0 - (r + 168)[0];
+            x3 = b * x0 - by_n * sum1;
+            x4 = by_n * sum0 + (r + 126)[0] * x0;
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5 = (r + 210)[n];
+        V x6 = (r + 252)[n];
+        V x7 = (r + 294)[n];
+        V x8 = (r + 336)[n];
+        V x9 = (r + 378)[n];
+        V x10 = (r + 420)[n];
+        {
+            const V sum0 = x5;
+            const V sum1 = x6;
+            const V sum2 = x7;
+            const V sum3 = x8;
+            const V sum4 = x9;
+            const V sum5 = x10;
+            x5 = sum5 + 2.0 * (r + 0)[0] * x0;
+            x6 = sum0 + (r + 210)[0] * x0 + x5 * (r + 0)[0];
+            x7 = sum1 + (r + 252)[0] * x0 + x6 * (r + 0)[0];
+            x8 = sum2 + (r + 294)[0] * x0 + x7 * (r + 0)[0];
+            x9 = sum3 + (r + 336)[0] * x0 + x8 * (r + 0)[0];
+            x10 = sum4 + (r + 378)[0] * x0 + x9 * (r + 0)[0];
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+            (r + 294)[n] = x7;
+            (r + 336)[n] = x8;
+            (r + 378)[n] = x9;
+            (r + 420)[n] = x10;
+        }
+        V x12;
+        {
+            x12 = (V){0};
+            x12 += c[own[33]] * x0;
+            x12 += c[own[34]] * x3;
+            x12 += c[own[35]] * x4;
+            x12 += c[own[36]] * x5;
+            x12 += c[own[37]] * x6;
+            x12 += c[own[38]] * x7;
+            x12 += c[own[39]] * x8;
+            x12 += c[own[40]] * x9;
+            x12 += c[own[41]] * x10;
+            x12 += c[own[42]] * x11;
+            (r + 504)[n] = x12;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x12 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_0(LATER)
 {
-    OPERATION(43, 0, 10, 546, 0, 126, 168, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(67, 0, 2, 588, 126, 168, CELL, CELL, CELL);
+    int n = 0;
+    const V x0 = (r + 0)[n];
+    const V x3 = (r + 126)[n];
+    const V x4 = (r + 168)[n];
+    const V x5 = (r + 210)[n];
+    const V x6 = (r + 252)[n];
+    const V x7 = (r + 294)[n];
+    const V x8 = (r + 336)[n];
+    const V x9 = (r + 378)[n];
+    const V x10 = (r + 420)[n];
+    const V x11 = (r + 462)[n];
+    V x13;
+    {
+        x13 = c[own[56]];
+        x13 += c[own[57]] * x0;
+        x13 += c[own[58]] * x3;
+        x13 += c[own[59]] * x4;
+        x13 += c[own[60]] * x5;
+        x13 += c[own[61]] * x6;
+        x13 += c[own[62]] * x7;
+        x13 += c[own[63]] * x8;
+        x13 += c[own[64]] * x9;
+        x13 += c[own[65]] * x10;
+        x13 += c[own[66]] * x11;
+        (r + 546)[n] = x13;
+    }
+    V x14;
+    {
+        x14 = c[own[72]];
+        x14 += c[own[73]] * x3;
+        x14 += c[own[74]] * x4;
+        (r + 588)[n] = x14;
+    }
+    for (n = 1; n < top; n++) {
+        const V x0 = (r + 0)[n];
+        const V x3 = (r + 126)[n];
+        const V x4 = (r + 168)[n];
+        const V x5 = (r + 210)[n];
+        const V x6 = (r + 252)[n];
+        const V x7 = (r + 294)[n];
+        const V x8 = (r + 336)[n];
+        const V x9 = (r + 378)[n];
+        const V x10 = (r + 420)[n];
+        const V x11 = (r + 462)[n];
+        V x13;
+        {
+            x13 = (V){0};
+            x13 += c[own[57]] * x0;
+            x13 += c[own[58]] * x3;
+            x13 += c[own[59]] * x4;
+            x13 += c[own[60]] * x5;
+            x13 += c[own[61]] * x6;
+            x13 += c[own[62]] * x7;
+            x13 += c[own[63]] * x8;
+            x13 += c[own[64]] * x9;
+            x13 += c[own[65]] * x10;
+            x13 += c[own[66]] * x11;
+            (r + 546)[n] = x13;
+        }
+        V x14;
+        {
+            x14 = (V){0};
+            x14 += c[own[73]] * x3;
+            x14 += c[own[74]] * x4;
+            (r + 588)[n] = x14;
+        }
+    }
 }
-EACH_ORDER(0)
-INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_1(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 336, 42);
-    OPERATION(3, 4, 126, 0);
-    OPERATION(6, 5, 168, 210, 126, 0);
-    OPERATION(11, 1, 252, 84, 168);
-    OPERATION(15, 1, 294, 84, 210);
-    OPERATION(19, 0, 6, 378, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        V x8 = (r + 336)[n];
+        if (squares) {
+            x8 = x1 * x1;
+            (r + 336)[n] = x8;
+        }
+        V x3;
+        {
+            x3 = (V){0};
+            (r + 126)[n] = x3;
+        }
+        V x4;
+        V x5;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x4 = IN(map)(sin, x0);
+            x5 = 2.0 * (t1 * t1);
+            (r + 168)[n] = x4;
+            (r + 210)[n] = x5;
+        }
+        V x6;
+        {
+            x6 = x2 * x4;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = x2 * x5;
+            (r + 294)[n] = x7;
+        }
+        V x9;
+        {
+            x9 = c[own[28]];
+            x9 += c[own[29]] * x2;
+            x9 += c[own[30]] * x4;
+            x9 += c[own[31]] * x5;
+            x9 += c[own[32]] * x6;
+            x9 += c[own[33]] * x7;
+            x9 += c[own[34]] * x8;
+            (r + 378)[n] = x9;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x9 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
+            V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
+                sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
+                sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
+                sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
+                sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
+                sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 336)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 336)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+        } else {
+            if (squares) (r + 336)[n] = n > 1 ? (r + 336)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
+                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
+                sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            }
+            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        V x8 = (r + 336)[n];
+        if (squares) {
+            const V sum0 = x8;
+            x8 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 336)[n] = x8;
+        }
+        V x3 = (r + 126)[n];
+        {
+            x3 = x0 * n;
+            (r + 126)[n] = x3;
+        }
+        V x4 = (r + 168)[n];
+        V x5 = (r + 210)[n];
+        {
+            const V sum0 = x4;
+            const V sum1 = x5;
+            const V b = 1.0 - (r + 210)[0];
+            x4 = b * x0 - by_n * sum1;
+            x5 = by_n * sum0 + (r + 168)[0] * x0;
+            (r + 168)[n] = x4;
+            (r + 210)[n] = x5;
+        }
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x6;
+            x6 = sum0 + (r + 84)[0] * x4 + x2 * (r + 168)[0];
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x7;
+            x7 = sum0 + (r + 84)[0] * x5 + x2 * (r + 210)[0];
+            (r + 294)[n] = x7;
+        }
+        V x9;
+        {
+            x9 = (V){0};
+            x9 += c[own[29]] * x2;
+            x9 += c[own[30]] * x4;
+            x9 += c[own[31]] * x5;
+            x9 += c[own[32]] * x6;
+            x9 += c[own[33]] * x7;
+            x9 += c[own[34]] * x8;
+            (r + 378)[n] = x9;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x9 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_1(LATER)
 {
-    OPERATION(35, 0, 6, 420, 84, 168, 210, 252, 294, 336, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(51, 0, 2, 462, 168, 210, CELL, CELL, CELL);
+    int n = 0;
+    const V x2 = (r + 84)[n];
+    const V x4 = (r + 168)[n];
+    const V x5 = (r + 210)[n];
+    const V x6 = (r + 252)[n];
+    const V x7 = (r + 294)[n];
+    const V x8 = (r + 336)[n];
+    V x10;
+    {
+        x10 = c[own[44]];
+        x10 += c[own[45]] * x2;
+        x10 += c[own[46]] * x4;
+        x10 += c[own[47]] * x5;
+        x10 += c[own[48]] * x6;
+        x10 += c[own[49]] * x7;
+        x10 += c[own[50]] * x8;
+        (r + 420)[n] = x10;
+    }
+    V x11;
+    {
+        x11 = c[own[56]];
+        x11 += c[own[57]] * x4;
+        x11 += c[own[58]] * x5;
+        (r + 462)[n] = x11;
+    }
+    for (n = 1; n < top; n++) {
+        const V x2 = (r + 84)[n];
+        const V x4 = (r + 168)[n];
+        const V x5 = (r + 210)[n];
+        const V x6 = (r + 252)[n];
+        const V x7 = (r + 294)[n];
+        const V x8 = (r + 336)[n];
+        V x10;
+        {
+            x10 = (V){0};
+            x10 += c[own[45]] * x2;
+            x10 += c[own[46]] * x4;
+            x10 += c[own[47]] * x5;
+            x10 += c[own[48]] * x6;
+            x10 += c[own[49]] * x7;
+            x10 += c[own[50]] * x8;
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = (V){0};
+            x11 += c[own[57]] * x4;
+            x11 += c[own[58]] * x5;
+            (r + 462)[n] = x11;
+        }
+    }
 }
-EACH_ORDER(1)
-INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_2(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 462, 42);
-    OPERATION(3, 4, 168, 0);
-    OPERATION(6, 5, 210, 252, 168, 0);
-    OPERATION(11, 1, 294, 84, 210);
-    OPERATION(15, 1, 336, 84, 252);
-    OPERATION(19, 1, 378, 126, 210);
-    OPERATION(23, 1, 420, 126, 252);
-    OPERATION(27, 0, 9, 504, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        V x11 = (r + 462)[n];
+        if (squares) {
+            x11 = x1 * x1;
+            (r + 462)[n] = x11;
+        }
+        V x4;
+        {
+            x4 = (V){0};
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        V x6;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x5 = IN(map)(sin, x0);
+            x6 = 2.0 * (t1 * t1);
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = x2 * x5;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = x2 * x6;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = x3 * x5;
+            (r + 378)[n] = x9;
+        }
+        V x10;
+        {
+            x10 = x3 * x6;
+            (r + 420)[n] = x10;
+        }
+        V x12;
+        {
+            x12 = c[own[39]];
+            x12 += c[own[40]] * x2;
+            x12 += c[own[41]] * x3;
+            x12 += c[own[42]] * x5;
+            x12 += c[own[43]] * x6;
+            x12 += c[own[44]] * x7;
+            x12 += c[own[45]] * x8;
+            x12 += c[own[46]] * x9;
+            x12 += c[own[47]] * x10;
+            x12 += c[own[48]] * x11;
+            (r + 504)[n] = x12;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x12 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
+            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
+                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
+                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
+                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 462)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            if (squares) (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
+            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
+            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
+                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+                sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
+                sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
+                sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
+                sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
+                sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
+                sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
+            }
+            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
+            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
+            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
+            (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
+        } else {
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        V x11 = (r + 462)[n];
+        if (squares) {
+            const V sum0 = x11;
+            x11 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 462)[n] = x11;
+        }
+        V x4 = (r + 168)[n];
+        {
+            x4 = x0 * n;
+            (r + 168)[n] = x4;
+        }
+        V x5 = (r + 210)[n];
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x5;
+            const V sum1 = x6;
+            const V b = 1.0 - (r + 252)[0];
+            x5 = b * x0 - by_n * sum1;
+            x6 = by_n * sum0 + (r + 210)[0] * x0;
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x7;
+            x7 = sum0 + (r + 84)[0] * x5 + x2 * (r + 210)[0];
+            (r + 294)[n] = x7;
+        }
+        V x8 = (r + 336)[n];
+        {
+            const V sum0 = x8;
+            x8 = sum0 + (r + 84)[0] * x6 + x2 * (r + 252)[0];
+            (r + 336)[n] = x8;
+        }
+        V x9 = (r + 378)[n];
+        {
+            const V sum0 = x9;
+            x9 = sum0 + (r + 126)[0] * x5 + x3 * (r + 210)[0];
+            (r + 378)[n] = x9;
+        }
+        V x10 = (r + 420)[n];
+        {
+            const V sum0 = x10;
+            x10 = sum0 + (r + 126)[0] * x6 + x3 * (r + 252)[0];
+            (r + 420)[n] = x10;
+        }
+        V x12;
+        {
+            x12 = (V){0};
+            x12 += c[own[40]] * x2;
+            x12 += c[own[41]] * x3;
+            x12 += c[own[42]] * x5;
+            x12 += c[own[43]] * x6;
+            x12 += c[own[44]] * x7;
+            x12 += c[own[45]] * x8;
+            x12 += c[own[46]] * x9;
+            x12 += c[own[47]] * x10;
+            x12 += c[own[48]] * x11;
+            (r + 504)[n] = x12;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x12 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_2(LATER)
 {
-    OPERATION(49, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(71, 0, 2, 588, 210, 252, CELL, CELL, CELL);
+    int n = 0;
+    const V x2 = (r + 84)[n];
+    const V x3 = (r + 126)[n];
+    const V x5 = (r + 210)[n];
+    const V x6 = (r + 252)[n];
+    const V x7 = (r + 294)[n];
+    const V x8 = (r + 336)[n];
+    const V x9 = (r + 378)[n];
+    const V x10 = (r + 420)[n];
+    const V x11 = (r + 462)[n];
+    V x13;
+    {
+        x13 = c[own[61]];
+        x13 += c[own[62]] * x2;
+        x13 += c[own[63]] * x3;
+        x13 += c[own[64]] * x5;
+        x13 += c[own[65]] * x6;
+        x13 += c[own[66]] * x7;
+        x13 += c[own[67]] * x8;
+        x13 += c[own[68]] * x9;
+        x13 += c[own[69]] * x10;
+        x13 += c[own[70]] * x11;
+        (r + 546)[n] = x13;
+    }
+    V x14;
+    {
+        x14 = c[own[76]];
+        x14 += c[own[77]] * x5;
+        x14 += c[own[78]] * x6;
+        (r + 588)[n] = x14;
+    }
+    for (n = 1; n < top; n++) {
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        const V x5 = (r + 210)[n];
+        const V x6 = (r + 252)[n];
+        const V x7 = (r + 294)[n];
+        const V x8 = (r + 336)[n];
+        const V x9 = (r + 378)[n];
+        const V x10 = (r + 420)[n];
+        const V x11 = (r + 462)[n];
+        V x13;
+        {
+            x13 = (V){0};
+            x13 += c[own[62]] * x2;
+            x13 += c[own[63]] * x3;
+            x13 += c[own[64]] * x5;
+            x13 += c[own[65]] * x6;
+            x13 += c[own[66]] * x7;
+            x13 += c[own[67]] * x8;
+            x13 += c[own[68]] * x9;
+            x13 += c[own[69]] * x10;
+            x13 += c[own[70]] * x11;
+            (r + 546)[n] = x13;
+        }
+        V x14;
+        {
+            x14 = (V){0};
+            x14 += c[own[77]] * x5;
+            x14 += c[own[78]] * x6;
+            (r + 588)[n] = x14;
+        }
+    }
 }
-EACH_ORDER(2)
-INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_3(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 420, 42);
-    OPERATION(3, 4, 84, 0);
-    OPERATION(6, 5, 126, 168, 84, 0);
-    OPERATION(11, 0, 1, 210, 0, CELL, CELL);
-    OPERATION(17, 4, 252, 210);
-    OPERATION(20, 6, 294, 336, 252, 210);
-    OPERATION(25, 0, 1, 378, 336, CELL, CELL);
-    OPERATION(31, 0, 3, 462, 126, 168, 420, CELL, CELL, CELL, CELL);
-    OPERATION(41, 1, 504, 378, 462);
-    OPERATION(45, 0, 5, 546, 126, 168, 378, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x10 = (r + 420)[n];
+        if (squares) {
+            x10 = x1 * x1;
+            (r + 420)[n] = x10;
+        }
+        V x2;
+        {
+            x2 = (V){0};
+            (r + 84)[n] = x2;
+        }
+        V x3;
+        V x4;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x3 = IN(map)(sin, x0);
+            x4 = 2.0 * (t1 * t1);
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        {
+            x5 = c[own[15]];
+            x5 += c[own[16]] * x0;
+            (r + 210)[n] = x5;
+        }
+        V x6;
+        {
+            x6 = (V){0};
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        V x8;
+        {
+            x7 = IN(map)(exp, x5);
+            x8 = IN(map)(expm1, x5);
+            (r + 294)[n] = x7;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = c[own[29]];
+            x9 += c[own[30]] * x8;
+            (r + 378)[n] = x9;
+        }
+        V x11;
+        {
+            x11 = c[own[37]];
+            x11 += c[own[38]] * x3;
+            x11 += c[own[39]] * x4;
+            x11 += c[own[40]] * x10;
+            (r + 462)[n] = x11;
+        }
+        V x12;
+        {
+            x12 = x9 * x11;
+            (r + 504)[n] = x12;
+        }
+        V x13;
+        {
+            x13 = c[own[53]];
+            x13 += c[own[54]] * x3;
+            x13 += c[own[55]] * x4;
+            x13 += c[own[56]] * x9;
+            x13 += c[own[57]] * x11;
+            x13 += c[own[58]] * x12;
+            (r + 546)[n] = x13;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x13 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
+            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
+            V sum3 = n > 2 ? (r + 252)[2] * (r + 294)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 294)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
+                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
+                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
+                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+                sum3_next += (r + 252)[2 * i - 1] * sum3_before; sum3_before = (r + 294)[n - 2 * i + 1];
+                sum3 += (r + 252)[2 * i - 1] * sum3_before; sum3_next += (r + 252)[2 * i] * sum3_before;
+                sum3_before = (r + 294)[n - 2 * i]; sum3 += (r + 252)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 420)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 420)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
+            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
+            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum3 + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (r + 252)[1] * (r + 294)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 252)[2] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[2] : (V){0};
+        } else {
+            if (squares) (r + 420)[n] = n > 1 ? (r + 420)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 378)[2] * (r + 462)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 462)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 378)[2 * i - 1] * sum4_before; sum4_before = (r + 462)[n - 2 * i + 1];
+                sum4 += (r + 378)[2 * i - 1] * sum4_before; sum4_next += (r + 378)[2 * i] * sum4_before;
+                sum4_before = (r + 462)[n - 2 * i]; sum4 += (r + 378)[2 * i] * sum4_before;
+            }
+            (r + 504)[n] = n > 2 ? sum4 + (r + 378)[1] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[1] : (r + 378)[1] * (r + 462)[1];
+            (r + 504)[n + 1] = n > 2 ? sum4_next + (r + 378)[2] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[2] : (V){0};
+        } else {
+            (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 378)[1] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x10 = (r + 420)[n];
+        if (squares) {
+            const V sum0 = x10;
+            x10 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 420)[n] = x10;
+        }
+        V x2 = (r + 84)[n];
+        {
+            x2 = x0 * n;
+            (r + 84)[n] = x2;
+        }
+        V x3 = (r + 126)[n];
+        V x4 = (r + 168)[n];
+        {
+            const V sum0 = x3;
+            const V sum1 = x4;
+            const V b = 1.0 - (r + 168)[0];
+            x3 = b * x0 - by_n * sum1;
+            x4 = by_n * sum0 + (r + 126)[0] * x0;
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        {
+            x5 = (V){0};
+            x5 += c[own[16]] * x0;
+            (r + 210)[n] = x5;
+        }
+        V x6 = (r + 252)[n];
+        {
+            x6 = x5 * n;
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        V x8 = (r + 336)[n];
+        {
+            const V sum0 = x7;
+            x7 = by_n * sum0 + (r + 294)[0] * x5;
+            x8 = x7;
+            (r + 294)[n] = x7;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = (V){0};
+            x9 += c[own[30]] * x8;
+            (r + 378)[n] = x9;
+        }
+        V x11;
+        {
+            x11 = (V){0};
+            x11 += c[own[38]] * x3;
+            x11 += c[own[39]] * x4;
+            x11 += c[own[40]] * x10;
+            (r + 462)[n] = x11;
+        }
+        V x12 = (r + 504)[n];
+        {
+            const V sum0 = x12;
+            x12 = sum0 + (r + 378)[0] * x11 + x9 * (r + 462)[0];
+            (r + 504)[n] = x12;
+        }
+        V x13;
+        {
+            x13 = (V){0};
+            x13 += c[own[54]] * x3;
+            x13 += c[own[55]] * x4;
+            x13 += c[own[56]] * x9;
+            x13 += c[own[57]] * x11;
+            x13 += c[own[58]] * x12;
+            (r + 546)[n] = x13;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x13 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_3(LATER)
 {
-    OPERATION(59, 0, 1, 588, 462, CELL, CELL);
-    OPERATION(65, 0, 2, 630, 126, 168, CELL, CELL, CELL);
+    int n = 0;
+    const V x3 = (r + 126)[n];
+    const V x4 = (r + 168)[n];
+    const V x11 = (r + 462)[n];
+    V x14;
+    {
+        x14 = c[own[63]];
+        x14 += c[own[64]] * x11;
+        (r + 588)[n] = x14;
+    }
+    V x15;
+    {
+        x15 = c[own[70]];
+        x15 += c[own[71]] * x3;
+        x15 += c[own[72]] * x4;
+        (r + 630)[n] = x15;
+    }
+    for (n = 1; n < top; n++) {
+        const V x3 = (r + 126)[n];
+        const V x4 = (r + 168)[n];
+        const V x11 = (r + 462)[n];
+        V x14;
+        {
+            x14 = (V){0};
+            x14 += c[own[64]] * x11;
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = (V){0};
+            x15 += c[own[71]] * x3;
+            x15 += c[own[72]] * x4;
+            (r + 630)[n] = x15;
+        }
+    }
 }
-EACH_ORDER(3)
-INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_4(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 672, 42);
-    OPERATION(3, 4, 84, 0);
-    OPERATION(6, 5, 126, 168, 84, 0);
-    OPERATION(11, 0, 1, 210, 0, CELL, CELL);
-    OPERATION(17, 4, 252, 210);
-    OPERATION(20, 6, 294, 336, 252, 210);
-    OPERATION(25, 0, 1, 378, 336, CELL, CELL);
-    OPERATION(31, 3, 420, 462, 504, 546, 588, 630, 0);
-    OPERATION(39, 0, 10, 714, 0, 126, 168, 420, 462, 504, 546, 588, 630, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(63, 1, 756, 378, 714);
-    OPERATION(67, 0, 5, 798, 126, 168, 378, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x16 = (r + 672)[n];
+        if (squares) {
+            x16 = x1 * x1;
+            (r + 672)[n] = x16;
+        }
+        V x2;
+        {
+            x2 = (V){0};
+            (r + 84)[n] = x2;
+        }
+        V x3;
+        V x4;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x3 = IN(map)(sin, x0);
+            x4 = 2.0 * (t1 * t1);
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        {
+            x5 = c[own[15]];
+            x5 += c[own[16]] * x0;
+            (r + 210)[n] = x5;
+        }
+        V x6;
+        {
+            x6 = (V){0};
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        V x8;
+        {
+            x7 = IN(map)(exp, x5);
+            x8 = IN(map)(expm1, x5);
+            (r + 294)[n] = x7;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = c[own[29]];
+            x9 += c[own[30]] * x8;
+            (r + 378)[n] = x9;
+        }
+        V x10;
+        V x11;
+        V x12;
+        V x13;
+        V x14;
+        V x15;
+        {
+            const V t1 = x0 * x0;
+            const V t2 = x0 * t1;
+            const V t3 = t1 * t1;
+            x10 = t1;
+            x11 = t2;
+            x12 = t3;
+            x13 = x0 * t3;
+            x14 = t1 * t3;
+            x15 = t2 * t3;
+            (r + 420)[n] = x10;
+            (r + 462)[n] = x11;
+            (r + 504)[n] = x12;
+            (r + 546)[n] = x13;
+            (r + 588)[n] = x14;
+            (r + 630)[n] = x15;
+        }
+        V x17;
+        {
+            x17 = c[own[52]];
+            x17 += c[own[53]] * x0;
+            x17 += c[own[54]] * x3;
+            x17 += c[own[55]] * x4;
+            x17 += c[own[56]] * x10;
+            x17 += c[own[57]] * x11;
+            x17 += c[own[58]] * x12;
+            x17 += c[own[59]] * x13;
+            x17 += c[own[60]] * x14;
+            x17 += c[own[61]] * x15;
+            x17 += c[own[62]] * x16;
+            (r + 714)[n] = x17;
+        }
+        V x18;
+        {
+            x18 = x9 * x17;
+            (r + 756)[n] = x18;
+        }
+        V x19;
+        {
+            x19 = c[own[75]];
+            x19 += c[own[76]] * x3;
+            x19 += c[own[77]] * x4;
+            x19 += c[own[78]] * x9;
+            x19 += c[own[79]] * x17;
+            x19 += c[own[80]] * x18;
+            (r + 798)[n] = x19;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x19 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
+            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
+            V sum3 = n > 2 ? (r + 252)[2] * (r + 294)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 294)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
+                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
+                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
+                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+                sum3_next += (r + 252)[2 * i - 1] * sum3_before; sum3_before = (r + 294)[n - 2 * i + 1];
+                sum3 += (r + 252)[2 * i - 1] * sum3_before; sum3_next += (r + 252)[2 * i] * sum3_before;
+                sum3_before = (r + 294)[n - 2 * i]; sum3 += (r + 252)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 672)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 672)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
+            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
+            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum3 + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (r + 252)[1] * (r + 294)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 252)[2] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[2] : (V){0};
+        } else {
+            if (squares) (r + 672)[n] = n > 1 ? (r + 672)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 420)[n - 2];
+            V sum5 = n > 2 ? (r + 0)[2] * (r + 462)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 462)[n - 2];
+            V sum6 = n > 2 ? (r + 0)[2] * (r + 504)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 504)[n - 2];
+            V sum7 = n > 2 ? (r + 0)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 420)[n - 2 * i + 1];
+                sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
+                sum4_before = (r + 420)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+                sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 462)[n - 2 * i + 1];
+                sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
+                sum5_before = (r + 462)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
+                sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 504)[n - 2 * i + 1];
+                sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
+                sum6_before = (r + 504)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
+                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
+                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
+            }
+            (r + 420)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
+            (r + 420)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
+            (r + 462)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (r + 0)[1] * (r + 462)[1];
+            (r + 462)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[2] : (V){0};
+            (r + 504)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (r + 0)[1] * (r + 504)[1];
+            (r + 504)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[2] : (V){0};
+            (r + 546)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (r + 0)[1] * (r + 546)[1];
+            (r + 546)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[2] : (V){0};
+        } else {
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
+            (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (V){0};
+            (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (V){0};
+            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum8 = n > 2 ? (r + 0)[2] * (r + 588)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 588)[n - 2];
+            V sum9 = {0}, sum9_next = {0};
+            V sum10 = n > 2 ? (r + 378)[2] * (r + 714)[n - 2] : (V){0}, sum10_next = {0}, sum10_before = (r + 714)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum8_next += (r + 0)[2 * i - 1] * sum8_before; sum8_before = (r + 588)[n - 2 * i + 1];
+                sum8 += (r + 0)[2 * i - 1] * sum8_before; sum8_next += (r + 0)[2 * i] * sum8_before;
+                sum8_before = (r + 588)[n - 2 * i]; sum8 += (r + 0)[2 * i] * sum8_before;
+                const V sum9_now = (r + 0)[n - i]; sum9 += (r + 0)[i] * sum9_now; sum9_next += (r + 0)[i + 1] * sum9_now;
+                sum10_next += (r + 378)[2 * i - 1] * sum10_before; sum10_before = (r + 714)[n - 2 * i + 1];
+                sum10 += (r + 378)[2 * i - 1] * sum10_before; sum10_next += (r + 378)[2 * i] * sum10_before;
+                sum10_before = (r + 714)[n - 2 * i]; sum10 += (r + 378)[2 * i] * sum10_before;
+            }
+            (r + 588)[n] = n > 2 ? sum8 + (r + 0)[1] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[1] : (r + 0)[1] * (r + 588)[1];
+            (r + 588)[n + 1] = n > 2 ? sum8_next + (r + 0)[2] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[2] : (V){0};
+            (r + 630)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum9 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
+                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum9_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+            (r + 756)[n] = n > 2 ? sum10 + (r + 378)[1] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[1] : (r + 378)[1] * (r + 714)[1];
+            (r + 756)[n + 1] = n > 2 ? sum10_next + (r + 378)[2] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[2] : (V){0};
+        } else {
+            (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 0)[1] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[1] : (V){0};
+            (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
+            (r + 756)[n] = n > 1 ? (r + 756)[n] + (r + 378)[1] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x16 = (r + 672)[n];
+        if (squares) {
+            const V sum0 = x16;
+            x16 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 672)[n] = x16;
+        }
+        V x2 = (r + 84)[n];
+        {
+            x2 = x0 * n;
+            (r + 84)[n] = x2;
+        }
+        V x3 = (r + 126)[n];
+        V x4 = (r + 168)[n];
+        {
+            const V sum0 = x3;
+            const V sum1 = x4;
+            const V b = 1.0 - (r + 168)[0];
+            x3 = b * x0 - by_n * sum1;
+            x4 = by_n * sum0 + (r + 126)[0] * x0;
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        {
+            x5 = (V){0};
+            x5 += c[own[16]] * x0;
+            (r + 210)[n] = x5;
+        }
+        V x6 = (r + 252)[n];
+        {
+            x6 = x5 * n;
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        V x8 = (r + 336)[n];
+        {
+            const V sum0 = x7;
+            x7 = by_n * sum0 + (r + 294)[0] * x5;
+            x8 = x7;
+            (r + 294)[n] = x7;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = (V){0};
+            x9 += c[own[30]] * x8;
+            (r + 378)[n] = x9;
+        }
+        V x10 = (r + 420)[n];
+        V x11 = (r + 462)[n];
+        V x12 = (r + 504)[n];
+        V x13 = (r + 546)[n];
+        V x14 = (r + 588)[n];
+        V x15 = (r + 630)[n];
+        {
+            const V sum0 = x10;
+            const V sum1 = x11;
+            const V sum2 = x12;
+            const V sum3 = x13;
+            const V sum4 = x14;
+            const V sum5 = x15;
+            x10 = sum5 + 2.0 * (r + 0)[0] * x0;
+            x11 = sum0 + (r + 420)[0] * x0 + x10 * (r + 0)[0];
+            x12 = sum1 + (r + 462)[0] * x0 + x11 * (r + 0)[0];
+            x13 = sum2 + (r + 504)[0] * x0 + x12 * (r + 0)[0];
+            x14 = sum3 + (r + 546)[0] * x0 + x13 * (r + 0)[0];
+            x15 = sum4 + (r + 588)[0] * x0 + x14 * (r + 0)[0];
+            (r + 420)[n] = x10;
+            (r + 462)[n] = x11;
+            (r + 504)[n] = x12;
+            (r + 546)[n] = x13;
+            (r + 588)[n] = x14;
+            (r + 630)[n] = x15;
+        }
+        V x17;
+        {
+            x17 = (V){0};
+            x17 += c[own[53]] * x0;
+            x17 += c[own[54]] * x3;
+            x17 += c[own[55]] * x4;
+            x17 += c[own[56]] * x10;
+            x17 += c[own[57]] * x11;
+            x17 += c[own[58]] * x12;
+            x17 += c[own[59]] * x13;
+            x17 += c[own[60]] * x14;
+            x17 += c[own[61]] * x15;
+            x17 += c[own[62]] * x16;
+            (r + 714)[n] = x17;
+        }
+        V x18 = (r + 756)[n];
+        {
+            const V sum0 = x18;
+            x18 = sum0 + (r + 378)[0] * x17 + x9 * (r + 714)[0];
+            (r + 756)[n] = x18;
+        }
+        V x19;
+        {
+            x19 = (V){0};
+            x19 += c[own[76]] * x3;
+            x19 += c[own[77]] * x4;
+            x19 += c[own[78]] * x9;
+            x19 += c[own[79]] * x17;
+            x19 += c[own[80]] * x18;
+            (r + 798)[n] = x19;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x19 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_4(LATER)
 {
-    OPERATION(81, 0, 1, 840, 714, CELL, CELL);
-    OPERATION(87, 0, 2, 882, 126, 168, CELL, CELL, CELL);
+    int n = 0;
+    const V x3 = (r + 126)[n];
+    const V x4 = (r + 168)[n];
+    const V x17 = (r + 714)[n];
+    V x20;
+    {
+        x20 = c[own[85]];
+        x20 += c[own[86]] * x17;
+        (r + 840)[n] = x20;
+    }
+    V x21;
+    {
+        x21 = c[own[92]];
+        x21 += c[own[93]] * x3;
+        x21 += c[own[94]] * x4;
+        (r + 882)[n] = x21;
+    }
+    for (n = 1; n < top; n++) {
+        const V x3 = (r + 126)[n];
+        const V x4 = (r + 168)[n];
+        const V x17 = (r + 714)[n];
+        V x20;
+        {
+            x20 = (V){0};
+            x20 += c[own[86]] * x17;
+            (r + 840)[n] = x20;
+        }
+        V x21;
+        {
+            x21 = (V){0};
+            x21 += c[own[93]] * x3;
+            x21 += c[own[94]] * x4;
+            (r + 882)[n] = x21;
+        }
+    }
 }
-EACH_ORDER(4)
-INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_5(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 546, 42);
-    OPERATION(3, 4, 126, 0);
-    OPERATION(6, 5, 168, 210, 126, 0);
-    OPERATION(11, 1, 252, 84, 168);
-    OPERATION(15, 1, 294, 84, 210);
-    OPERATION(19, 0, 1, 336, 0, CELL, CELL);
-    OPERATION(25, 4, 378, 336);
-    OPERATION(28, 6, 420, 462, 378, 336);
-    OPERATION(33, 0, 1, 504, 462, CELL, CELL);
-    OPERATION(39, 0, 6, 588, 84, 168, 210, 252, 294, 546, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(55, 1, 630, 504, 588);
-    OPERATION(59, 0, 8, 672, 84, 168, 210, 252, 294, 504, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        V x13 = (r + 546)[n];
+        if (squares) {
+            x13 = x1 * x1;
+            (r + 546)[n] = x13;
+        }
+        V x3;
+        {
+            x3 = (V){0};
+            (r + 126)[n] = x3;
+        }
+        V x4;
+        V x5;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x4 = IN(map)(sin, x0);
+            x5 = 2.0 * (t1 * t1);
+            (r + 168)[n] = x4;
+            (r + 210)[n] = x5;
+        }
+        V x6;
+        {
+            x6 = x2 * x4;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = x2 * x5;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = c[own[23]];
+            x8 += c[own[24]] * x0;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = (V){0};
+            (r + 378)[n] = x9;
+        }
+        V x10;
+        V x11;
+        {
+            x10 = IN(map)(exp, x8);
+            x11 = IN(map)(expm1, x8);
+            (r + 420)[n] = x10;
+            (r + 462)[n] = x11;
+        }
+        V x12;
+        {
+            x12 = c[own[37]];
+            x12 += c[own[38]] * x11;
+            (r + 504)[n] = x12;
+        }
+        V x14;
+        {
+            x14 = c[own[48]];
+            x14 += c[own[49]] * x2;
+            x14 += c[own[50]] * x4;
+            x14 += c[own[51]] * x5;
+            x14 += c[own[52]] * x6;
+            x14 += c[own[53]] * x7;
+            x14 += c[own[54]] * x13;
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = x12 * x14;
+            (r + 630)[n] = x15;
+        }
+        V x16;
+        {
+            x16 = c[own[70]];
+            x16 += c[own[71]] * x2;
+            x16 += c[own[72]] * x4;
+            x16 += c[own[73]] * x5;
+            x16 += c[own[74]] * x6;
+            x16 += c[own[75]] * x7;
+            x16 += c[own[76]] * x12;
+            x16 += c[own[77]] * x14;
+            x16 += c[own[78]] * x15;
+            (r + 672)[n] = x16;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x16 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
+            V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
+                sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
+                sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
+                sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
+                sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
+                sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 546)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 546)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+        } else {
+            if (squares) (r + 546)[n] = n > 1 ? (r + 546)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
+            V sum5 = n > 2 ? (r + 378)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
+            V sum6 = n > 2 ? (r + 504)[2] * (r + 588)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 588)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
+                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
+                sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+                sum5_next += (r + 378)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
+                sum5 += (r + 378)[2 * i - 1] * sum5_before; sum5_next += (r + 378)[2 * i] * sum5_before;
+                sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 378)[2 * i] * sum5_before;
+                sum6_next += (r + 504)[2 * i - 1] * sum6_before; sum6_before = (r + 588)[n - 2 * i + 1];
+                sum6 += (r + 504)[2 * i - 1] * sum6_before; sum6_next += (r + 504)[2 * i] * sum6_before;
+                sum6_before = (r + 588)[n - 2 * i]; sum6 += (r + 504)[2 * i] * sum6_before;
+            }
+            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 420)[n] = n > 2 ? sum5 + (r + 378)[1] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[1] : (r + 378)[1] * (r + 420)[1];
+            (r + 420)[n + 1] = n > 2 ? sum5_next + (r + 378)[2] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[2] : (V){0};
+            (r + 630)[n] = n > 2 ? sum6 + (r + 504)[1] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[1] : (r + 504)[1] * (r + 588)[1];
+            (r + 630)[n + 1] = n > 2 ? sum6_next + (r + 504)[2] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 378)[1] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[1] : (V){0};
+            (r + 630)[n] = n > 1 ? (r + 630)[n] + (r + 504)[1] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        V x13 = (r + 546)[n];
+        if (squares) {
+            const V sum0 = x13;
+            x13 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 546)[n] = x13;
+        }
+        V x3 = (r + 126)[n];
+        {
+            x3 = x0 * n;
+            (r + 126)[n] = x3;
+        }
+        V x4 = (r + 168)[n];
+        V x5 = (r + 210)[n];
+        {
+            const V sum0 = x4;
+            const V sum1 = x5;
+            const V b = 1.0 - (r + 210)[0];
+            x4 = b * x0 - by_n * sum1;
+            x5 = by_n * sum0 + (r + 168)[0] * x0;
+            (r + 168)[n] = x4;
+            (r + 210)[n] = x5;
+        }
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x6;
+            x6 = sum0 + (r + 84)[0] * x4 + x2 * (r + 168)[0];
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x7;
+            x7 = sum0 + (r + 84)[0] * x5 + x2 * (r + 210)[0];
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = (V){0};
+            x8 += c[own[24]] * x0;
+            (r + 336)[n] = x8;
+        }
+        V x9 = (r + 378)[n];
+        {
+            x9 = x8 * n;
+            (r + 378)[n] = x9;
+        }
+        V x10 = (r + 420)[n];
+        V x11 = (r + 462)[n];
+        {
+            const V sum0 = x10;
+            x10 = by_n * sum0 + (r + 420)[0] * x8;
+            x11 = x10;
+            (r + 420)[n] = x10;
+            (r + 462)[n] = x11;
+        }
+        V x12;
+        {
+            x12 = (V){0};
+            x12 += c[own[38]] * x11;
+            (r + 504)[n] = x12;
+        }
+        V x14;
+        {
+            x14 = (V){0};
+            x14 += c[own[49]] * x2;
+            x14 += c[own[50]] * x4;
+            x14 += c[own[51]] * x5;
+            x14 += c[own[52]] * x6;
+            x14 += c[own[53]] * x7;
+            x14 += c[own[54]] * x13;
+            (r + 588)[n] = x14;
+        }
+        V x15 = (r + 630)[n];
+        {
+            const V sum0 = x15;
+            x15 = sum0 + (r + 504)[0] * x14 + x12 * (r + 588)[0];
+            (r + 630)[n] = x15;
+        }
+        V x16;
+        {
+            x16 = (V){0};
+            x16 += c[own[71]] * x2;
+            x16 += c[own[72]] * x4;
+            x16 += c[own[73]] * x5;
+            x16 += c[own[74]] * x6;
+            x16 += c[own[75]] * x7;
+            x16 += c[own[76]] * x12;
+            x16 += c[own[77]] * x14;
+            x16 += c[own[78]] * x15;
+            (r + 672)[n] = x16;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x16 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_5(LATER)
 {
-    OPERATION(79, 0, 1, 714, 588, CELL, CELL);
-    OPERATION(85, 0, 2, 756, 168, 210, CELL, CELL, CELL);
+    int n = 0;
+    const V x4 = (r + 168)[n];
+    const V x5 = (r + 210)[n];
+    const V x14 = (r + 588)[n];
+    V x17;
+    {
+        x17 = c[own[83]];
+        x17 += c[own[84]] * x14;
+        (r + 714)[n] = x17;
+    }
+    V x18;
+    {
+        x18 = c[own[90]];
+        x18 += c[own[91]] * x4;
+        x18 += c[own[92]] * x5;
+        (r + 756)[n] = x18;
+    }
+    for (n = 1; n < top; n++) {
+        const V x4 = (r + 168)[n];
+        const V x5 = (r + 210)[n];
+        const V x14 = (r + 588)[n];
+        V x17;
+        {
+            x17 = (V){0};
+            x17 += c[own[84]] * x14;
+            (r + 714)[n] = x17;
+        }
+        V x18;
+        {
+            x18 = (V){0};
+            x18 += c[own[91]] * x4;
+            x18 += c[own[92]] * x5;
+            (r + 756)[n] = x18;
+        }
+    }
 }
-EACH_ORDER(5)
-INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_6(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 672, 42);
-    OPERATION(3, 4, 168, 0);
-    OPERATION(6, 5, 210, 252, 168, 0);
-    OPERATION(11, 1, 294, 84, 210);
-    OPERATION(15, 1, 336, 84, 252);
-    OPERATION(19, 1, 378, 126, 210);
-    OPERATION(23, 1, 420, 126, 252);
-    OPERATION(27, 0, 1, 462, 0, CELL, CELL);
-    OPERATION(33, 4, 504, 462);
-    OPERATION(36, 6, 546, 588, 504, 462);
-    OPERATION(41, 0, 1, 630, 588, CELL, CELL);
-    OPERATION(47, 0, 9, 714, 84, 126, 210, 252, 294, 336, 378, 420, 672, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(69, 1, 756, 630, 714);
-    OPERATION(73, 0, 11, 798, 84, 126, 210, 252, 294, 336, 378, 420, 630, 714, 756, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        V x16 = (r + 672)[n];
+        if (squares) {
+            x16 = x1 * x1;
+            (r + 672)[n] = x16;
+        }
+        V x4;
+        {
+            x4 = (V){0};
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        V x6;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x5 = IN(map)(sin, x0);
+            x6 = 2.0 * (t1 * t1);
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = x2 * x5;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = x2 * x6;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = x3 * x5;
+            (r + 378)[n] = x9;
+        }
+        V x10;
+        {
+            x10 = x3 * x6;
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = c[own[31]];
+            x11 += c[own[32]] * x0;
+            (r + 462)[n] = x11;
+        }
+        V x12;
+        {
+            x12 = (V){0};
+            (r + 504)[n] = x12;
+        }
+        V x13;
+        V x14;
+        {
+            x13 = IN(map)(exp, x11);
+            x14 = IN(map)(expm1, x11);
+            (r + 546)[n] = x13;
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = c[own[45]];
+            x15 += c[own[46]] * x14;
+            (r + 630)[n] = x15;
+        }
+        V x17;
+        {
+            x17 = c[own[59]];
+            x17 += c[own[60]] * x2;
+            x17 += c[own[61]] * x3;
+            x17 += c[own[62]] * x5;
+            x17 += c[own[63]] * x6;
+            x17 += c[own[64]] * x7;
+            x17 += c[own[65]] * x8;
+            x17 += c[own[66]] * x9;
+            x17 += c[own[67]] * x10;
+            x17 += c[own[68]] * x16;
+            (r + 714)[n] = x17;
+        }
+        V x18;
+        {
+            x18 = x15 * x17;
+            (r + 756)[n] = x18;
+        }
+        V x19;
+        {
+            x19 = c[own[87]];
+            x19 += c[own[88]] * x2;
+            x19 += c[own[89]] * x3;
+            x19 += c[own[90]] * x5;
+            x19 += c[own[91]] * x6;
+            x19 += c[own[92]] * x7;
+            x19 += c[own[93]] * x8;
+            x19 += c[own[94]] * x9;
+            x19 += c[own[95]] * x10;
+            x19 += c[own[96]] * x15;
+            x19 += c[own[97]] * x17;
+            x19 += c[own[98]] * x18;
+            (r + 798)[n] = x19;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x19 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
+            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
+                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
+                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
+                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 672)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 672)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            if (squares) (r + 672)[n] = n > 1 ? (r + 672)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
+            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
+            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
+            V sum7 = n > 2 ? (r + 504)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
+                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+                sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
+                sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
+                sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
+                sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
+                sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
+                sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
+                sum7_next += (r + 504)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
+                sum7 += (r + 504)[2 * i - 1] * sum7_before; sum7_next += (r + 504)[2 * i] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 504)[2 * i] * sum7_before;
+            }
+            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
+            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
+            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
+            (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 546)[n] = n > 2 ? sum7 + (r + 504)[1] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[1] : (r + 504)[1] * (r + 546)[1];
+            (r + 546)[n + 1] = n > 2 ? sum7_next + (r + 504)[2] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[2] : (V){0};
+        } else {
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 504)[1] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum8 = n > 2 ? (r + 630)[2] * (r + 714)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 714)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum8_next += (r + 630)[2 * i - 1] * sum8_before; sum8_before = (r + 714)[n - 2 * i + 1];
+                sum8 += (r + 630)[2 * i - 1] * sum8_before; sum8_next += (r + 630)[2 * i] * sum8_before;
+                sum8_before = (r + 714)[n - 2 * i]; sum8 += (r + 630)[2 * i] * sum8_before;
+            }
+            (r + 756)[n] = n > 2 ? sum8 + (r + 630)[1] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[1] : (r + 630)[1] * (r + 714)[1];
+            (r + 756)[n + 1] = n > 2 ? sum8_next + (r + 630)[2] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[2] : (V){0};
+        } else {
+            (r + 756)[n] = n > 1 ? (r + 756)[n] + (r + 630)[1] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        V x16 = (r + 672)[n];
+        if (squares) {
+            const V sum0 = x16;
+            x16 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 672)[n] = x16;
+        }
+        V x4 = (r + 168)[n];
+        {
+            x4 = x0 * n;
+            (r + 168)[n] = x4;
+        }
+        V x5 = (r + 210)[n];
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x5;
+            const V sum1 = x6;
+            const V b = 1.0 - (r + 252)[0];
+            x5 = b * x0 - by_n * sum1;
+            x6 = by_n * sum0 + (r + 210)[0] * x0;
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x7;
+            x7 = sum0 + (r + 84)[0] * x5 + x2 * (r + 210)[0];
+            (r + 294)[n] = x7;
+        }
+        V x8 = (r + 336)[n];
+        {
+            const V sum0 = x8;
+            x8 = sum0 + (r + 84)[0] * x6 + x2 * (r + 252)[0];
+            (r + 336)[n] = x8;
+        }
+        V x9 = (r + 378)[n];
+        {
+            const V sum0 = x9;
+            x9 = sum0 + (r + 126)[0] * x5 + x3 * (r + 210)[0];
+            (r + 378)[n] = x9;
+        }
+        V x10 = (r + 420)[n];
+        {
+            const V sum0 = x10;
+            x10 = sum0 + (r + 126)[0] * x6 + x3 * (r + 252)[0];
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = (V){0};
+            x11 += c[own[32]] * x0;
+            (r + 462)[n] = x11;
+        }
+        V x12 = (r + 504)[n];
+        {
+            x12 = x11 * n;
+            (r + 504)[n] = x12;
+        }
+        V x13 = (r + 546)[n];
+        V x14 = (r + 588)[n];
+        {
+            const V sum0 = x13;
+            x13 = by_n * sum0 + (r + 546)[0] * x11;
+            x14 = x13;
+            (r + 546)[n] = x13;
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = (V){0};
+            x15 += c[own[46]] * x14;
+            (r + 630)[n] = x15;
+        }
+        V x17;
+        {
+            x17 = (V){0};
+            x17 += c[own[60]] * x2;
+            x17 += c[own[61]] * x3;
+            x17 += c[own[62]] * x5;
+            x17 += c[own[63]] * x6;
+            x17 += c[own[64]] * x7;
+            x17 += c[own[65]] * x8;
+            x17 += c[own[66]] * x9;
+            x17 += c[own[67]] * x10;
+            x17 += c[own[68]] * x16;
+            (r + 714)[n] = x17;
+        }
+        V x18 = (r + 756)[n];
+        {
+            const V sum0 = x18;
+            x18 = sum0 + (r + 630)[0] * x17 + x15 * (r + 714)[0];
+            (r + 756)[n] = x18;
+        }
+        V x19;
+        {
+            x19 = (V){0};
+            x19 += c[own[88]] * x2;
+            x19 += c[own[89]] * x3;
+            x19 += c[own[90]] * x5;
+            x19 += c[own[91]] * x6;
+            x19 += c[own[92]] * x7;
+            x19 += c[own[93]] * x8;
+            x19 += c[own[94]] * x9;
+            x19 += c[own[95]] * x10;
+            x19 += c[own[96]] * x15;
+            x19 += c[own[97]] * x17;
+            x19 += c[own[98]] * x18;
+            (r + 798)[n] = x19;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x19 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_6(LATER)
 {
-    OPERATION(99, 0, 1, 840, 714, CELL, CELL);
-    OPERATION(105, 0, 2, 882, 210, 252, CELL, CELL, CELL);
+    int n = 0;
+    const V x5 = (r + 210)[n];
+    const V x6 = (r + 252)[n];
+    const V x17 = (r + 714)[n];
+    V x20;
+    {
+        x20 = c[own[103]];
+        x20 += c[own[104]] * x17;
+        (r + 840)[n] = x20;
+    }
+    V x21;
+    {
+        x21 = c[own[110]];
+        x21 += c[own[111]] * x5;
+        x21 += c[own[112]] * x6;
+        (r + 882)[n] = x21;
+    }
+    for (n = 1; n < top; n++) {
+        const V x5 = (r + 210)[n];
+        const V x6 = (r + 252)[n];
+        const V x17 = (r + 714)[n];
+        V x20;
+        {
+            x20 = (V){0};
+            x20 += c[own[104]] * x17;
+            (r + 840)[n] = x20;
+        }
+        V x21;
+        {
+            x21 = (V){0};
+            x21 += c[own[111]] * x5;
+            x21 += c[own[112]] * x6;
+            (r + 882)[n] = x21;
+        }
+    }
 }
-EACH_ORDER(6)
-INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_7(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 84, 42);
-    OPERATION(3, 0, 2, 126, 42, 84, CELL, CELL, CELL);
-    OPERATION(11, 4, 168, 0);
-    OPERATION(14, 5, 210, 252, 168, 0);
-    OPERATION(19, 0, 3, 294, 84, 210, 252, CELL, CELL, CELL, CELL);
-    OPERATION(29, 1, 336, 294, 42);
-    OPERATION(33, 0, 4, 378, 84, 210, 252, 336, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x2 = (r + 84)[n];
+        if (squares) {
+            x2 = x1 * x1;
+            (r + 84)[n] = x2;
+        }
+        V x3;
+        {
+            x3 = c[own[8]];
+            x3 += c[own[9]] * x1;
+            x3 += c[own[10]] * x2;
+            (r + 126)[n] = x3;
+        }
+        V x4;
+        {
+            x4 = (V){0};
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        V x6;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x5 = IN(map)(sin, x0);
+            x6 = 2.0 * (t1 * t1);
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = c[own[25]];
+            x7 += c[own[26]] * x2;
+            x7 += c[own[27]] * x5;
+            x7 += c[own[28]] * x6;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = x7 * x1;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = c[own[40]];
+            x9 += c[own[41]] * x2;
+            x9 += c[own[42]] * x5;
+            x9 += c[own[43]] * x6;
+            x9 += c[own[44]] * x8;
+            (r + 378)[n] = x9;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x3 * inverse[n + 1];
+            (r + 42)[n + 1] = x9 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
+            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
+            V sum3 = n > 2 ? (r + 294)[2] * (r + 42)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 42)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
+                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
+                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
+                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+                sum3_next += (r + 294)[2 * i - 1] * sum3_before; sum3_before = (r + 42)[n - 2 * i + 1];
+                sum3 += (r + 294)[2 * i - 1] * sum3_before; sum3_next += (r + 294)[2 * i] * sum3_before;
+                sum3_before = (r + 42)[n - 2 * i]; sum3 += (r + 294)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 84)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 84)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 336)[n] = n > 2 ? sum3 + (r + 294)[1] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[1] : (r + 294)[1] * (r + 42)[1];
+            (r + 336)[n + 1] = n > 2 ? sum3_next + (r + 294)[2] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[2] : (V){0};
+        } else {
+            if (squares) (r + 84)[n] = n > 1 ? (r + 84)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 294)[1] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x2 = (r + 84)[n];
+        if (squares) {
+            const V sum0 = x2;
+            x2 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 84)[n] = x2;
+        }
+        V x3;
+        {
+            x3 = (V){0};
+            x3 += c[own[9]] * x1;
+            x3 += c[own[10]] * x2;
+            (r + 126)[n] = x3;
+        }
+        V x4 = (r + 168)[n];
+        {
+            x4 = x0 * n;
+            (r + 168)[n] = x4;
+        }
+        V x5 = (r + 210)[n];
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x5;
+            const V sum1 = x6;
+            const V b = 1.0 - (r + 252)[0];
+            x5 = b * x0 - by_n * sum1;
+            x6 = by_n * sum0 + (r + 210)[0] * x0;
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = (V){0};
+            x7 += c[own[26]] * x2;
+            x7 += c[own[27]] * x5;
+            x7 += c[own[28]] * x6;
+            (r + 294)[n] = x7;
+        }
+        V x8 = (r + 336)[n];
+        {
+            const V sum0 = x8;
+            x8 = sum0 + (r + 294)[0] * x1 + x7 * (r + 42)[0];
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = (V){0};
+            x9 += c[own[41]] * x2;
+            x9 += c[own[42]] * x5;
+            x9 += c[own[43]] * x6;
+            x9 += c[own[44]] * x8;
+            (r + 378)[n] = x9;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x3 * inverse[n + 1];
+            (r + 42)[n + 1] = x9 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_7(LATER)
 {
-    OPERATION(45, 0, 3, 420, 84, 210, 252, CELL, CELL, CELL, CELL);
-    OPERATION(55, 0, 2, 462, 210, 252, CELL, CELL, CELL);
+    int n = 0;
+    const V x2 = (r + 84)[n];
+    const V x5 = (r + 210)[n];
+    const V x6 = (r + 252)[n];
+    V x10;
+    {
+        x10 = c[own[51]];
+        x10 += c[own[52]] * x2;
+        x10 += c[own[53]] * x5;
+        x10 += c[own[54]] * x6;
+        (r + 420)[n] = x10;
+    }
+    V x11;
+    {
+        x11 = c[own[60]];
+        x11 += c[own[61]] * x5;
+        x11 += c[own[62]] * x6;
+        (r + 462)[n] = x11;
+    }
+    for (n = 1; n < top; n++) {
+        const V x2 = (r + 84)[n];
+        const V x5 = (r + 210)[n];
+        const V x6 = (r + 252)[n];
+        V x10;
+        {
+            x10 = (V){0};
+            x10 += c[own[52]] * x2;
+            x10 += c[own[53]] * x5;
+            x10 += c[own[54]] * x6;
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = (V){0};
+            x11 += c[own[61]] * x5;
+            x11 += c[own[62]] * x6;
+            (r + 462)[n] = x11;
+        }
+    }
 }
-EACH_ORDER(7)
-INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_8(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 630, 42);
-    OPERATION(3, 4, 84, 0);
-    OPERATION(6, 5, 126, 168, 84, 0);
-    OPERATION(11, 0, 1, 210, 42, CELL, CELL);
-    OPERATION(17, 7, 252, 294, 210);
-    OPERATION(21, 0, 1, 336, 294, CELL, CELL);
-    OPERATION(27, 3, 378, 420, 462, 504, 546, 588, 0);
-    OPERATION(35, 0, 10, 672, 0, 126, 168, 378, 420, 462, 504, 546, 588, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(59, 1, 714, 336, 672);
-    OPERATION(63, 0, 5, 756, 126, 168, 336, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x15 = (r + 630)[n];
+        if (squares) {
+            x15 = x1 * x1;
+            (r + 630)[n] = x15;
+        }
+        V x2;
+        {
+            x2 = (V){0};
+            (r + 84)[n] = x2;
+        }
+        V x3;
+        V x4;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x3 = IN(map)(sin, x0);
+            x4 = 2.0 * (t1 * t1);
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        {
+            x5 = c[own[15]];
+            x5 += c[own[16]] * x1;
+            (r + 210)[n] = x5;
+        }
+        V x6;
+        V x7;
+        {
+            const V t1 = 1.0 + x5;
+            x6 = 1.0 / t1;
+            x7 = -(x5 / t1);
+            (r + 252)[n] = x6;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = c[own[25]];
+            x8 += c[own[26]] * x7;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        V x10;
+        V x11;
+        V x12;
+        V x13;
+        V x14;
+        {
+            const V t1 = x0 * x0;
+            const V t2 = x0 * t1;
+            const V t3 = t1 * t1;
+            x9 = t1;
+            x10 = t2;
+            x11 = t3;
+            x12 = x0 * t3;
+            x13 = t1 * t3;
+            x14 = t2 * t3;
+            (r + 378)[n] = x9;
+            (r + 420)[n] = x10;
+            (r + 462)[n] = x11;
+            (r + 504)[n] = x12;
+            (r + 546)[n] = x13;
+            (r + 588)[n] = x14;
+        }
+        V x16;
+        {
+            x16 = c[own[48]];
+            x16 += c[own[49]] * x0;
+            x16 += c[own[50]] * x3;
+            x16 += c[own[51]] * x4;
+            x16 += c[own[52]] * x9;
+            x16 += c[own[53]] * x10;
+            x16 += c[own[54]] * x11;
+            x16 += c[own[55]] * x12;
+            x16 += c[own[56]] * x13;
+            x16 += c[own[57]] * x14;
+            x16 += c[own[58]] * x15;
+            (r + 672)[n] = x16;
+        }
+        V x17;
+        {
+            x17 = x8 * x16;
+            (r + 714)[n] = x17;
+        }
+        V x18;
+        {
+            x18 = c[own[71]];
+            x18 += c[own[72]] * x3;
+            x18 += c[own[73]] * x4;
+            x18 += c[own[74]] * x8;
+            x18 += c[own[75]] * x16;
+            x18 += c[own[76]] * x17;
+            (r + 756)[n] = x18;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x18 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
+            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
+            V sum3 = n > 2 ? (r + 210)[2] * (r + 252)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 252)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
+                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
+                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
+                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+                sum3_next += (r + 210)[2 * i - 1] * sum3_before; sum3_before = (r + 252)[n - 2 * i + 1];
+                sum3 += (r + 210)[2 * i - 1] * sum3_before; sum3_next += (r + 210)[2 * i] * sum3_before;
+                sum3_before = (r + 252)[n - 2 * i]; sum3 += (r + 210)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 630)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
+            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
+            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum3 + (r + 210)[1] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[1] : (r + 210)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 210)[2] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[2] : (V){0};
+        } else {
+            if (squares) (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 210)[1] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 378)[n - 2];
+            V sum5 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
+            V sum6 = n > 2 ? (r + 0)[2] * (r + 462)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 462)[n - 2];
+            V sum7 = n > 2 ? (r + 0)[2] * (r + 504)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 504)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 378)[n - 2 * i + 1];
+                sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
+                sum4_before = (r + 378)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+                sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
+                sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
+                sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
+                sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 462)[n - 2 * i + 1];
+                sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
+                sum6_before = (r + 462)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
+                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 504)[n - 2 * i + 1];
+                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
+                sum7_before = (r + 504)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
+            }
+            (r + 378)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
+            (r + 378)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
+            (r + 420)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
+            (r + 420)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
+            (r + 462)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (r + 0)[1] * (r + 462)[1];
+            (r + 462)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[2] : (V){0};
+            (r + 504)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (r + 0)[1] * (r + 504)[1];
+            (r + 504)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[2] : (V){0};
+        } else {
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
+            (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (V){0};
+            (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum8 = n > 2 ? (r + 0)[2] * (r + 546)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 546)[n - 2];
+            V sum9 = {0}, sum9_next = {0};
+            V sum10 = n > 2 ? (r + 336)[2] * (r + 672)[n - 2] : (V){0}, sum10_next = {0}, sum10_before = (r + 672)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum8_next += (r + 0)[2 * i - 1] * sum8_before; sum8_before = (r + 546)[n - 2 * i + 1];
+                sum8 += (r + 0)[2 * i - 1] * sum8_before; sum8_next += (r + 0)[2 * i] * sum8_before;
+                sum8_before = (r + 546)[n - 2 * i]; sum8 += (r + 0)[2 * i] * sum8_before;
+                const V sum9_now = (r + 0)[n - i]; sum9 += (r + 0)[i] * sum9_now; sum9_next += (r + 0)[i + 1] * sum9_now;
+                sum10_next += (r + 336)[2 * i - 1] * sum10_before; sum10_before = (r + 672)[n - 2 * i + 1];
+                sum10 += (r + 336)[2 * i - 1] * sum10_before; sum10_next += (r + 336)[2 * i] * sum10_before;
+                sum10_before = (r + 672)[n - 2 * i]; sum10 += (r + 336)[2 * i] * sum10_before;
+            }
+            (r + 546)[n] = n > 2 ? sum8 + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (r + 0)[1] * (r + 546)[1];
+            (r + 546)[n + 1] = n > 2 ? sum8_next + (r + 0)[2] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[2] : (V){0};
+            (r + 588)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum9 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
+                (r + 588)[n + 1] = n > 2 ? 2.0 * (sum9_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+            (r + 714)[n] = n > 2 ? sum10 + (r + 336)[1] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[1] : (r + 336)[1] * (r + 672)[1];
+            (r + 714)[n + 1] = n > 2 ? sum10_next + (r + 336)[2] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[2] : (V){0};
+        } else {
+            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (V){0};
+            (r + 588)[n] = n > 1 ? (r + 588)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
+            (r + 714)[n] = n > 1 ? (r + 714)[n] + (r + 336)[1] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x15 = (r + 630)[n];
+        if (squares) {
+            const V sum0 = x15;
+            x15 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 630)[n] = x15;
+        }
+        V x2 = (r + 84)[n];
+        {
+            x2 = x0 * n;
+            (r + 84)[n] = x2;
+        }
+        V x3 = (r + 126)[n];
+        V x4 = (r + 168)[n];
+        {
+            const V sum0 = x3;
+            const V sum1 = x4;
+            const V b = 1.0 - (r + 168)[0];
+            x3 = b * x0 - by_n * sum1;
+            x4 = by_n * sum0 + (r + 126)[0] * x0;
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        {
+            x5 = (V){0};
+            x5 += c[own[16]] * x1;
+            (r + 210)[n] = x5;
+        }
+        V x6 = (r + 252)[n];
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x6;
+            x6 = -((sum0 + (r + 252)[0] * x5) * (r + 252)[0]);
+            x7 = x6;
+            (r + 252)[n] = x6;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = (V){0};
+            x8 += c[own[26]] * x7;
+            (r + 336)[n] = x8;
+        }
+        V x9 = (r + 378)[n];
+        V x10 = (r + 420)[n];
+        V x11 = (r + 462)[n];
+        V x12 = (r + 504)[n];
+        V x13 = (r + 546)[n];
+        V x14 = (r + 588)[n];
+        {
+            const V sum0 = x9;
+            const V sum1 = x10;
+            const V sum2 = x11;
+            const V sum3 = x12;
+            const V sum4 = x13;
+            const V sum5 = x14;
+            x9 = sum5 + 2.0 * (r + 0)[0] * x0;
+            x10 = sum0 + (r + 378)[0] * x0 + x9 * (r + 0)[0];
+            x11 = sum1 + (r + 420)[0] * x0 + x10 * (r + 0)[0];
+            x12 = sum2 + (r + 462)[0] * x0 + x11 * (r + 0)[0];
+            x13 = sum3 + (r + 504)[0] * x0 + x12 * (r + 0)[0];
+            x14 = sum4 + (r + 546)[0] * x0 + x13 * (r + 0)[0];
+            (r + 378)[n] = x9;
+            (r + 420)[n] = x10;
+            (r + 462)[n] = x11;
+            (r + 504)[n] = x12;
+            (r + 546)[n] = x13;
+            (r + 588)[n] = x14;
+        }
+        V x16;
+        {
+            x16 = (V){0};
+            x16 += c[own[49]] * x0;
+            x16 += c[own[50]] * x3;
+            x16 += c[own[51]] * x4;
+            x16 += c[own[52]] * x9;
+            x16 += c[own[53]] * x10;
+            x16 += c[own[54]] * x11;
+            x16 += c[own[55]] * x12;
+            x16 += c[own[56]] * x13;
+            x16 += c[own[57]] * x14;
+            x16 += c[own[58]] * x15;
+            (r + 672)[n] = x16;
+        }
+        V x17 = (r + 714)[n];
+        {
+            const V sum0 = x17;
+            x17 = sum0 + (r + 336)[0] * x16 + x8 * (r + 672)[0];
+            (r + 714)[n] = x17;
+        }
+        V x18;
+        {
+            x18 = (V){0};
+            x18 += c[own[72]] * x3;
+            x18 += c[own[73]] * x4;
+            x18 += c[own[74]] * x8;
+            x18 += c[own[75]] * x16;
+            x18 += c[own[76]] * x17;
+            (r + 756)[n] = x18;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x18 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_8(LATER)
 {
-    OPERATION(77, 0, 1, 798, 672, CELL, CELL);
-    OPERATION(83, 0, 2, 840, 126, 168, CELL, CELL, CELL);
+    int n = 0;
+    const V x3 = (r + 126)[n];
+    const V x4 = (r + 168)[n];
+    const V x16 = (r + 672)[n];
+    V x19;
+    {
+        x19 = c[own[81]];
+        x19 += c[own[82]] * x16;
+        (r + 798)[n] = x19;
+    }
+    V x20;
+    {
+        x20 = c[own[88]];
+        x20 += c[own[89]] * x3;
+        x20 += c[own[90]] * x4;
+        (r + 840)[n] = x20;
+    }
+    for (n = 1; n < top; n++) {
+        const V x3 = (r + 126)[n];
+        const V x4 = (r + 168)[n];
+        const V x16 = (r + 672)[n];
+        V x19;
+        {
+            x19 = (V){0};
+            x19 += c[own[82]] * x16;
+            (r + 798)[n] = x19;
+        }
+        V x20;
+        {
+            x20 = (V){0};
+            x20 += c[own[89]] * x3;
+            x20 += c[own[90]] * x4;
+            (r + 840)[n] = x20;
+        }
+    }
 }
-EACH_ORDER(8)
-INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_9(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 504, 42);
-    OPERATION(3, 4, 126, 0);
-    OPERATION(6, 5, 168, 210, 126, 0);
-    OPERATION(11, 1, 252, 84, 168);
-    OPERATION(15, 1, 294, 84, 210);
-    OPERATION(19, 0, 1, 336, 42, CELL, CELL);
-    OPERATION(25, 7, 378, 420, 336);
-    OPERATION(29, 0, 1, 462, 420, CELL, CELL);
-    OPERATION(35, 0, 6, 546, 84, 168, 210, 252, 294, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(51, 1, 588, 462, 546);
-    OPERATION(55, 0, 8, 630, 84, 168, 210, 252, 294, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        V x12 = (r + 504)[n];
+        if (squares) {
+            x12 = x1 * x1;
+            (r + 504)[n] = x12;
+        }
+        V x3;
+        {
+            x3 = (V){0};
+            (r + 126)[n] = x3;
+        }
+        V x4;
+        V x5;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x4 = IN(map)(sin, x0);
+            x5 = 2.0 * (t1 * t1);
+            (r + 168)[n] = x4;
+            (r + 210)[n] = x5;
+        }
+        V x6;
+        {
+            x6 = x2 * x4;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = x2 * x5;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = c[own[23]];
+            x8 += c[own[24]] * x1;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        V x10;
+        {
+            const V t1 = 1.0 + x8;
+            x9 = 1.0 / t1;
+            x10 = -(x8 / t1);
+            (r + 378)[n] = x9;
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = c[own[33]];
+            x11 += c[own[34]] * x10;
+            (r + 462)[n] = x11;
+        }
+        V x13;
+        {
+            x13 = c[own[44]];
+            x13 += c[own[45]] * x2;
+            x13 += c[own[46]] * x4;
+            x13 += c[own[47]] * x5;
+            x13 += c[own[48]] * x6;
+            x13 += c[own[49]] * x7;
+            x13 += c[own[50]] * x12;
+            (r + 546)[n] = x13;
+        }
+        V x14;
+        {
+            x14 = x11 * x13;
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = c[own[66]];
+            x15 += c[own[67]] * x2;
+            x15 += c[own[68]] * x4;
+            x15 += c[own[69]] * x5;
+            x15 += c[own[70]] * x6;
+            x15 += c[own[71]] * x7;
+            x15 += c[own[72]] * x11;
+            x15 += c[own[73]] * x13;
+            x15 += c[own[74]] * x14;
+            (r + 630)[n] = x15;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x15 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
+            V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
+                sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
+                sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
+                sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
+                sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
+                sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+        } else {
+            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
+            V sum5 = n > 2 ? (r + 336)[2] * (r + 378)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 378)[n - 2];
+            V sum6 = n > 2 ? (r + 462)[2] * (r + 546)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 546)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
+                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
+                sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+                sum5_next += (r + 336)[2 * i - 1] * sum5_before; sum5_before = (r + 378)[n - 2 * i + 1];
+                sum5 += (r + 336)[2 * i - 1] * sum5_before; sum5_next += (r + 336)[2 * i] * sum5_before;
+                sum5_before = (r + 378)[n - 2 * i]; sum5 += (r + 336)[2 * i] * sum5_before;
+                sum6_next += (r + 462)[2 * i - 1] * sum6_before; sum6_before = (r + 546)[n - 2 * i + 1];
+                sum6 += (r + 462)[2 * i - 1] * sum6_before; sum6_next += (r + 462)[2 * i] * sum6_before;
+                sum6_before = (r + 546)[n - 2 * i]; sum6 += (r + 462)[2 * i] * sum6_before;
+            }
+            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 378)[n] = n > 2 ? sum5 + (r + 336)[1] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[1] : (r + 336)[1] * (r + 378)[1];
+            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 336)[2] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[2] : (V){0};
+            (r + 588)[n] = n > 2 ? sum6 + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (r + 462)[1] * (r + 546)[1];
+            (r + 588)[n + 1] = n > 2 ? sum6_next + (r + 462)[2] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 336)[1] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[1] : (V){0};
+            (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        V x12 = (r + 504)[n];
+        if (squares) {
+            const V sum0 = x12;
+            x12 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 504)[n] = x12;
+        }
+        V x3 = (r + 126)[n];
+        {
+            x3 = x0 * n;
+            (r + 126)[n] = x3;
+        }
+        V x4 = (r + 168)[n];
+        V x5 = (r + 210)[n];
+        {
+            const V sum0 = x4;
+            const V sum1 = x5;
+            const V b = 1.0 - (r + 210)[0];
+            x4 = b * x0 - by_n * sum1;
+            x5 = by_n * sum0 + (r + 168)[0] * x0;
+            (r + 168)[n] = x4;
+            (r + 210)[n] = x5;
+        }
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x6;
+            x6 = sum0 + (r + 84)[0] * x4 + x2 * (r + 168)[0];
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x7;
+            x7 = sum0 + (r + 84)[0] * x5 + x2 * (r + 210)[0];
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = (V){0};
+            x8 += c[own[24]] * x1;
+            (r + 336)[n] = x8;
+        }
+        V x9 = (r + 378)[n];
+        V x10 = (r + 420)[n];
+        {
+            const V sum0 = x9;
+            x9 = -((sum0 + (r + 378)[0] * x8) * (r + 378)[0]);
+            x10 = x9;
+            (r + 378)[n] = x9;
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = (V){0};
+            x11 += c[own[34]] * x10;
+            (r + 462)[n] = x11;
+        }
+        V x13;
+        {
+            x13 = (V){0};
+            x13 += c[own[45]] * x2;
+            x13 += c[own[46]] * x4;
+            x13 += c[own[47]] * x5;
+            x13 += c[own[48]] * x6;
+            x13 += c[own[49]] * x7;
+            x13 += c[own[50]] * x12;
+            (r + 546)[n] = x13;
+        }
+        V x14 = (r + 588)[n];
+        {
+            const V sum0 = x14;
+            x14 = sum0 + (r + 462)[0] * x13 + x11 * (r + 546)[0];
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = (V){0};
+            x15 += c[own[67]] * x2;
+            x15 += c[own[68]] * x4;
+            x15 += c[own[69]] * x5;
+            x15 += c[own[70]] * x6;
+            x15 += c[own[71]] * x7;
+            x15 += c[own[72]] * x11;
+            x15 += c[own[73]] * x13;
+            x15 += c[own[74]] * x14;
+            (r + 630)[n] = x15;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x15 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_9(LATER)
 {
-    OPERATION(75, 0, 1, 672, 546, CELL, CELL);
-    OPERATION(81, 0, 2, 714, 168, 210, CELL, CELL, CELL);
+    int n = 0;
+    const V x4 = (r + 168)[n];
+    const V x5 = (r + 210)[n];
+    const V x13 = (r + 546)[n];
+    V x16;
+    {
+        x16 = c[own[79]];
+        x16 += c[own[80]] * x13;
+        (r + 672)[n] = x16;
+    }
+    V x17;
+    {
+        x17 = c[own[86]];
+        x17 += c[own[87]] * x4;
+        x17 += c[own[88]] * x5;
+        (r + 714)[n] = x17;
+    }
+    for (n = 1; n < top; n++) {
+        const V x4 = (r + 168)[n];
+        const V x5 = (r + 210)[n];
+        const V x13 = (r + 546)[n];
+        V x16;
+        {
+            x16 = (V){0};
+            x16 += c[own[80]] * x13;
+            (r + 672)[n] = x16;
+        }
+        V x17;
+        {
+            x17 = (V){0};
+            x17 += c[own[87]] * x4;
+            x17 += c[own[88]] * x5;
+            (r + 714)[n] = x17;
+        }
+    }
 }
-EACH_ORDER(9)
-INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_10(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 630, 42);
-    OPERATION(3, 4, 168, 0);
-    OPERATION(6, 5, 210, 252, 168, 0);
-    OPERATION(11, 1, 294, 84, 210);
-    OPERATION(15, 1, 336, 84, 252);
-    OPERATION(19, 1, 378, 126, 210);
-    OPERATION(23, 1, 420, 126, 252);
-    OPERATION(27, 0, 1, 462, 42, CELL, CELL);
-    OPERATION(33, 7, 504, 546, 462);
-    OPERATION(37, 0, 1, 588, 546, CELL, CELL);
-    OPERATION(43, 0, 9, 672, 84, 126, 210, 252, 294, 336, 378, 420, 630, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(65, 1, 714, 588, 672);
-    OPERATION(69, 0, 11, 756, 84, 126, 210, 252, 294, 336, 378, 420, 588, 672, 714, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        V x15 = (r + 630)[n];
+        if (squares) {
+            x15 = x1 * x1;
+            (r + 630)[n] = x15;
+        }
+        V x4;
+        {
+            x4 = (V){0};
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        V x6;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x5 = IN(map)(sin, x0);
+            x6 = 2.0 * (t1 * t1);
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = x2 * x5;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = x2 * x6;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = x3 * x5;
+            (r + 378)[n] = x9;
+        }
+        V x10;
+        {
+            x10 = x3 * x6;
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = c[own[31]];
+            x11 += c[own[32]] * x1;
+            (r + 462)[n] = x11;
+        }
+        V x12;
+        V x13;
+        {
+            const V t1 = 1.0 + x11;
+            x12 = 1.0 / t1;
+            x13 = -(x11 / t1);
+            (r + 504)[n] = x12;
+            (r + 546)[n] = x13;
+        }
+        V x14;
+        {
+            x14 = c[own[41]];
+            x14 += c[own[42]] * x13;
+            (r + 588)[n] = x14;
+        }
+        V x16;
+        {
+            x16 = c[own[55]];
+            x16 += c[own[56]] * x2;
+            x16 += c[own[57]] * x3;
+            x16 += c[own[58]] * x5;
+            x16 += c[own[59]] * x6;
+            x16 += c[own[60]] * x7;
+            x16 += c[own[61]] * x8;
+            x16 += c[own[62]] * x9;
+            x16 += c[own[63]] * x10;
+            x16 += c[own[64]] * x15;
+            (r + 672)[n] = x16;
+        }
+        V x17;
+        {
+            x17 = x14 * x16;
+            (r + 714)[n] = x17;
+        }
+        V x18;
+        {
+            x18 = c[own[83]];
+            x18 += c[own[84]] * x2;
+            x18 += c[own[85]] * x3;
+            x18 += c[own[86]] * x5;
+            x18 += c[own[87]] * x6;
+            x18 += c[own[88]] * x7;
+            x18 += c[own[89]] * x8;
+            x18 += c[own[90]] * x9;
+            x18 += c[own[91]] * x10;
+            x18 += c[own[92]] * x14;
+            x18 += c[own[93]] * x16;
+            x18 += c[own[94]] * x17;
+            (r + 756)[n] = x18;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x18 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
+            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
+                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
+                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
+                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 630)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            if (squares) (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
+            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
+            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
+            V sum7 = n > 2 ? (r + 462)[2] * (r + 504)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 504)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
+                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+                sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
+                sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
+                sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
+                sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
+                sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
+                sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
+                sum7_next += (r + 462)[2 * i - 1] * sum7_before; sum7_before = (r + 504)[n - 2 * i + 1];
+                sum7 += (r + 462)[2 * i - 1] * sum7_before; sum7_next += (r + 462)[2 * i] * sum7_before;
+                sum7_before = (r + 504)[n - 2 * i]; sum7 += (r + 462)[2 * i] * sum7_before;
+            }
+            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
+            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
+            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
+            (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 504)[n] = n > 2 ? sum7 + (r + 462)[1] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[1] : (r + 462)[1] * (r + 504)[1];
+            (r + 504)[n + 1] = n > 2 ? sum7_next + (r + 462)[2] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[2] : (V){0};
+        } else {
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 462)[1] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum8 = n > 2 ? (r + 588)[2] * (r + 672)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 672)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum8_next += (r + 588)[2 * i - 1] * sum8_before; sum8_before = (r + 672)[n - 2 * i + 1];
+                sum8 += (r + 588)[2 * i - 1] * sum8_before; sum8_next += (r + 588)[2 * i] * sum8_before;
+                sum8_before = (r + 672)[n - 2 * i]; sum8 += (r + 588)[2 * i] * sum8_before;
+            }
+            (r + 714)[n] = n > 2 ? sum8 + (r + 588)[1] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[1] : (r + 588)[1] * (r + 672)[1];
+            (r + 714)[n + 1] = n > 2 ? sum8_next + (r + 588)[2] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[2] : (V){0};
+        } else {
+            (r + 714)[n] = n > 1 ? (r + 714)[n] + (r + 588)[1] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        V x15 = (r + 630)[n];
+        if (squares) {
+            const V sum0 = x15;
+            x15 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 630)[n] = x15;
+        }
+        V x4 = (r + 168)[n];
+        {
+            x4 = x0 * n;
+            (r + 168)[n] = x4;
+        }
+        V x5 = (r + 210)[n];
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x5;
+            const V sum1 = x6;
+            const V b = 1.0 - (r + 252)[0];
+            x5 = b * x0 - by_n * sum1;
+            x6 = by_n * sum0 + (r + 210)[0] * x0;
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x7;
+            x7 = sum0 + (r + 84)[0] * x5 + x2 * (r + 210)[0];
+            (r + 294)[n] = x7;
+        }
+        V x8 = (r + 336)[n];
+        {
+            const V sum0 = x8;
+            x8 = sum0 + (r + 84)[0] * x6 + x2 * (r + 252)[0];
+            (r + 336)[n] = x8;
+        }
+        V x9 = (r + 378)[n];
+        {
+            const V sum0 = x9;
+            x9 = sum0 + (r + 126)[0] * x5 + x3 * (r + 210)[0];
+            (r + 378)[n] = x9;
+        }
+        V x10 = (r + 420)[n];
+        {
+            const V sum0 = x10;
+            x10 = sum0 + (r + 126)[0] * x6 + x3 * (r + 252)[0];
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = (V){0};
+            x11 += c[own[32]] * x1;
+            (r + 462)[n] = x11;
+        }
+        V x12 = (r + 504)[n];
+        V x13 = (r + 546)[n];
+        {
+            const V sum0 = x12;
+            x12 = -((sum0 + (r + 504)[0] * x11) * (r + 504)[0]);
+            x13 = x12;
+            (r + 504)[n] = x12;
+            (r + 546)[n] = x13;
+        }
+        V x14;
+        {
+            x14 = (V){0};
+            x14 += c[own[42]] * x13;
+            (r + 588)[n] = x14;
+        }
+        V x16;
+        {
+            x16 = (V){0};
+            x16 += c[own[56]] * x2;
+            x16 += c[own[57]] * x3;
+            x16 += c[own[58]] * x5;
+            x16 += c[own[59]] * x6;
+            x16 += c[own[60]] * x7;
+            x16 += c[own[61]] * x8;
+            x16 += c[own[62]] * x9;
+            x16 += c[own[63]] * x10;
+            x16 += c[own[64]] * x15;
+            (r + 672)[n] = x16;
+        }
+        V x17 = (r + 714)[n];
+        {
+            const V sum0 = x17;
+            x17 = sum0 + (r + 588)[0] * x16 + x14 * (r + 672)[0];
+            (r + 714)[n] = x17;
+        }
+        V x18;
+        {
+            x18 = (V){0};
+            x18 += c[own[84]] * x2;
+            x18 += c[own[85]] * x3;
+            x18 += c[own[86]] * x5;
+            x18 += c[own[87]] * x6;
+            x18 += c[own[88]] * x7;
+            x18 += c[own[89]] * x8;
+            x18 += c[own[90]] * x9;
+            x18 += c[own[91]] * x10;
+            x18 += c[own[92]] * x14;
+            x18 += c[own[93]] * x16;
+            x18 += c[own[94]] * x17;
+            (r + 756)[n] = x18;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x18 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_10(LATER)
 {
-    OPERATION(95, 0, 1, 798, 672, CELL, CELL);
-    OPERATION(101, 0, 2, 840, 210, 252, CELL, CELL, CELL);
+    int n = 0;
+    const V x5 = (r + 210)[n];
+    const V x6 = (r + 252)[n];
+    const V x16 = (r + 672)[n];
+    V x19;
+    {
+        x19 = c[own[99]];
+        x19 += c[own[100]] * x16;
+        (r + 798)[n] = x19;
+    }
+    V x20;
+    {
+        x20 = c[own[106]];
+        x20 += c[own[107]] * x5;
+        x20 += c[own[108]] * x6;
+        (r + 840)[n] = x20;
+    }
+    for (n = 1; n < top; n++) {
+        const V x5 = (r + 210)[n];
+        const V x6 = (r + 252)[n];
+        const V x16 = (r + 672)[n];
+        V x19;
+        {
+            x19 = (V){0};
+            x19 += c[own[100]] * x16;
+            (r + 798)[n] = x19;
+        }
+        V x20;
+        {
+            x20 = (V){0};
+            x20 += c[own[107]] * x5;
+            x20 += c[own[108]] * x6;
+            (r + 840)[n] = x20;
+        }
+    }
 }
-EACH_ORDER(10)
-INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_11(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 504, 42);
-    OPERATION(3, 4, 84, 0);
-    OPERATION(6, 5, 126, 168, 84, 0);
-    OPERATION(11, 0, 1, 210, 0, CELL, CELL);
-    OPERATION(17, 3, 252, 294, 336, 378, 420, 462, 0);
-    OPERATION(25, 0, 10, 546, 0, 126, 168, 252, 294, 336, 378, 420, 462, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(49, 1, 588, 210, 546);
-    OPERATION(53, 0, 5, 630, 126, 168, 210, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x12 = (r + 504)[n];
+        if (squares) {
+            x12 = x1 * x1;
+            (r + 504)[n] = x12;
+        }
+        V x2;
+        {
+            x2 = (V){0};
+            (r + 84)[n] = x2;
+        }
+        V x3;
+        V x4;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x3 = IN(map)(sin, x0);
+            x4 = 2.0 * (t1 * t1);
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        {
+            x5 = c[own[15]];
+            x5 += c[own[16]] * x0;
+            (r + 210)[n] = x5;
+        }
+        V x6;
+        V x7;
+        V x8;
+        V x9;
+        V x10;
+        V x11;
+        {
+            const V t1 = x0 * x0;
+            const V t2 = x0 * t1;
+            const V t3 = t1 * t1;
+            x6 = t1;
+            x7 = t2;
+            x8 = t3;
+            x9 = x0 * t3;
+            x10 = t1 * t3;
+            x11 = t2 * t3;
+            (r + 252)[n] = x6;
+            (r + 294)[n] = x7;
+            (r + 336)[n] = x8;
+            (r + 378)[n] = x9;
+            (r + 420)[n] = x10;
+            (r + 462)[n] = x11;
+        }
+        V x13;
+        {
+            x13 = c[own[38]];
+            x13 += c[own[39]] * x0;
+            x13 += c[own[40]] * x3;
+            x13 += c[own[41]] * x4;
+            x13 += c[own[42]] * x6;
+            x13 += c[own[43]] * x7;
+            x13 += c[own[44]] * x8;
+            x13 += c[own[45]] * x9;
+            x13 += c[own[46]] * x10;
+            x13 += c[own[47]] * x11;
+            x13 += c[own[48]] * x12;
+            (r + 546)[n] = x13;
+        }
+        V x14;
+        {
+            x14 = x5 * x13;
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = c[own[61]];
+            x15 += c[own[62]] * x3;
+            x15 += c[own[63]] * x4;
+            x15 += c[own[64]] * x5;
+            x15 += c[own[65]] * x13;
+            x15 += c[own[66]] * x14;
+            (r + 630)[n] = x15;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x15 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
+            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
+            V sum3 = n > 2 ? (r + 0)[2] * (r + 252)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 252)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
+                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
+                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
+                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+                sum3_next += (r + 0)[2 * i - 1] * sum3_before; sum3_before = (r + 252)[n - 2 * i + 1];
+                sum3 += (r + 0)[2 * i - 1] * sum3_before; sum3_next += (r + 0)[2 * i] * sum3_before;
+                sum3_before = (r + 252)[n - 2 * i]; sum3 += (r + 0)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
+            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
+            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum3 + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (r + 0)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 0)[2] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[2] : (V){0};
+        } else {
+            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 0)[2] * (r + 294)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 294)[n - 2];
+            V sum5 = n > 2 ? (r + 0)[2] * (r + 336)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 336)[n - 2];
+            V sum6 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 378)[n - 2];
+            V sum7 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 420)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 294)[n - 2 * i + 1];
+                sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
+                sum4_before = (r + 294)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+                sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 336)[n - 2 * i + 1];
+                sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
+                sum5_before = (r + 336)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
+                sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 378)[n - 2 * i + 1];
+                sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
+                sum6_before = (r + 378)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
+                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 420)[n - 2 * i + 1];
+                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
+                sum7_before = (r + 420)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
+            }
+            (r + 294)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (r + 0)[1] * (r + 294)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[2] : (V){0};
+            (r + 336)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (r + 0)[1] * (r + 336)[1];
+            (r + 336)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[2] : (V){0};
+            (r + 378)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
+            (r + 378)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
+            (r + 420)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
+            (r + 420)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (V){0};
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (V){0};
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum8 = {0}, sum8_next = {0};
+            V sum9 = n > 2 ? (r + 210)[2] * (r + 546)[n - 2] : (V){0}, sum9_next = {0}, sum9_before = (r + 546)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum8_now = (r + 0)[n - i]; sum8 += (r + 0)[i] * sum8_now; sum8_next += (r + 0)[i + 1] * sum8_now;
+                sum9_next += (r + 210)[2 * i - 1] * sum9_before; sum9_before = (r + 546)[n - 2 * i + 1];
+                sum9 += (r + 210)[2 * i - 1] * sum9_before; sum9_next += (r + 210)[2 * i] * sum9_before;
+                sum9_before = (r + 546)[n - 2 * i]; sum9 += (r + 210)[2 * i] * sum9_before;
+            }
+            (r + 462)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum8 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
+                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum8_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+            (r + 588)[n] = n > 2 ? sum9 + (r + 210)[1] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[1] : (r + 210)[1] * (r + 546)[1];
+            (r + 588)[n + 1] = n > 2 ? sum9_next + (r + 210)[2] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[2] : (V){0};
+        } else {
+            (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
+            (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 210)[1] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        V x12 = (r + 504)[n];
+        if (squares) {
+            const V sum0 = x12;
+            x12 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 504)[n] = x12;
+        }
+        V x2 = (r + 84)[n];
+        {
+            x2 = x0 * n;
+            (r + 84)[n] = x2;
+        }
+        V x3 = (r + 126)[n];
+        V x4 = (r + 168)[n];
+        {
+            const V sum0 = x3;
+            const V sum1 = x4;
+            const V b = 1.0 - (r + 168)[0];
+            x3 = b * x0 - by_n * sum1;
+            x4 = by_n * sum0 + (r + 126)[0] * x0;
+            (r + 126)[n] = x3;
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        {
+            x5 = (V){0};
+            x5 += c[own[16]] * x0;
+            (r + 210)[n] = x5;
+        }
+        V x6 = (r + 252)[n];
+        V x7 = (r + 294)[n];
+        V x8 = (r + 336)[n];
+        V x9 = (r + 378)[n];
+        V x10 = (r + 420)[n];
+        V x11 = (r + 462)[n];
+        {
+            const V sum0 = x6;
+            const V sum1 = x7;
+            const V sum2 = x8;
+            const V sum3 = x9;
+            const V sum4 = x10;
+            const V sum5 = x11;
+            x6 = sum5 + 2.0 * (r + 0)[0] * x0;
+            x7 = sum0 + (r + 252)[0] * x0 + x6 * (r + 0)[0];
+            x8 = sum1 + (r + 294)[0] * x0 + x7 * (r + 0)[0];
+            x9 = sum2 + (r + 336)[0] * x0 + x8 * (r + 0)[0];
+            x10 = sum3 + (r + 378)[0] * x0 + x9 * (r + 0)[0];
+            x11 = sum4 + (r + 420)[0] * x0 + x10 * (r + 0)[0];
+            (r + 252)[n] = x6;
+            (r + 294)[n] = x7;
+            (r + 336)[n] = x8;
+            (r + 378)[n] = x9;
+            (r + 420)[n] = x10;
+            (r + 462)[n] = x11;
+        }
+        V x13;
+        {
+            x13 = (V){0};
+            x13 += c[own[39]] * x0;
+            x13 += c[own[40]] * x3;
+            x13 += c[own[41]] * x4;
+            x13 += c[own[42]] * x6;
+            x13 += c[own[43]] * x7;
+            x13 += c[own[44]] * x8;
+            x13 += c[own[45]] * x9;
+            x13 += c[own[46]] * x10;
+            x13 += c[own[47]] * x11;
+            x13 += c[own[48]] * x12;
+            (r + 546)[n] = x13;
+        }
+        V x14 = (r + 588)[n];
+        {
+            const V sum0 = x14;
+            x14 = sum0 + (r + 210)[0] * x13 + x5 * (r + 546)[0];
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = (V){0};
+            x15 += c[own[62]] * x3;
+            x15 += c[own[63]] * x4;
+            x15 += c[own[64]] * x5;
+            x15 += c[own[65]] * x13;
+            x15 += c[own[66]] * x14;
+            (r + 630)[n] = x15;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x15 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_11(LATER)
 {
-    OPERATION(67, 0, 1, 672, 546, CELL, CELL);
-    OPERATION(73, 0, 2, 714, 126, 168, CELL, CELL, CELL);
+    int n = 0;
+    const V x3 = (r + 126)[n];
+    const V x4 = (r + 168)[n];
+    const V x13 = (r + 546)[n];
+    V x16;
+    {
+        x16 = c[own[71]];
+        x16 += c[own[72]] * x13;
+        (r + 672)[n] = x16;
+    }
+    V x17;
+    {
+        x17 = c[own[78]];
+        x17 += c[own[79]] * x3;
+        x17 += c[own[80]] * x4;
+        (r + 714)[n] = x17;
+    }
+    for (n = 1; n < top; n++) {
+        const V x3 = (r + 126)[n];
+        const V x4 = (r + 168)[n];
+        const V x13 = (r + 546)[n];
+        V x16;
+        {
+            x16 = (V){0};
+            x16 += c[own[72]] * x13;
+            (r + 672)[n] = x16;
+        }
+        V x17;
+        {
+            x17 = (V){0};
+            x17 += c[own[79]] * x3;
+            x17 += c[own[80]] * x4;
+            (r + 714)[n] = x17;
+        }
+    }
 }
-EACH_ORDER(11)
-INLINE void rates_12(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_12(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 378, 42);
-    OPERATION(3, 4, 126, 0);
-    OPERATION(6, 5, 168, 210, 126, 0);
-    OPERATION(11, 1, 252, 84, 168);
-    OPERATION(15, 1, 294, 84, 210);
-    OPERATION(19, 0, 1, 336, 0, CELL, CELL);
-    OPERATION(25, 0, 6, 420, 84, 168, 210, 252, 294, 378, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(41, 1, 462, 336, 420);
-    OPERATION(45, 0, 8, 504, 84, 168, 210, 252, 294, 336, 420, 462, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        V x9 = (r + 378)[n];
+        if (squares) {
+            x9 = x1 * x1;
+            (r + 378)[n] = x9;
+        }
+        V x3;
+        {
+            x3 = (V){0};
+            (r + 126)[n] = x3;
+        }
+        V x4;
+        V x5;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x4 = IN(map)(sin, x0);
+            x5 = 2.0 * (t1 * t1);
+            (r + 168)[n] = x4;
+            (r + 210)[n] = x5;
+        }
+        V x6;
+        {
+            x6 = x2 * x4;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = x2 * x5;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = c[own[23]];
+            x8 += c[own[24]] * x0;
+            (r + 336)[n] = x8;
+        }
+        V x10;
+        {
+            x10 = c[own[34]];
+            x10 += c[own[35]] * x2;
+            x10 += c[own[36]] * x4;
+            x10 += c[own[37]] * x5;
+            x10 += c[own[38]] * x6;
+            x10 += c[own[39]] * x7;
+            x10 += c[own[40]] * x9;
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = x8 * x10;
+            (r + 462)[n] = x11;
+        }
+        V x12;
+        {
+            x12 = c[own[56]];
+            x12 += c[own[57]] * x2;
+            x12 += c[own[58]] * x4;
+            x12 += c[own[59]] * x5;
+            x12 += c[own[60]] * x6;
+            x12 += c[own[61]] * x7;
+            x12 += c[own[62]] * x8;
+            x12 += c[own[63]] * x10;
+            x12 += c[own[64]] * x11;
+            (r + 504)[n] = x12;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x12 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
+            V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
+                sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
+                sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
+                sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
+                sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
+                sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 378)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 378)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
+            (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+        } else {
+            if (squares) (r + 378)[n] = n > 1 ? (r + 378)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
+            V sum5 = n > 2 ? (r + 336)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
+                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
+                sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+                sum5_next += (r + 336)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
+                sum5 += (r + 336)[2 * i - 1] * sum5_before; sum5_next += (r + 336)[2 * i] * sum5_before;
+                sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 336)[2 * i] * sum5_before;
+            }
+            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 462)[n] = n > 2 ? sum5 + (r + 336)[1] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[1] : (r + 336)[1] * (r + 420)[1];
+            (r + 462)[n + 1] = n > 2 ? sum5_next + (r + 336)[2] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 336)[1] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        V x9 = (r + 378)[n];
+        if (squares) {
+            const V sum0 = x9;
+            x9 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 378)[n] = x9;
+        }
+        V x3 = (r + 126)[n];
+        {
+            x3 = x0 * n;
+            (r + 126)[n] = x3;
+        }
+        V x4 = (r + 168)[n];
+        V x5 = (r + 210)[n];
+        {
+            const V sum0 = x4;
+            const V sum1 = x5;
+            const V b = 1.0 - (r + 210)[0];
+            x4 = b * x0 - by_n * sum1;
+            x5 = by_n * sum0 + (r + 168)[0] * x0;
+            (r + 168)[n] = x4;
+            (r + 210)[n] = x5;
+        }
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x6;
+            x6 = sum0 + (r + 84)[0] * x4 + x2 * (r + 168)[0];
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x7;
+            x7 = sum0 + (r + 84)[0] * x5 + x2 * (r + 210)[0];
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = (V){0};
+            x8 += c[own[24]] * x0;
+            (r + 336)[n] = x8;
+        }
+        V x10;
+        {
+            x10 = (V){0};
+            x10 += c[own[35]] * x2;
+            x10 += c[own[36]] * x4;
+            x10 += c[own[37]] * x5;
+            x10 += c[own[38]] * x6;
+            x10 += c[own[39]] * x7;
+            x10 += c[own[40]] * x9;
+            (r + 420)[n] = x10;
+        }
+        V x11 = (r + 462)[n];
+        {
+            const V sum0 = x11;
+            x11 = sum0 + (r + 336)[0] * x10 + x8 * (r + 420)[0];
+            (r + 462)[n] = x11;
+        }
+        V x12;
+        {
+            x12 = (V){0};
+            x12 += c[own[57]] * x2;
+            x12 += c[own[58]] * x4;
+            x12 += c[own[59]] * x5;
+            x12 += c[own[60]] * x6;
+            x12 += c[own[61]] * x7;
+            x12 += c[own[62]] * x8;
+            x12 += c[own[63]] * x10;
+            x12 += c[own[64]] * x11;
+            (r + 504)[n] = x12;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x12 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_12(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_12(LATER)
 {
-    OPERATION(65, 0, 1, 546, 420, CELL, CELL);
-    OPERATION(71, 0, 2, 588, 168, 210, CELL, CELL, CELL);
+    int n = 0;
+    const V x4 = (r + 168)[n];
+    const V x5 = (r + 210)[n];
+    const V x10 = (r + 420)[n];
+    V x13;
+    {
+        x13 = c[own[69]];
+        x13 += c[own[70]] * x10;
+        (r + 546)[n] = x13;
+    }
+    V x14;
+    {
+        x14 = c[own[76]];
+        x14 += c[own[77]] * x4;
+        x14 += c[own[78]] * x5;
+        (r + 588)[n] = x14;
+    }
+    for (n = 1; n < top; n++) {
+        const V x4 = (r + 168)[n];
+        const V x5 = (r + 210)[n];
+        const V x10 = (r + 420)[n];
+        V x13;
+        {
+            x13 = (V){0};
+            x13 += c[own[70]] * x10;
+            (r + 546)[n] = x13;
+        }
+        V x14;
+        {
+            x14 = (V){0};
+            x14 += c[own[77]] * x4;
+            x14 += c[own[78]] * x5;
+            (r + 588)[n] = x14;
+        }
+    }
 }
-EACH_ORDER(12)
-INLINE void rates_13(const int32_t *own, V *r, const V *c, int n, double by_n, int squares)
+static void orders_13(ORDERS)
 {
-    if (squares) OPERATION(0, 2, 504, 42);
-    OPERATION(3, 4, 168, 0);
-    OPERATION(6, 5, 210, 252, 168, 0);
-    OPERATION(11, 1, 294, 84, 210);
-    OPERATION(15, 1, 336, 84, 252);
-    OPERATION(19, 1, 378, 126, 210);
-    OPERATION(23, 1, 420, 126, 252);
-    OPERATION(27, 0, 1, 462, 0, CELL, CELL);
-    OPERATION(33, 0, 9, 546, 84, 126, 210, 252, 294, 336, 378, 420, 504, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
-    OPERATION(55, 1, 588, 462, 546);
-    OPERATION(59, 0, 11, 630, 84, 126, 210, 252, 294, 336, 378, 420, 462, 546, 588, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL, CELL);
+    if (n == 0) {
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        V x12 = (r + 504)[n];
+        if (squares) {
+            x12 = x1 * x1;
+            (r + 504)[n] = x12;
+        }
+        V x4;
+        {
+            x4 = (V){0};
+            (r + 168)[n] = x4;
+        }
+        V x5;
+        V x6;
+        {
+            const V t1 = IN(map)(sin, 0.5 * x0);
+            x5 = IN(map)(sin, x0);
+            x6 = 2.0 * (t1 * t1);
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7;
+        {
+            x7 = x2 * x5;
+            (r + 294)[n] = x7;
+        }
+        V x8;
+        {
+            x8 = x2 * x6;
+            (r + 336)[n] = x8;
+        }
+        V x9;
+        {
+            x9 = x3 * x5;
+            (r + 378)[n] = x9;
+        }
+        V x10;
+        {
+            x10 = x3 * x6;
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = c[own[31]];
+            x11 += c[own[32]] * x0;
+            (r + 462)[n] = x11;
+        }
+        V x13;
+        {
+            x13 = c[own[45]];
+            x13 += c[own[46]] * x2;
+            x13 += c[own[47]] * x3;
+            x13 += c[own[48]] * x5;
+            x13 += c[own[49]] * x6;
+            x13 += c[own[50]] * x7;
+            x13 += c[own[51]] * x8;
+            x13 += c[own[52]] * x9;
+            x13 += c[own[53]] * x10;
+            x13 += c[own[54]] * x12;
+            (r + 546)[n] = x13;
+        }
+        V x14;
+        {
+            x14 = x11 * x13;
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = c[own[73]];
+            x15 += c[own[74]] * x2;
+            x15 += c[own[75]] * x3;
+            x15 += c[own[76]] * x5;
+            x15 += c[own[77]] * x6;
+            x15 += c[own[78]] * x7;
+            x15 += c[own[79]] * x8;
+            x15 += c[own[80]] * x9;
+            x15 += c[own[81]] * x10;
+            x15 += c[own[82]] * x11;
+            x15 += c[own[83]] * x13;
+            x15 += c[own[84]] * x14;
+            (r + 630)[n] = x15;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x15 * inverse[n + 1];
+        }
+        n++;
+    }
+    for (; n < behind; n++) {
+        const double by_n = inverse[n];
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
+            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
+                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
+                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
+                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
+            }
+            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
+            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
+            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
+            V sum7 = n > 2 ? (r + 462)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
+                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
+                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+                sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
+                sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
+                sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
+                sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
+                sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
+                sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
+                sum7_next += (r + 462)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
+                sum7 += (r + 462)[2 * i - 1] * sum7_before; sum7_next += (r + 462)[2 * i] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 462)[2 * i] * sum7_before;
+            }
+            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
+            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
+            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
+            (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 588)[n] = n > 2 ? sum7 + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (r + 462)[1] * (r + 546)[1];
+            (r + 588)[n + 1] = n > 2 ? sum7_next + (r + 462)[2] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[2] : (V){0};
+        } else {
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (V){0};
+        }
+        const V x0 = (r + 0)[n];
+        const V x1 = (r + 42)[n];
+        const V x2 = (r + 84)[n];
+        const V x3 = (r + 126)[n];
+        V x12 = (r + 504)[n];
+        if (squares) {
+            const V sum0 = x12;
+            x12 = sum0 + 2.0 * (r + 42)[0] * x1;
+            (r + 504)[n] = x12;
+        }
+        V x4 = (r + 168)[n];
+        {
+            x4 = x0 * n;
+            (r + 168)[n] = x4;
+        }
+        V x5 = (r + 210)[n];
+        V x6 = (r + 252)[n];
+        {
+            const V sum0 = x5;
+            const V sum1 = x6;
+            const V b = 1.0 - (r + 252)[0];
+            x5 = b * x0 - by_n * sum1;
+            x6 = by_n * sum0 + (r + 210)[0] * x0;
+            (r + 210)[n] = x5;
+            (r + 252)[n] = x6;
+        }
+        V x7 = (r + 294)[n];
+        {
+            const V sum0 = x7;
+            x7 = sum0 + (r + 84)[0] * x5 + x2 * (r + 210)[0];
+            (r + 294)[n] = x7;
+        }
+        V x8 = (r + 336)[n];
+        {
+            const V sum0 = x8;
+            x8 = sum0 + (r + 84)[0] * x6 + x2 * (r + 252)[0];
+            (r + 336)[n] = x8;
+        }
+        V x9 = (r + 378)[n];
+        {
+            const V sum0 = x9;
+            x9 = sum0 + (r + 126)[0] * x5 + x3 * (r + 210)[0];
+            (r + 378)[n] = x9;
+        }
+        V x10 = (r + 420)[n];
+        {
+            const V sum0 = x10;
+            x10 = sum0 + (r + 126)[0] * x6 + x3 * (r + 252)[0];
+            (r + 420)[n] = x10;
+        }
+        V x11;
+        {
+            x11 = (V){0};
+            x11 += c[own[32]] * x0;
+            (r + 462)[n] = x11;
+        }
+        V x13;
+        {
+            x13 = (V){0};
+            x13 += c[own[46]] * x2;
+            x13 += c[own[47]] * x3;
+            x13 += c[own[48]] * x5;
+            x13 += c[own[49]] * x6;
+            x13 += c[own[50]] * x7;
+            x13 += c[own[51]] * x8;
+            x13 += c[own[52]] * x9;
+            x13 += c[own[53]] * x10;
+            x13 += c[own[54]] * x12;
+            (r + 546)[n] = x13;
+        }
+        V x14 = (r + 588)[n];
+        {
+            const V sum0 = x14;
+            x14 = sum0 + (r + 462)[0] * x13 + x11 * (r + 546)[0];
+            (r + 588)[n] = x14;
+        }
+        V x15;
+        {
+            x15 = (V){0};
+            x15 += c[own[74]] * x2;
+            x15 += c[own[75]] * x3;
+            x15 += c[own[76]] * x5;
+            x15 += c[own[77]] * x6;
+            x15 += c[own[78]] * x7;
+            x15 += c[own[79]] * x8;
+            x15 += c[own[80]] * x9;
+            x15 += c[own[81]] * x10;
+            x15 += c[own[82]] * x11;
+            x15 += c[own[83]] * x13;
+            x15 += c[own[84]] * x14;
+            (r + 630)[n] = x15;
+        }
+        if (moves) {
+            (r + 0)[n + 1] = x1 * inverse[n + 1];
+            (r + 42)[n + 1] = x15 * inverse[n + 1];
+        }
+    }
 }
-INLINE void others_13(const int32_t *own, V *r, const V *c, int n, double by_n)
+static void later_13(LATER)
 {
-    OPERATION(85, 0, 1, 672, 546, CELL, CELL);
-    OPERATION(91, 0, 2, 714, 210, 252, CELL, CELL, CELL);
+    int n = 0;
+    const V x5 = (r + 210)[n];
+    const V x6 = (r + 252)[n];
+    const V x13 = (r + 546)[n];
+    V x16;
+    {
+        x16 = c[own[89]];
+        x16 += c[own[90]] * x13;
+        (r + 672)[n] = x16;
+    }
+    V x17;
+    {
+        x17 = c[own[96]];
+        x17 += c[own[97]] * x5;
+        x17 += c[own[98]] * x6;
+        (r + 714)[n] = x17;
+    }
+    for (n = 1; n < top; n++) {
+        const V x5 = (r + 210)[n];
+        const V x6 = (r + 252)[n];
+        const V x13 = (r + 546)[n];
+        V x16;
+        {
+            x16 = (V){0};
+            x16 += c[own[90]] * x13;
+            (r + 672)[n] = x16;
+        }
+        V x17;
+        {
+            x17 = (V){0};
+            x17 += c[own[97]] * x5;
+            x17 += c[own[98]] * x6;
+            (r + 714)[n] = x17;
+        }
+    }
 }
-EACH_ORDER(13)
-static const struct {
-    void (*orders)(const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse,
-                   int squares, const State *q, const State *q_end);
-    void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
-} straight[] = {
+static const struct { void (*orders)(ORDERS); void (*later)(LATER); } straight[] = {
     {orders_0, later_0},
     {orders_1, later_1},
     {orders_2, later_2},
@@ -1311,7 +5049,7 @@ INLINE void operate(const Batch *b, int n, int behind, int by_rotation, int move
     const State *const q = job->state, *const q_end = q + (moves ? job->states : 0);
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
-        straight[job->straight].orders(job->series, b->r, b->c, n, behind, b->inverse, !given, q, q_end);
+        straight[job->straight].orders(job->series, b->r, b->c, n, behind, b->inverse, !given, moves);
         return;
     }
 #endif
@@ -1328,7 +5066,7 @@ INLINE void operate_later(const Batch *b, int n)
     const Job *const job = b->job;
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
-        straight[job->straight].later(job->series, b->r, b->c, n, b->inverse);
+        straight[job->straight].later(job->series, b->r, b->c, n);
         return;
     }
 #endif
@@ -2070,10 +5808,14 @@ INLINE void find_clock(Batch *b, V *t, int top)
 INLINE V elapsed(Batch *b, int top, V at)
 {
     const Job *const job = b->job;
+    V *const c = b->c;
     if (job->role->pace >= 0) {
-        V t[STRIDE];
-        find_clock(b, t, top);
-        return value(t, top, at);
+        V *omega = b->r + job->role->omega;
+        V path = omega[top - 1] * b->inverse[top];
+        for (int k = top - 2; k >= 0; k--) {
+            path = (path * at) + (omega[k] * b->inverse[k + 1]);
+        }
+        return at + ((c[job->role->pace] * path) * at);
     }
     return at;
 }
@@ -3049,12 +6791,14 @@ static void find_standstill(Batch *b, M here, int top)
     if (!bits(here)) return;
     V *omega = b->r + job->role->omega;
     V *net = b->r + job->role->net;
-    const Pair last_slope = value_and_slope(omega, top, c[STEP]);
-    V last = last_slope.one, slope = last_slope.other;
+    V last = value(omega, top, c[STEP]);
     M from_rest = omega[0] == 0.0;
     M decelerates = net[0] < 0.0;
     M falls_from_rest = from_rest & (decelerates | ((net[0] == 0.0) & (net[1] <= 0.0)));
-    M dips = decelerates & (slope > 0.0);
+    M dips = decelerates;
+    if (bits(decelerates)) {
+        dips = decelerates & (value(net, top - 1, c[STEP]) > 0.0);
+    }
     M asked = here & ((last <= 0.0) | dips | falls_from_rest);
     if (bits(asked)) {
         V e[STRIDE];
@@ -3165,14 +6909,17 @@ INLINE void choose_step(Batch *b, M here, int top)
     }
 }
 
-/* Advance the states and the functions of time by the step. */
-INLINE void advance_states(Batch *b, M here, int top)
+/* Advance the states besides rotation and speed, and the functions of time, by the step. */
+INLINE void advance_further(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     for (const State *q = job->state; q < job->state + job->states; q++) {
-        c[q->cell] = pick(here, c[q->cell] + increment(b->r + q->series, top, c[STEP]), c[q->cell]);
+        int further = !((q->series == job->role->x) || (q->series == job->role->omega));
+        if (further) {
+            c[q->cell] = pick(here, c[q->cell] + increment(b->r + q->series, top, c[STEP]), c[q->cell]);
+        }
     }
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
@@ -3249,15 +6996,27 @@ static void make_step(Batch *b, M here)
     }
     V step = c[STEP];
     V *net = b->r + job->role->net;
-    const Pair rate_slope = value_and_slope(net, top - 1, step);
-    V rate = rate_slope.one, slope = rate_slope.other;
+    V *omega = b->r + job->role->omega;
+    V *x = b->r + job->role->x;
+    V rate = broadcast(0.0);
+    V slope = broadcast(0.0);
+    V faster = broadcast(0.0);
+    V farther = broadcast(0.0);
+    for (int k = top - 1; k >= 0; k--) {
+        slope = (slope * step) + rate;
+        rate = (rate * step) + net[k];
+        faster = (faster * step) + omega[k + 1];
+        farther = (farther * step) + x[k + 1];
+    }
     keep_peak(b, here, top, rate, slope);
     V time = c[TIME] + elapsed(b, top, step);
     V until = pick(c[EVENT] == (double)EVENT_LIMIT, limit, time);
     if (job->samples) {
         read_samples(b, here, c[TIME], until, 1, top);
     }
-    advance_states(b, here, top);
+    c[OMEGA] = pick(here, c[OMEGA] + (step * faster), c[OMEGA]);
+    c[X] = pick(here, c[X] + (step * farther), c[X]);
+    advance_further(b, here, top);
     rate = per_time(b, rate, c[OMEGA]);
     arrive(b, here, until, rate);
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3ae02b2041e7b4af7dca99deebe09efda6e778c26a014d7cf6af15aa18b7517a
+# sha256 of the text below: 199f1926a83b3251a50953918c678945a327642bb285cb473e1bc05926317266
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -864,10 +864,13 @@ def find_clock(s: Lanes, t: Floats, top: int) -> None:
 
 def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
     """Return the time since the beginning of a step from its variable."""
+    c = s.cells
     if s.roles.pace >= 0:
-        t = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
-        find_clock(s, t, top)
-        return value(t, top, at)
+        omega = s.registers[s.roles.omega]
+        path = omega[top - 1] * (1.0 / top)
+        for k in range(top - 2, 0 - 1, -1):
+            path = path * at + omega[k] * (1.0 / (k + 1))
+        return at + c[s.roles.pace] * path * at
     return at
 
 
@@ -1706,11 +1709,13 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
         return
     omega = s.registers[s.roles.omega]
     net = s.registers[s.roles.net]
-    last, slope = value_and_slope(omega, top, c[ix.STEP])
+    last = value(omega, top, c[ix.STEP])
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest & (decelerates | (net[0] == 0.0) & (net[1] <= 0.0))
-    dips = decelerates & (slope > 0.0)
+    dips = decelerates
+    if np.any(decelerates):
+        dips = decelerates & (value(net, top - 1, c[ix.STEP]) > 0.0)
     asked = here & ((last <= 0.0) | dips | falls_from_rest)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
@@ -1801,13 +1806,15 @@ def choose_step(s: Lanes, here: Mask, top: int) -> None:
         c[ix.STEP] = np.where(here, np.where(complete, np.minimum(step, c[ix.STEP]), c[ix.STEP]), c[ix.STEP])
 
 
-def advance_states(s: Lanes, here: Mask, top: int) -> None:
-    """Advance the states and the functions of time by the step."""
+def advance_further(s: Lanes, here: Mask, top: int) -> None:
+    """Advance the states besides rotation and speed, and the functions of time, by the step."""
     c = s.cells
     if not np.any(here):
         return
     for q in s.states:
-        c[q.cell] = np.where(here, c[q.cell] + increment(s.registers[q.register], top, c[ix.STEP]), c[q.cell])
+        further = not (q.register == s.roles.x or q.register == s.roles.omega)
+        if further:
+            c[q.cell] = np.where(here, c[q.cell] + increment(s.registers[q.register], top, c[ix.STEP]), c[q.cell])
     for t in s.tables:
         if t.kind == ix.OF_TIME:
             c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], top,
@@ -1875,13 +1882,25 @@ def make_step(s: Lanes, here: Mask) -> None:
         find_endless(s, here, room)
     step = c[ix.STEP].copy()
     net = s.registers[s.roles.net]
-    rate, slope = value_and_slope(net, top - 1, step)
+    omega = s.registers[s.roles.omega]
+    x = s.registers[s.roles.x]
+    rate: Floats = 0.0
+    slope: Floats = 0.0
+    faster: Floats = 0.0
+    farther: Floats = 0.0
+    for k in range(top - 1, 0 - 1, -1):
+        slope = slope * step + rate
+        rate = rate * step + net[k]
+        faster = faster * step + omega[k + 1]
+        farther = farther * step + x[k + 1]
     keep_peak(s, here, top, rate, slope)
     time = c[ix.TIME] + elapsed(s, top, step)
     until = np.where(c[ix.EVENT] == ix.EVENT_LIMIT, limit, time)
     if s.sample_count:
         read_samples(s, here, c[ix.TIME], until, 1, top)
-    advance_states(s, here, top)
+    c[ix.OMEGA] = np.where(here, c[ix.OMEGA] + step * faster, c[ix.OMEGA])
+    c[ix.X] = np.where(here, c[ix.X] + step * farther, c[ix.X])
+    advance_further(s, here, top)
     rate = per_time(s, rate, c[ix.OMEGA])
     arrive(s, here, until, rate)
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1c5ea7d6b78cec2926827a537b52d191c6208690bc2071398353eacf913b3f75
+# sha256 of the text below: ca0d8b1effcd485b0062a37e6f81602edb7d2e2d11ae15539bf86f748d5541fe
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "9b8622955203a8558e5f47ec5a7a264d76493fd5a0c375f0fb1d1a35fb0d7f5b"  # of the compiled integrator's source
+DIGEST = "8491d1935a3114b6d59082c237279e3e6a43d67c5d215eac12b313ec04bf1ef1"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -88,7 +88,8 @@ def _powers(r: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int, p6_: int,
         sum2 = _over(x, p4, n, n - 1)
         sum3 = _over(x, p5, n, n - 1)
         sum4 = _over(x, p6, n, n - 1)
-        sum5 = _over(x, x, n, n - 1)
+        sum5 = 2.0 * _over(x, x, n, (n - 1) // 2)
+        sum5 += x[n // 2] ** 2 if n % 2 == 0 else 0.0
         p2[n] = sum5 + 2.0 * x[0] * x[n]
         p3[n] = sum0 + p2[0] * x[n] + p2[n] * x[0]
         p4[n] = sum1 + p3[0] * x[n] + p3[n] * x[0]

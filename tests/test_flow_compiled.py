@@ -267,11 +267,11 @@ def test_malformed_integers_are_refused(name: str) -> None:
     """No size, place or number of lanes leads beyond what there is."""
     bound = problem(name)
     code, nothing = np.frombuffer(encoded(bound.program), np.int32), np.empty(0)
-    pieces, cells = compiled._pieces(bound.tables(), LANES), bound.cells()
+    pieces, cells, widest = compiled._pieces(bound.tables(), LANES), bound.cells(), compiled.widest()
 
     def call(code: Any = code, tables: Any = pieces, begin: int = 0, end: int = LANES, times: Any = nothing,
              outputs: Any = nothing) -> None:  # fmt: skip
-        BINARY.integrate(code.tobytes(), tables, cells.copy(), begin, end, 2, times, outputs, nothing, 0, nothing)
+        BINARY.integrate(code.tobytes(), tables, cells.copy(), begin, end, 2, times, outputs, nothing, widest, nothing)
 
     call()
     malformed = [*MALFORMED.values()]
@@ -286,9 +286,9 @@ def test_malformed_integers_are_refused(name: str) -> None:
         changed[place] = value
         with pytest.raises(ValueError, match="do not fit"):
             call(changed)
-        assert BINARY.straight_line(changed.tobytes(), 0) == -1
+        assert BINARY.straight_line(changed.tobytes(), widest) == -1
     for length in range(len(code)):  # also within the sizes
-        assert BINARY.straight_line(code[:length].tobytes(), 0) == -1
+        assert BINARY.straight_line(code[:length].tobytes(), widest) == -1
     rng = np.random.default_rng(56)
     for _ in range(300):  # whatever it says, nothing outside is read
         changed = code.copy()

@@ -54,6 +54,7 @@ ENTRIES = {("LANES", x): entry for x, entry in _OF_LANES.items()}
 ENTRIES |= {("T", before + x): entry for before in ("", "before.") for x, entry in _OF_TABLE.items()}
 ENTRIES |= {
     ("Q", "is_rotation"): ("IS_ROTATION", "N"),
+    ("Q", "is_speed"): ("IS_SPEED", "N"),
     ("Q", "now"): ("NOW", "V"),
     ("Q", "series"): ("STATE", "S"),
     ("Q", "rate"): ("STATE", "S"),

@@ -34,6 +34,7 @@ FORMS = {
     "TABLE.degree": "job->table[{of}].degree",
     "NOW": "c[{of}->cell]",
     "IS_ROTATION": "({of}->series == job->role->x)",
+    "IS_SPEED": "({of}->series == job->role->omega)",
     "STATE": "(b->r + {of}->{x})",
     "inverse": "b->inverse[{x}]",
     "coefficients": "c[job->table[{of}].cell + Q1 + {x}]",

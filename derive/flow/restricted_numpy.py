@@ -33,6 +33,7 @@ FORMS = {
     "TABLE.series": "{s}.registers[{of}.register]",
     "NOW": "c[{of}.cell]",
     "IS_ROTATION": "({of}.register == {s}.roles.x)",
+    "IS_SPEED": "({of}.register == {s}.roles.omega)",
     "STATE.series": "{s}.registers[{of}.register]",
     "STATE.rate": "{s}.registers[{of}.rate]",
     "inverse": "(1.0 / ({x}))",

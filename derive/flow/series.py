@@ -12,11 +12,8 @@ from derive.flow.recurrences import CELLS, OPERATIONS, SCALAR, SERIES, SeriesOpe
 from derive.kinds import TextDict, Texts
 
 
-class _Target(NamedTuple):
-    """Notation of operations on series in a language: statements, zero, and sums, also of a series with itself.
-
-    Sums are empty in C, where `_loop` has them.
-    """
+class Target(NamedTuple):
+    """Notation of operations on series in a language: statements, zero, and sums, also of a series with itself."""
 
     language: Language
     zero: str
@@ -25,38 +22,47 @@ class _Target(NamedTuple):
     symmetric: str
 
 
-C = _Target(Language("vector", "const V {name} = {text};", repr), "(V){0}", ";", "", "")
-NUMPY = _Target(
+C = Target(Language("vector", "const V {name} = {text};", repr), "(V){0}", ";", *2 * ("const V {name} = {slot}[n];",))
+NUMPY = Target(
     Language("python", "{name} = {text}", repr, "np"),
     "0.0",
     "",
     "{name} = _over({a}, {b}, n, n - 1)",
     "{name} = 2.0 * _over({a}, {a}, n, (n - 1) // 2)\n{name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0",
 )
-# In C all sums of an operation are one loop, each in two parts. At even orders it also has the known terms of the next
-# order, so that coefficients are read once for two; these terms wait where the next coefficient of a result will be.
+# Sums in C: their terms that are known before an order. One loop at even orders also adds those of the next order, so
+# that coefficients are read once for two orders. The latest coefficients come last, so that the loop need not wait for
+# them. Until an operation needs a sum it is where the result will be.
 SUMS = """\
 if (n % 2 == 0) {{
-{first}
-    PAIRWISE({below}, {terms});
+{start}
+    for (int i = 2; 2 * i < n; i++) {{
+{terms}
+    }}
 {last}
-}} else if (n > 1) {{
+}} else {{
 {rest}
 }}"""
-DECLARED = "V {name} = {{0}};"
-FIRST = "V {name}_[2] = {{{a}[1] * {b}[n - 1]}}, {name}_next[2] = {{{{0}}}}, {name}_before = {b}[n - 1];"
-TERMS = (
-    "const V {name}_now = {b}[n - k]; {name}_[j] += {a}[k] * {name}_now; "
-    "{name}_next[j] += {a}[k] * {name}_before; {name}_before = {name}_now"
-)
-LAST = "{name} = {name}_[0] + {name}_[1];\n{slot}[n + 1] = {name}_next[0] + {name}_next[1];"
-REST = "{name} = {slot}[n] + {a}[1] * {b}[n - 1] + {a}[n - 1] * {b}[1];"
-LAST_OF_SQUARE = (
-    "const V middle = {a}[n / 2] * {a}[n / 2];\n"
-    "{name} = n > 2 ? 2.0 * ({name}_[0] + {name}_[1]) + middle : middle;\n"
-    "{slot}[n + 1] = n > 2 ? 2.0 * ({name}_next[0] + {name}_next[1] + {a}[n / 2] * {name}_before) : (V){{0}};"
-)
-REST_OF_SQUARE = "{name} = {slot}[n] + 2.0 * {a}[1] * {a}[n - 1];"
+OF_PRODUCT = {
+    "start": "V {name} = n > 2 ? {a}[2] * {b}[n - 2] : (V){{0}}, {name}_next = {{0}}, {name}_before = {b}[n - 2];",
+    "terms": """\
+{name}_next += {a}[2 * i - 1] * {name}_before; {name}_before = {b}[n - 2 * i + 1];
+{name} += {a}[2 * i - 1] * {name}_before; {name}_next += {a}[2 * i] * {name}_before;
+{name}_before = {b}[n - 2 * i]; {name} += {a}[2 * i] * {name}_before;""",
+    "last": """\
+{slot}[n] = n > 2 ? {name} + {a}[1] * {b}[n - 1] + {a}[n - 1] * {b}[1] : {a}[1] * {b}[1];
+{slot}[n + 1] = n > 2 ? {name}_next + {a}[2] * {b}[n - 1] + {a}[n - 1] * {b}[2] : (V){{0}};""",
+    "rest": "{slot}[n] = n > 1 ? {slot}[n] + {a}[1] * {b}[n - 1] + {a}[n - 1] * {b}[1] : (V){{0}};",
+}
+OF_SQUARE = {
+    "start": "V {name} = {{0}}, {name}_next = {{0}};",
+    "terms": """\
+const V {name}_now = {a}[n - i]; {name} += {a}[i] * {name}_now; {name}_next += {a}[i + 1] * {name}_now;""",
+    "last": """\
+{when}{slot}[n] = n > 2 ? {a}[n / 2] * {a}[n / 2] + 2.0 * ({name} + {a}[1] * {a}[n - 1]) : {a}[1] * {a}[1],
+    {slot}[n + 1] = n > 2 ? 2.0 * ({name}_next + {a}[2] * {a}[n - 1]) : (V){{0}};""",
+    "rest": "{when}{slot}[n] = n > 1 ? {slot}[n] + 2.0 * {a}[1] * {a}[n - 1] : (V){{0}};",
+}
 CASE = """\
     case {code}: {{ /* {means} */
 {names}
@@ -81,32 +87,40 @@ def _{code}(r: Floats, n: int, {parameters}) -> None:
 """
 
 
-class _Sum(NamedTuple):
-    """Sum of a[k] b[n - k] in an operation's step, and the result in which its terms of the next order wait."""
+class OneSum(NamedTuple):
+    """Sum of a[k] b[n - k] in an operation's step, its name, and the result in which its known terms wait."""
 
     total: Sum
     name: str
-    a: IndexedBase
-    b: IndexedBase
-    slot: IndexedBase
+    a: IndexedBase | str
+    b: IndexedBase | str
+    slot: IndexedBase | str
+    when: str = ""  # condition in C of using it
 
 
-def _sums(o: SeriesOperation) -> list[_Sum]:
+def sums_in(o: SeriesOperation) -> list[OneSum]:
     """Return the sums in the steps of an operation's results."""
     sums = []
     totals = {total for e in o.step for total in e.atoms(Sum)}
     for i, total in enumerate(sorted(totals, key=str)):
         at_k, at_rest = sorted(total.function.atoms(Indexed), key=lambda x: x.indices != (k,))
-        sums.append(_Sum(total, f"sum{i}", at_k.base, at_rest.base, o.results[i]))
+        sums.append(OneSum(total, f"sum{i}", at_k.base, at_rest.base, o.results[i]))
     return sums
 
 
-def _symmetric(sums: Sequence[_Sum]) -> bool:
-    """Return whether an operation has one sum, of a series with itself, of which half is computed."""
-    return len(sums) == 1 and sums[0].a == sums[0].b
+def known_terms(sums: Iterable[OneSum]) -> Texts:
+    """Return lines of C that compute the terms of sums which are known before order n, none without sums."""
+    parts: dict[str, Texts] = {part: [] for part in OF_PRODUCT}
+    for s in sums:
+        for part, form in (OF_SQUARE if s.a == s.b else OF_PRODUCT).items():
+            parts[part] += form.format(**s._asdict()).split("\n")
+    if not parts["start"]:
+        return []
+    texts = {part: indented(lines, 8 if part == "terms" else 4) for part, lines in parts.items()}
+    return SUMS.format(**texts).split("\n")
 
 
-def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ()) -> tuple[Texts, Texts]:
+def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[OneSum] = ()) -> tuple[Texts, Texts]:
     """Return statements in a language that compute the forms, and the text of each form.
 
     Coefficients of series are inputs by their text, 1/n is `by_n`, and ``sums`` are replaced by their names.
@@ -121,17 +135,16 @@ def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ())
     return statements(program("series", tuple(sorted(inputs)), *plain), language)
 
 
-def _body(o: SeriesOperation, target: _Target) -> tuple[Texts, Texts]:
+def body(o: SeriesOperation, target: Target) -> tuple[Texts, Texts]:
     """Return statements for order 0 and for order n. A result may be used by later results."""
     of_order_0 = {x: x[0] for x in o.arguments}
     start, texts = _texts([e.xreplace(of_order_0) for e in o.start], target.language)
     for x, e, text in zip(o.results, o.start, texts, strict=True):
         start.append(f"{x}[0] = {text if e else target.zero}{target.end}")
-    sums = _sums(o)
-    form = target.symmetric if _symmetric(sums) else target.sum
+    sums = sums_in(o)
     step = []
-    for s in sums if form else ():
-        step += form.format(**s._asdict()).split("\n")
+    for s in sums:
+        step += (target.symmetric if s.a == s.b else target.sum).format(**s._asdict()).split("\n")
     for x, e in zip(o.results, o.step, strict=True):
         lines, (text,) = _texts([e], target.language, sums)
         step += [*lines, f"{x}[n] = {text}{target.end}"]
@@ -143,23 +156,9 @@ def _means(o: SeriesOperation) -> str:
     return ", ".join(f"{x} = {m}" for x, m in zip(o.results, o.means, strict=True))
 
 
-def _indented(lines: Iterable[str], by: int) -> str:
+def indented(lines: Iterable[str], by: int) -> str:
     """Return lines as one text, each indented by this number of blanks."""
     return "\n".join(" " * by + x for x in lines)
-
-
-def _loop(sums: Sequence[_Sum]) -> Texts:
-    """Return the lines of C with the loop of all sums of an operation, none without sums."""
-    if not sums:
-        return []
-    below, last, rest = ("n / 2", LAST_OF_SQUARE, REST_OF_SQUARE) if _symmetric(sums) else ("n", LAST, REST)
-
-    def lines(form: str) -> Texts:
-        return [line for s in sums for line in form.format(**s._asdict()).split("\n")]
-
-    texts = {part: _indented(lines(form), 4) for part, form in (("first", FIRST), ("last", last), ("rest", rest))}
-    loop = SUMS.format(below=below, terms="; ".join(lines(TERMS)), **texts)
-    return [*lines(DECLARED), *loop.split("\n")]
 
 
 def _c_case(o: SeriesOperation) -> str:
@@ -168,13 +167,13 @@ def _c_case(o: SeriesOperation) -> str:
     places = {x: i for i, x in enumerate(operands, 1)}
     names = [f"V *restrict {x} = r + at[{places[x]}];" for x in o.results]
     names += [f"const V *{x} = r + at[{places[x]}];" for x in o.arguments]
-    start, step = _body(o, C)
+    start, step = body(o, C)
     return CASE.format(
         code=o.name.upper(),
         means=_means(o),
-        names=_indented(names, 8),
-        start=_indented(start, 12),
-        step=_indented([*_loop(_sums(o)), *step], 12),
+        names=indented(names, 8),
+        start=indented(start, 12),
+        step=indented([*known_terms(sums_in(o)), *step], 12),
         following=len(places) + 1,
     )
 
@@ -205,15 +204,15 @@ def c_operations() -> TextDict:
 def _numpy_function(o: SeriesOperation) -> str:
     """Return the source of the NumPy function that performs an operation on series."""
     series = [*map(str, (*o.results, *o.arguments))]
-    start, step = _body(o, NUMPY)
+    start, step = body(o, NUMPY)
     names = [f"{', '.join(series)} = {', '.join(f'r[{x}_]' for x in series)}"]
     return FUNCTION.format(
         code=o.name,
         parameters=", ".join(f"{x}_: int" for x in series),
         means=_means(o),
-        names=_indented(names, 4),
-        start=_indented(start, 8),
-        step=_indented(step, 8).replace("by_n", "(1.0 / n)"),
+        names=indented(names, 4),
+        start=indented(start, 8),
+        step=indented(step, 8).replace("by_n", "(1.0 / n)"),
     )
 
 

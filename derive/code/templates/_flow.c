@@ -64,9 +64,9 @@ typedef struct {
 static const unsigned char arguments[] = { @ARGUMENTS@ };
 #if !defined(LEVEL) || defined(__wasm__)
 #ifndef __wasm__
-/* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
- * are operations that rates need. */
-static const struct { int rates, length; const int32_t *operations; } patterns[] = {
+/* Programs with functions of their own: their operations on series and their states, CELL where any cell may be, and where
+ * the operations that rates need, all operations, and the states end. */
+static const struct { int rates, later, length; const int32_t *operations; } patterns[] = {
 @PATTERNS@
 };
 
@@ -75,7 +75,8 @@ static int straight_of(const Job *job)
     const int32_t *const own = job->series;
     for (int k = 0; k < (int)(sizeof patterns / sizeof *patterns); k++) {
         const int32_t *const known = patterns[k].operations;
-        int same = patterns[k].rates == job->series_end - own && patterns[k].length == job->later_end - own;
+        int same = patterns[k].rates == job->series_end - own && patterns[k].later == job->later_end - own &&
+                   patterns[k].length == patterns[k].later + 3 * job->states;
         for (int i = 0; same && i < patterns[k].length; i++) same = known[i] == CELL || known[i] == own[i];
         if (same) return k;
     }
@@ -660,11 +661,6 @@ INLINE V sqrt_of(V x)
 #define vector_map(f, x) f##_of(x)
 #define vector_choose pick
 
-/* What is added at each k from 2 to below another, by turns into parts j = 0 and 1 that do not wait for each other. */
-#define PAIRWISE(below, add) do { int k = 2; \
-    while (k + 1 < (below)) { { const int j = 0; add; } k++; { const int j = 1; add; } k++; } \
-    if (k < (below)) { const int j = 0; add; } } while (0)
-
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
  * code, its results and its arguments; a sum is its code, how many terms, its result, their registers, the cell of its
  * constant and those of the factors. What is read off a table is there already.
@@ -713,23 +709,11 @@ INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const do
 
 #ifndef SMALL
 #define HAS_STRAIGHT
-#define OPERATION(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
-/* Orders of what rates need, and of the others; order 0 apart, so that no operation asks which it is. */
-#define EACH_ORDER(k) \
-    static void orders_##k(const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse, \
-                           int squares, const State *q, const State *q_end) \
-    { \
-        if (n == 0) rates_##k(own, r, c, 0, 0.0, squares), advance_to(r, q, q_end, n++, inverse); \
-        for (; n < behind; n++) rates_##k(own, r, c, n, inverse[n], squares), advance_to(r, q, q_end, n, inverse); \
-    } \
-    static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
-    { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
+#define ORDERS const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse, int squares, \
+               int moves
+#define LATER const int32_t *own, V *restrict r, const V *restrict c, int top
 @STRAIGHT@
-static const struct {
-    void (*orders)(const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse,
-                   int squares, const State *q, const State *q_end);
-    void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
-} straight[] = {
+static const struct { void (*orders)(ORDERS); void (*later)(LATER); } straight[] = {
 @STRAIGHT_ROWS@
 };
 const Traits NAMED(flow_traits, LEVEL) = {LANES, 1};
@@ -746,7 +730,7 @@ INLINE void operate(const Batch *b, int n, int behind, int by_rotation, int move
     const State *const q = job->state, *const q_end = q + (moves ? job->states : 0);
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
-        straight[job->straight].orders(job->series, b->r, b->c, n, behind, b->inverse, !given, q, q_end);
+        straight[job->straight].orders(job->series, b->r, b->c, n, behind, b->inverse, !given, moves);
         return;
     }
 #endif
@@ -763,7 +747,7 @@ INLINE void operate_later(const Batch *b, int n)
     const Job *const job = b->job;
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
-        straight[job->straight].later(job->series, b->r, b->c, n, b->inverse);
+        straight[job->straight].later(job->series, b->r, b->c, n);
         return;
     }
 #endif

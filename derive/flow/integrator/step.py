@@ -18,6 +18,7 @@ from derive.flow.integrator.one_lane import (
     V,
     any_lane,
     breaks_at,
+    down,
     minimum,
     new_series,
     none_of,
@@ -28,15 +29,7 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import advance_origin, face, keep_faster, note_lift_off, update_reach
-from derive.flow.integrator.roots import (
-    crossing,
-    falling_root,
-    first_root,
-    increment,
-    margin_of,
-    value,
-    value_and_slope,
-)
+from derive.flow.integrator.roots import crossing, falling_root, first_root, increment, margin_of, value
 from derive.flow.integrator.series import elapsed, expand, longest_step, per_time, variable_at
 from derive.flow.integrator.tables import end_of_piece, next_break, pass_breaks
 
@@ -157,11 +150,13 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
     """
     omega = s.series.omega
     net = s.series.net
-    last, slope = value_and_slope(omega, top, s.step)
+    last = value(omega, top, s.step)
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest and (decelerates or (net[0] == 0.0 and net[1] <= 0.0))
-    dips = decelerates and slope > 0.0
+    dips = decelerates
+    if any_lane(decelerates):
+        dips = decelerates and value(net, top - 1, s.step) > 0.0
     asked = here and (last <= 0.0 or dips or falls_from_rest)
     if any_lane(asked):
         e = new_series()
@@ -244,10 +239,12 @@ def choose_step(s: Lanes, here: M, top: N) -> None:
         s.step = where(complete, minimum(step, s.step), s.step)
 
 
-def advance_states(s: Lanes, here: M, top: N) -> None:
-    """Advance the states and the functions of time by the step."""
+def advance_further(s: Lanes, here: M, top: N) -> None:
+    """Advance the states besides rotation and speed, and the functions of time, by the step."""
     for q in s.states:
-        q.now = q.now + increment(q.series, top, s.step)
+        further: N = not (q.is_rotation or q.is_speed)
+        if further:
+            q.now = q.now + increment(q.series, top, s.step)
     for t in s.tables:
         if t.kind == Kind.TIME:
             t.inc = t.inc + increment(t.series, top, s.step)
@@ -306,12 +303,24 @@ def make_step(s: Lanes, here: M) -> None:
         find_endless(s, here, room)
     step = s.step
     net = s.series.net
-    rate, slope = value_and_slope(net, top - 1, step)
+    omega = s.series.omega
+    x = s.series.x
+    rate: V = 0.0  # four polynomials side by side, which do not wait for each other
+    slope: V = 0.0
+    faster: V = 0.0
+    farther: V = 0.0
+    for k in down(top - 1, 0):
+        slope = slope * step + rate
+        rate = rate * step + net[k]
+        faster = faster * step + omega[k + 1]
+        farther = farther * step + x[k + 1]
     keep_peak(s, here, top, rate, slope)
     time = s.time + elapsed(s, top, step)
     until = where(s.event == Event.LIMIT, limit, time)
     if s.samples:
         read_samples(s, here, s.time, until, 1, top)
-    advance_states(s, here, top)
+    s.omega = s.omega + step * faster
+    s.x = s.x + step * farther
+    advance_further(s, here, top)
     rate = per_time(s, rate, s.omega)
     arrive(s, here, until, rate)
