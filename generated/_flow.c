@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "8491d1935a3114b6d59082c237279e3e6a43d67c5d215eac12b313ec04bf1ef1"
+#define DIGEST "6c5056c18ce3c7d25d79c83e1f568527bfcbfef713c81b5b944c76688ddc01ac"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -5960,8 +5960,12 @@ static int expand(Batch *b, V room, M which, int at_rest)
         operate(b, 0, top, 0, 1);
         n = top;
     }
+    int computed = 0;
     while (n < top) {
-        operate(b, n, n + 1, 0, !at_rest);
+        if (n == computed) {
+            computed = (n + 2) < top ? (n + 2) : top;
+            operate(b, n, computed, 0, !at_rest);
+        }
         M counts = next_term_counts(b, at_rest ? n : (n + 1), power, at_rest);
         power = power * room;
         in_a_row = pick(counts, broadcast(0.0), in_a_row + 1.0);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 199f1926a83b3251a50953918c678945a327642bb285cb473e1bc05926317266
+# sha256 of the text below: 2254286a9b10d829ac6b729aa8dd94f94eeda8546b0a158106e48158d66cb164
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -974,8 +974,11 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
     if not s.timed:
         operate(s, 0, top, False, True)
         n = top
+    computed = 0
     while n < top:
-        operate(s, n, n + 1, False, not at_rest)
+        if n == computed:
+            computed = min(n + 2, top)
+            operate(s, n, computed, False, not at_rest)
         counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
         power = power * room
         in_a_row = np.where(counts, 0.0, in_a_row + 1.0)

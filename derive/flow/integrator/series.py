@@ -175,8 +175,11 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
     if not s.timed:
         operate(s, 0, top, False, True)
         n = top
+    computed: N = 0
     while n < top:
-        operate(s, n, n + 1, False, not at_rest)
+        if n == computed:
+            computed = minimum(n + 2, top)  # of two orders the first one computes sums of both
+            operate(s, n, computed, False, not at_rest)
         counts = next_term_counts(s, n if at_rest else n + 1, power, at_rest)
         power = power * room
         in_a_row = where(counts, 0.0, in_a_row + 1.0)
