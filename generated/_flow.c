@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "6c5056c18ce3c7d25d79c83e1f568527bfcbfef713c81b5b944c76688ddc01ac"
+#define DIGEST "c65b1a2b50c07fe63cdc388b18bc4f9469c1fac1949a5dbe7ad33419384de010"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -661,20 +661,14 @@ APART V exponential(V x, V *whole)
     const M n = (M)k;
     k -= TO_INTEGER;
     const V r = (y - k * 0x1.62e42ffp-1) + k * 0x1.718432a1b0e26p-35;
-    V p = broadcast(1 / 87178291200.0);
-    p = p * r + 1 / 6227020800.0;
-    p = p * r + 1 / 479001600.0;
-    p = p * r + 1 / 39916800.0;
-    p = p * r + 1 / 3628800.0;
-    p = p * r + 1 / 362880.0;
-    p = p * r + 1 / 40320.0;
-    p = p * r + 1 / 5040.0;
-    p = p * r + 1 / 720.0;
-    p = p * r + 1 / 120.0;
-    p = p * r + 1 / 24.0;
-    p = p * r + 1 / 6.0;
-    p = p * r + 0.5;
-    p = r + r * r * p;
+    const V square = r * r; /* even and odd powers do not wait for each other */
+    V p = broadcast(1 / 87178291200.0), odd = broadcast(1 / 6227020800.0);
+    p = p * square + 1 / 479001600.0, odd = odd * square + 1 / 39916800.0;
+    p = p * square + 1 / 3628800.0, odd = odd * square + 1 / 362880.0;
+    p = p * square + 1 / 40320.0, odd = odd * square + 1 / 5040.0;
+    p = p * square + 1 / 720.0, odd = odd * square + 1 / 120.0;
+    p = p * square + 1 / 24.0, odd = odd * square + 1 / 6.0;
+    p = r + square * (p * square + 0.5 + r * odd);
     const V power = (V)((n << 52) + INT64_C(0x3ff0000000000000)); /* 2^k: the bits of TO_INTEGER are shifted out */
     const V over = pick(x > 709.5, broadcast(INFINITY), broadcast(0.0));
     *whole = power + power * p + over;
@@ -7647,17 +7641,20 @@ static Pair turned(V x)
 }
 
 /* Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice. */
-INLINE V faded(V y)
+static V faded(V y)
 {
     V h = 0.25 * y;
-    V part = broadcast(FADING[2 * LAST]);
-    for (int k = (2 * LAST) - 1; k >= 0; k--) {
-        part = (part * h) + FADING[k];
+    V square = h * h;
+    V even = broadcast(FADING[2 * LAST]);
+    V odd = broadcast(FADING[(2 * LAST) - 1]);
+    for (int k = LAST - 1; k >= 1; k--) {
+        even = (even * square) + FADING[2 * k];
+        odd = (odd * square) + FADING[(2 * k) - 1];
     }
+    V part = (FADING[0] + (h * odd)) + (square * even);
     for (int _ = 1; _ <= 2; _++) {
         V lost = 1.0 - (h * part);
-        V square = lost * lost;
-        part = (0.5 * part) + (0.25 * square);
+        part = (0.5 * part) + ((0.25 * lost) * lost);
         h = 2.0 * h;
     }
     return part;
@@ -7902,11 +7899,11 @@ static V softening_energy(V *e, V *f)
     for (int j = TERMS; j >= 1; j--) {
         above = (above * first) + e[CONSTANT + j];
         constant = (constant * left) + above;
-        of_sine = (of_sine + e[SINE + j]) * left;
-        of_vers = (of_vers + e[VERS + j]) * left;
+        of_sine = (of_sine * left) + e[SINE + j];
+        of_vers = (of_vers * left) + e[VERS + j];
     }
     V sine = f[0] - f[3];
-    V turned_part = (of_vers * f[2]) - (of_sine * sine);
+    V turned_part = left * ((of_vers * f[2]) - (of_sine * sine));
     V terms = (f[4] * constant) + turned_part;
     V shift = e[SHIFT] * left;
     V grown = broadcast(0.0);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2254286a9b10d829ac6b729aa8dd94f94eeda8546b0a158106e48158d66cb164
+# sha256 of the text below: eaae4913f17fd18cd60861ac318051a6ba3df0b96b45e9f003d40f1fdd114f7c
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2430,13 +2430,16 @@ def turned(x: Floats) -> tuple[Floats, Floats]:
 def faded(y: Floats) -> Floats:
     """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
     h = 0.25 * y
-    part: Floats = FADING[2 * LAST]
-    for k in range(2 * LAST - 1, 0 - 1, -1):
-        part = part * h + FADING[k]
+    square = h * h
+    even: Floats = FADING[2 * LAST]
+    odd: Floats = FADING[2 * LAST - 1]
+    for k in range(LAST - 1, 1 - 1, -1):
+        even = even * square + FADING[2 * k]
+        odd = odd * square + FADING[2 * k - 1]
+    part = FADING[0] + h * odd + square * even
     for _ in range(1, 2 + 1):
         lost = 1.0 - h * part
-        square = lost * lost
-        part = 0.5 * part + 0.25 * square
+        part = 0.5 * part + 0.25 * lost * lost
         h = 2.0 * h
     return part
 
@@ -2646,10 +2649,10 @@ def softening_energy(e: Floats, f: Floats) -> Floats:
     for j in range(TERMS, 1 - 1, -1):
         above = above * first + e[CONSTANT + j]
         constant = constant * left + above
-        of_sine = (of_sine + e[SINE + j]) * left
-        of_vers = (of_vers + e[VERS + j]) * left
+        of_sine = of_sine * left + e[SINE + j]
+        of_vers = of_vers * left + e[VERS + j]
     sine = f[0] - f[3]
-    turned_part = of_vers * f[2] - of_sine * sine
+    turned_part = left * (of_vers * f[2] - of_sine * sine)
     terms = f[4] * constant + turned_part
     shift = e[SHIFT] * left
     grown: Floats = 0.0

@@ -596,20 +596,14 @@ APART V exponential(V x, V *whole)
     const M n = (M)k;
     k -= TO_INTEGER;
     const V r = (y - k * 0x1.62e42ffp-1) + k * 0x1.718432a1b0e26p-35;
-    V p = broadcast(1 / 87178291200.0);
-    p = p * r + 1 / 6227020800.0;
-    p = p * r + 1 / 479001600.0;
-    p = p * r + 1 / 39916800.0;
-    p = p * r + 1 / 3628800.0;
-    p = p * r + 1 / 362880.0;
-    p = p * r + 1 / 40320.0;
-    p = p * r + 1 / 5040.0;
-    p = p * r + 1 / 720.0;
-    p = p * r + 1 / 120.0;
-    p = p * r + 1 / 24.0;
-    p = p * r + 1 / 6.0;
-    p = p * r + 0.5;
-    p = r + r * r * p;
+    const V square = r * r; /* even and odd powers do not wait for each other */
+    V p = broadcast(1 / 87178291200.0), odd = broadcast(1 / 6227020800.0);
+    p = p * square + 1 / 479001600.0, odd = odd * square + 1 / 39916800.0;
+    p = p * square + 1 / 3628800.0, odd = odd * square + 1 / 362880.0;
+    p = p * square + 1 / 40320.0, odd = odd * square + 1 / 5040.0;
+    p = p * square + 1 / 720.0, odd = odd * square + 1 / 120.0;
+    p = p * square + 1 / 24.0, odd = odd * square + 1 / 6.0;
+    p = r + square * (p * square + 0.5 + r * odd);
     const V power = (V)((n << 52) + INT64_C(0x3ff0000000000000)); /* 2^k: the bits of TO_INTEGER are shifted out */
     const V over = pick(x > 709.5, broadcast(INFINITY), broadcast(0.0));
     *whole = power + power * p + over;

@@ -43,13 +43,16 @@ def turned(x: V) -> tuple[V, V]:
 def faded(y: V) -> V:
     """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
     h = 0.25 * y
-    part: V = FADING[2 * LAST]
-    for k in down(2 * LAST - 1, 0):
-        part = part * h + FADING[k]
+    square = h * h
+    even: V = FADING[2 * LAST]
+    odd: V = FADING[2 * LAST - 1]
+    for k in down(LAST - 1, 1):
+        even = even * square + FADING[2 * k]
+        odd = odd * square + FADING[2 * k - 1]
+    part = (FADING[0] + h * odd) + square * even
     for _ in up(1, 2):
         lost = 1.0 - h * part
-        square = lost * lost
-        part = 0.5 * part + 0.25 * square
+        part = 0.5 * part + 0.25 * lost * lost
         h = 2.0 * h
     return part
 

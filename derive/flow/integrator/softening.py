@@ -150,10 +150,10 @@ def softening_energy(e: S, f: S) -> V:
     for j in down(TERMS, 1):
         above = above * first + e[CONSTANT + j]
         constant = constant * left + above
-        of_sine = (of_sine + e[SINE + j]) * left
-        of_vers = (of_vers + e[VERS + j]) * left
+        of_sine = of_sine * left + e[SINE + j]
+        of_vers = of_vers * left + e[VERS + j]
     sine = f[0] - f[3]
-    turned_part = of_vers * f[2] - of_sine * sine
+    turned_part = left * (of_vers * f[2] - of_sine * sine)
     terms = f[4] * constant + turned_part
     shift = e[SHIFT] * left
     grown: V = 0.0
