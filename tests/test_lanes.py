@@ -131,3 +131,14 @@ def test_statics_of_many_lanes_are_those_of_each() -> None:
         one = solve(replace(vaiont, friction=float(friction[lane])))
         for name in ("factor_of_safety", "yield_coefficient", "limit_friction", "friction"):
             assert getattr(many, name)[lane] == pytest.approx(getattr(one, name), rel=1e-14), (name, lane)
+
+
+def test_the_last_lane_of_many_is_solved_like_all_others() -> None:
+    """It would be alone in its block, and lanes alone are solved to rounding."""
+    peak: Any = np.linspace(0.1, 0.3, BLOCK + 1)
+    law: dict[str, Any] = {"law": "rate_weakening", "residual": 0.1, "velocity": 1.0}
+    vaiont = load_scene("vaiont")
+    many, few = (
+        np.asarray(solve(replace(vaiont, friction={**law, "peak": x}), 1e-3).run_out) for x in (peak, peak[-3:])
+    )
+    assert np.array_equal(many[-3:], few)

@@ -82,8 +82,9 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
         return Motion(chosen, final.reshape(RESULTS, *scene.shape), invalid, problem)
     final = np.empty((RESULTS, lanes))
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
-    for first in range(0, lanes, BLOCK):
-        which = slice(first, first + BLOCK)
+    block = BLOCK - (lanes % BLOCK == 1)  # one lane alone would be solved as a single scene
+    for first in range(0, lanes, block):
+        which = slice(first, first + block)
         part = lazy_import("parameters").lanes_of(scene, which, flat=True)
         cells = integrate_problem(problem_of(replace(chosen, scene=part), every_invalid[which]))
         final[:, which] = cells[:RESULTS]
