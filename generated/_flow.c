@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c65b1a2b50c07fe63cdc388b18bc4f9469c1fac1949a5dbe7ad33419384de010"
+#define DIGEST "75ab47015650dcc67a5d780000b094452ca1e2a4dfb58de6bae4a92672da0417"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -587,10 +587,36 @@ typedef struct { V one, other; } Pair;
 
 /* --- vectors and functions of them --- */
 
-INLINE V pick(M m, V a, V b) { return (V)(((M)a & m) | ((M)b & ~m)); }
+INLINE V pick(M m, V a, V b)
+{
+#if SPAN == 256
+    return (V)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)m);
+#else
+    return (V)(((M)a & m) | ((M)b & ~m));
+#endif
+}
 INLINE V magnitude(V x) { return (V)((M)x & INT64_MAX); }
-INLINE V minimum(V a, V b) { return pick(a < b, a, b); }
-INLINE V maximum(V a, V b) { return pick(a > b, a, b); }
+/* The lesser and the greater number, b if one is not a number. */
+INLINE V minimum(V a, V b)
+{
+#if WIDE == 512
+    return (V)_mm512_min_pd((__m512d)a, (__m512d)b);
+#elif SPAN == 256
+    return (V)_mm256_min_pd((__m256d)a, (__m256d)b);
+#else
+    return pick(a < b, a, b);
+#endif
+}
+INLINE V maximum(V a, V b)
+{
+#if WIDE == 512
+    return (V)_mm512_max_pd((__m512d)a, (__m512d)b);
+#elif SPAN == 256
+    return (V)_mm256_max_pd((__m256d)a, (__m256d)b);
+#else
+    return pick(a > b, a, b);
+#endif
+}
 INLINE V broadcast(double x)
 {
     return x - (V){0}; /* one instruction, which a loop over lanes is not with all compilers */
