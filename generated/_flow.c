@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "75ab47015650dcc67a5d780000b094452ca1e2a4dfb58de6bae4a92672da0417"
+#define DIGEST "d118f05b5ec967d21673bad9d2daec6c98553ba0e9d40fd271e08006a55de14e"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -8057,9 +8057,10 @@ static V time_of_part(Batch *b, V *e, V end, V unit, V bend, int part, int close
     return pick(accurate, time, broadcast(INFINITY));
 }
 
-/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. Error estimates
- * change the factor of a lane, and with it the rules, which they so compare. */
-static Pair duration_of_softening(Batch *b, V *e, V end, V peak, int closer)
+/* Return the times from rest to the greatest speed and to the end, infinite if they are uncertain. ``f`` has the
+ * functions of E at the end. Error estimates change the factor of a lane, and with it the rules, which they so
+ * compare. */
+static Pair duration_of_softening(Batch *b, V *e, V *f, V end, V peak, int closer)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -8077,9 +8078,7 @@ static Pair duration_of_softening(Batch *b, V *e, V end, V peak, int closer)
         to_end = pick(complete, to_end, broadcast(INFINITY));
     }
     V before = time_of_part(b, e, to_end, unit, bend, 0, closer);
-    V f[STRIDE];
     V back[STRIDE];
-    softening_functions(b, e, f, end);
     factors_about_end(b, back, e, f);
     V after = time_of_part(b, back, to_end, 1.0 / unit, change - 1.0, 1, closer);
     return (Pair){before, (before + after)};
@@ -8359,17 +8358,17 @@ static V duration_of_swing(V *e, V *back, V end, V *w, M which)
 }
 
 /* Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
- * ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there. */
-static void rest(Batch *b, M here, V *back, V *f)
+ * ``rate`` is the net moment in the direction in which they arrived, ``lost`` the resistance that friction has
+ * lost, and ``f`` has the functions of E at the end of the phase. */
+INLINE void rest(Batch *b, M here, V rate, V lost, V *f)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     if (!bits(here)) return;
     V force = force_at(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
-    V resistance = c[job->role->resisting] + (c[job->role->mu] * force);
-    V rate = (-0.5) * back[0];
+    V resistance = (c[job->role->resisting] + (c[job->role->mu] * force)) - lost;
     V driving = rate + resistance;
-    V terms = magnitude(driving) + resistance;
+    V terms = (magnitude(driving) + resistance) + magnitude(lost);
     V excess = driving + resistance;
     M free = (c[ONE_WAY] == 0.0) & (c[FIRST_ONLY] == 0.0);
     M clear = excess > (CLEAR * terms);
@@ -8377,6 +8376,17 @@ static void rest(Batch *b, M here, V *back, V *f)
     V margin = excess / (EPS * terms);
     c[CLOSE] = pick(here, minimum(c[CLOSE], margin), c[CLOSE]);
     stick(b, here);
+}
+
+/* Let masses stick at the end of a phase in which friction has softened, if they clearly do not turn back. */
+INLINE void rest_softened(Batch *b, M here, V *f)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    if (!bits(here)) return;
+    V lost = f[4] * force_at(c[job->role->net_loss], c[job->role->net_loss_sine], c[job->role->net_loss_vers], f);
+    V rate = lost + force_at(c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], f);
+    rest(b, here, rate, lost, f);
 }
 
 /* Record the greatest speed, which lanes reach after the time ``before``. ``f`` is that of `peak_of_swing`, which
@@ -8440,7 +8450,7 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V *at_peak, V end
     }
     pass_peak(b, rests | (ends & ((c[TIME] + before) < c[END_TIME])), at_peak, peak, before);
     finish(b, rests, end, duration);
-    rest(b, rests, back, f);
+    rest(b, rests, (-0.5) * back[0], broadcast(0.0), f);
     end_within(b, ends, e, back, w, end);
     return rests | ends;
 }
@@ -8457,11 +8467,13 @@ static M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
         return fits;
     }
     int fine = job->order > FINEST;
-    const Pair before_duration = duration_of_softening(b, e, end, peak, fine);
+    V f[STRIDE];
+    softening_functions(b, e, f, end);
+    const Pair before_duration = duration_of_softening(b, e, f, end, peak, fine);
     V before = before_duration.one, duration = before_duration.other;
     M unsure = fits & (duration == INFINITY);
     if (!fine && bits(unsure)) {
-        const Pair sooner_sure = duration_of_softening(b, e, end, peak, 1);
+        const Pair sooner_sure = duration_of_softening(b, e, f, end, peak, 1);
         V sooner = sooner_sure.one, sure = sooner_sure.other;
         before = pick(unsure, sooner, before);
         duration = pick(unsure, sure, duration);
@@ -8469,6 +8481,7 @@ static M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
     fits = fits & ((c[TIME] + duration) < c[END_TIME]);
     pass_peak(b, fits, at_peak, peak, before);
     finish(b, fits, end, duration);
+    rest_softened(b, fits, f);
     return fits;
 }
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: eaae4913f17fd18cd60861ac318051a6ba3df0b96b45e9f003d40f1fdd114f7c
+# sha256 of the text below: 7b47c2d62aa3ae642c110c476e0e226c00b07642ce64b4f286bed6c6dffc6206
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -2756,7 +2756,8 @@ def time_of_part(s: Lanes, e: Floats, end: Floats, unit: Floats, bend: Floats, p
     return np.where(accurate, time, INFINITY)
 
 
-def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats, closer: int) -> tuple[Floats, Floats]:
+def duration_of_softening(s: Lanes, e: Floats, f: Floats, end: Floats, peak: Floats, closer: int) -> tuple[Floats,
+        Floats]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain."""
     c = s.cells
     to_peak = passed_to(s, peak)
@@ -2772,9 +2773,7 @@ def duration_of_softening(s: Lanes, e: Floats, end: Floats, peak: Floats, closer
         complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
         to_end = np.where(complete, to_end, INFINITY)
     before = time_of_part(s, e, to_end, unit, bend, 0, closer)
-    f = np.zeros((ix.STRIDE, e.shape[1]))
     back = np.zeros((ix.STRIDE, e.shape[1]))
-    softening_functions(s, e, f, end)
     factors_about_end(s, back, e, f)
     after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1, closer)
     return (before, before + after)
@@ -3015,16 +3014,15 @@ def duration_of_swing(e: Floats, back: Floats, end: Floats, w: Floats, which: Ma
     return np.where(unsure, INFINITY, PI * w[0])
 
 
-def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
+def rest(s: Lanes, here: Mask, rate: Floats, lost: Floats, f: Floats) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back."""
     c = s.cells
     if not np.any(here):
         return
     force = force_at(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
-    resistance = c[s.roles.resisting] + c[s.roles.mu] * force
-    rate = -0.5 * back[0]
+    resistance = c[s.roles.resisting] + c[s.roles.mu] * force - lost
     driving = rate + resistance
-    terms = np.abs(driving) + resistance
+    terms = np.abs(driving) + resistance + np.abs(lost)
     excess = driving + resistance
     free = (c[ix.ONE_WAY] == 0.0) & (c[ix.FIRST_ONLY] == 0.0)
     clear = excess > CLEAR * terms
@@ -3032,6 +3030,16 @@ def rest(s: Lanes, here: Mask, back: Floats, f: Floats) -> None:
     margin = excess / (EPS * terms)
     c[ix.CLOSE] = np.where(here, np.minimum(c[ix.CLOSE], margin), c[ix.CLOSE])
     stick(s, here)
+
+
+def rest_softened(s: Lanes, here: Mask, f: Floats) -> None:
+    """Let masses stick at the end of a phase in which friction has softened, if they clearly do not turn back."""
+    c = s.cells
+    if not np.any(here):
+        return
+    lost = f[4] * force_at(c[s.roles.net_loss], c[s.roles.net_loss_sine], c[s.roles.net_loss_vers], f)
+    rate = lost + force_at(c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], f)
+    rest(s, here, rate, lost, f)
 
 
 def pass_peak(s: Lanes, here: Mask, f: Floats, peak: Floats, before: Floats) -> None:
@@ -3091,7 +3099,7 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, at_
         keep_samples(s, rests | ends, e, back, w, end, until)
     pass_peak(s, rests | ends & (c[ix.TIME] + before < c[ix.END_TIME]), at_peak, peak, before)
     finish(s, rests, end, duration)
-    rest(s, rests, back, f)
+    rest(s, rests, -0.5 * back[0], 0.0, f)
     end_within(s, ends, e, back, w, end)
     return rests | ends
 
@@ -3104,15 +3112,18 @@ def complete_softening(s: Lanes, fits: Mask, e: Floats, at_peak: Floats, end: Fl
     if not np.any(fits):
         return fits
     fine = s.highest > FINEST
-    before, duration = duration_of_softening(s, e, end, peak, fine)
+    f = np.zeros((ix.STRIDE, e.shape[1]))
+    softening_functions(s, e, f, end)
+    before, duration = duration_of_softening(s, e, f, end, peak, fine)
     unsure = fits & (duration == INFINITY)
     if not fine and np.any(unsure):
-        sooner, sure = duration_of_softening(s, e, end, peak, 1)
+        sooner, sure = duration_of_softening(s, e, f, end, peak, 1)
         before = np.where(unsure, sooner, before)
         duration = np.where(unsure, sure, duration)
     fits = fits & (c[ix.TIME] + duration < c[ix.END_TIME])
     pass_peak(s, fits, at_peak, peak, before)
     finish(s, fits, end, duration)
+    rest_softened(s, fits, f)
     return fits
 
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 91c66fca45c34de8ea8e9f334d6745a667e801a1e9f58774916fd30a033843db
+# sha256 of the text below: 7c4659499aeefbc4dba6dc9dfdb230f1a5f5f4943e628ebb88b52d429d25e674
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "75ab47015650dcc67a5d780000b094452ca1e2a4dfb58de6bae4a92672da0417"  # of the compiled integrator's source
+DIGEST = "d118f05b5ec967d21673bad9d2daec6c98553ba0e9d40fd271e08006a55de14e"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

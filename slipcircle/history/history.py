@@ -131,7 +131,7 @@ class History:
 
     def _dimensionless(self, flat_times: Floats) -> Floats:
         """Return times in s, one-dimensional, divided by the time scale of each lane, (times, lanes)."""
-        return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).reshape(-1)
+        return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).ravel()
 
     def _read(self, problem: Problem, flat_times: Floats) -> Floats:
         """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes).

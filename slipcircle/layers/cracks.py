@@ -47,7 +47,7 @@ class CrackedSection(Section):
     def _lowered_ground(self) -> Floats:
         """Ground relative to the centre, over R, lowered by the depth of the crack, (lanes, V, 2)."""
         ground, centre, radius = self._uncracked._circle
-        depth = np.broadcast_to(self.crack, self.shape).reshape(-1)
+        depth = np.broadcast_to(self.crack, self.shape).ravel()
         down = np.stack([np.zeros_like(depth), depth], axis=1)
         return (ground - down[:, None] - centre[:, None]) / radius[:, None, None]
 

@@ -263,9 +263,10 @@ def time_of_part(s: Lanes, e: S, end: V, unit: V, bend: V, part: N, closer: N) -
     return where(accurate, time, INFINITY)
 
 
-def duration_of_softening(s: Lanes, e: S, end: V, peak: V, closer: N) -> tuple[V, V]:
+def duration_of_softening(s: Lanes, e: S, f: S, end: V, peak: V, closer: N) -> tuple[V, V]:
     """Return the times from rest to the greatest speed and to the end, infinite if they are uncertain.
 
+    ``f`` has the functions of E at the end.
     Error estimates change the factor of a lane, and with it the rules, which they so compare.
     """
     to_peak = passed_to(s, peak)
@@ -281,9 +282,7 @@ def duration_of_softening(s: Lanes, e: S, end: V, peak: V, closer: N) -> tuple[V
         complete = (1.0 + e[4] * e[4]) * (reach * reach) < COMPLETE
         to_end = where(complete, to_end, INFINITY)
     before = time_of_part(s, e, to_end, unit, bend, 0, closer)
-    f = new_series()
     back = new_series()
-    softening_functions(s, e, f, end)
     factors_about_end(s, back, e, f)
     after = time_of_part(s, back, to_end, 1.0 / unit, change - 1.0, 1, closer)
     return before, before + after

@@ -31,7 +31,13 @@ from derive.flow.integrator.one_lane import (
 from derive.flow.integrator.phases import keep_faster, stick
 from derive.flow.integrator.roots import inside_or_middle
 from derive.flow.integrator.rotation import FINEST
-from derive.flow.integrator.softening import duration_of_softening, evaluate_at, series_suffices, softening_factors
+from derive.flow.integrator.softening import (
+    duration_of_softening,
+    evaluate_at,
+    series_suffices,
+    softening_factors,
+    softening_functions,
+)
 from derive.flow.integrator.step import end_motion, on_standstill
 from derive.flow.integrator.waves import (
     ANGLE_THERE,
@@ -169,16 +175,16 @@ def duration_of_swing(e: S, back: S, end: V, w: S, which: M) -> V:
     return where(unsure, INFINITY, PI * w[0])
 
 
-def rest(s: Lanes, here: M, back: S, f: S) -> None:
+def rest(s: Lanes, here: M, rate: V, lost: V, f: S) -> None:
     """Let masses at a standstill stick, without the numbers of another phase, if they clearly do not turn back.
 
-    ``back`` has the factors of E about the end of the phase, and ``f`` the functions of E there.
+    ``rate`` is the net moment in the direction in which they arrived, ``lost`` the resistance that friction has lost,
+    and ``f`` has the functions of E at the end of the phase.
     """
     force = force_at(s.normal0, s.normal_sine, s.normal_vers, f)
-    resistance = s.resisting + s.mu * force
-    rate = -0.5 * back[0]  # net moment in the direction in which they arrived
+    resistance = s.resisting + s.mu * force - lost
     driving = rate + resistance
-    terms = abs(driving) + resistance
+    terms = abs(driving) + resistance + abs(lost)
     excess = driving + resistance
     free = s.one_way == 0.0 and s.first_only == 0.0
     clear = excess > CLEAR * terms
@@ -186,6 +192,13 @@ def rest(s: Lanes, here: M, back: S, f: S) -> None:
     margin = excess / (EPS * terms)
     s.close = minimum(s.close, margin)
     stick(s, here)
+
+
+def rest_softened(s: Lanes, here: M, f: S) -> None:
+    """Let masses stick at the end of a phase in which friction has softened, if they clearly do not turn back."""
+    lost = f[4] * force_at(s.net_loss, s.net_loss_sine, s.net_loss_vers, f)
+    rate = lost + force_at(s.drive, s.net_sine, s.net_vers, f)
+    rest(s, here, rate, lost, f)
 
 
 def pass_peak(s: Lanes, here: M, f: S, peak: V, before: V) -> None:
@@ -240,7 +253,7 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, at_peak: S, end: V, p
         keep_samples(s, rests or ends, e, back, w, end, until)
     pass_peak(s, rests or (ends and s.time + before < s.end_time), at_peak, peak, before)
     finish(s, rests, end, duration)
-    rest(s, rests, back, f)
+    rest(s, rests, -0.5 * back[0], 0.0, f)
     end_within(s, ends, e, back, w, end)
     return rests or ends
 
@@ -255,15 +268,18 @@ def complete_softening(s: Lanes, fits: M, e: S, at_peak: S, end: V, peak: V) -> 
     if not any_lane(fits):
         return fits
     fine: N = s.highest > FINEST
-    before, duration = duration_of_softening(s, e, end, peak, fine)
+    f = new_series()
+    softening_functions(s, e, f, end)
+    before, duration = duration_of_softening(s, e, f, end, peak, fine)
     unsure = fits and duration == INFINITY
     if not fine and any_lane(unsure):
-        sooner, sure = duration_of_softening(s, e, end, peak, 1)
+        sooner, sure = duration_of_softening(s, e, f, end, peak, 1)
         before = where(unsure, sooner, before)
         duration = where(unsure, sure, duration)
     fits = fits and s.time + duration < s.end_time
     pass_peak(s, fits, at_peak, peak, before)
     finish(s, fits, end, duration)
+    rest_softened(s, fits, f)
     return fits
 
 

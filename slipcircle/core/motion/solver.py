@@ -81,7 +81,7 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
         final = integrate_problem(problem)[:RESULTS]
         return Motion(chosen, final.reshape(RESULTS, *scene.shape), invalid, problem)
     final = np.empty((RESULTS, lanes))
-    every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
+    every_invalid = np.broadcast_to(invalid, scene.shape).ravel()
     block = BLOCK - (lanes % BLOCK == 1)  # one lane alone would be solved as a single scene
     for first in range(0, lanes, block):
         which = slice(first, first + block)

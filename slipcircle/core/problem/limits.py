@@ -27,7 +27,7 @@ def refine(problem: Problem, margins: Floats) -> Any:
     if not lanes.size:
         return ()
     shape = plan.scene.shape
-    ends = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (arc.theta_1, arc.theta_2)]
+    ends = [np.broadcast_to(x, shape).ravel()[lanes].tolist() for x in (arc.theta_1, arc.theta_2)]
     parts = np.zeros((2, problem.lanes))
     parts[0] = problem.start["LIMIT"]
     parts[:, lanes] = np.array([*map(limit_parts, *ends)]).T
