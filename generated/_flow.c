@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "d118f05b5ec967d21673bad9d2daec6c98553ba0e9d40fd271e08006a55de14e"
+#define DIGEST "7d9e29c7b4c1c4eee5b1ed7f42aa057b4af8626ccab68eadbe240b54c604c520"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1017,32 +1017,32 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
     }
 }
 
-/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, result and arguments. */
-static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
-    while (at < end) {
-        const V a = c[at[2]];
-        V *const d = c + at[1];
-        switch (at[0]) {
-        case S_ADD: { const V b = c[at[3]]; *d = IN(choose)(here, a + b, *d); at += 4; break; }
-        case S_SUB: { const V b = c[at[3]]; *d = IN(choose)(here, a - b, *d); at += 4; break; }
-        case S_MUL: { const V b = c[at[3]]; *d = IN(choose)(here, a * b, *d); at += 4; break; }
-        case S_DIV: { const V b = c[at[3]]; *d = IN(choose)(here, a / b, *d); at += 4; break; }
-        case S_NEG: { *d = IN(choose)(here, -a, *d); at += 3; break; }
-        case S_SIN: { *d = IN(choose)(here, IN(map)(sin, a), *d); at += 3; break; }
-        case S_COS: { *d = IN(choose)(here, IN(map)(cos, a), *d); at += 3; break; }
-        case S_TAN: { *d = IN(choose)(here, IN(map)(tan, a), *d); at += 3; break; }
-        case S_EXP: { *d = IN(choose)(here, IN(map)(exp, a), *d); at += 3; break; }
-        case S_EXPM1: { *d = IN(choose)(here, IN(map)(expm1, a), *d); at += 3; break; }
-        case S_LOG: { *d = IN(choose)(here, IN(map)(log, a), *d); at += 3; break; }
-        case S_LOG1P: { *d = IN(choose)(here, IN(map)(log1p, a), *d); at += 3; break; }
-        case S_SQRT: { *d = IN(choose)(here, IN(map)(sqrt, a), *d); at += 3; break; }
-        case S_ABS: { *d = IN(choose)(here, IN(choose)(a < 0.0, -a, a), *d); at += 3; break; }
-        case S_MIN: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, a, b), *d); at += 4; break; }
-        case S_MAX: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, b, a), *d); at += 4; break; }
-        case S_LESS: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, (V){0} + 1.0, (V){0}), *d); at += 4; break; }
-        case S_SELECT: { const V b = c[at[3]]; const V e = c[at[4]]; *d = IN(choose)(here, IN(choose)(a > 0.0, b, e), *d); at += 5; break; }
-        }
-    }
+/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, result and arguments. Each
+ * operation jumps to the next one itself, so that the processor predicts where it leads. */
+static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here)
+{
+    static const void *const codes[] = { &&S_ADD, &&S_SUB, &&S_MUL, &&S_DIV, &&S_NEG, &&S_SIN, &&S_COS, &&S_TAN, &&S_EXP, &&S_EXPM1, &&S_LOG, &&S_LOG1P, &&S_SQRT, &&S_ABS, &&S_MIN, &&S_MAX, &&S_LESS, &&S_SELECT };
+    V a, *d;
+#define NEXT do { if (at >= end) return; a = c[at[2]], d = c + at[1]; goto *codes[at[0]]; } while (0)
+    NEXT;
+    S_ADD: { const V b = c[at[3]]; *d = IN(choose)(here, a + b, *d); at += 4; NEXT; }
+    S_SUB: { const V b = c[at[3]]; *d = IN(choose)(here, a - b, *d); at += 4; NEXT; }
+    S_MUL: { const V b = c[at[3]]; *d = IN(choose)(here, a * b, *d); at += 4; NEXT; }
+    S_DIV: { const V b = c[at[3]]; *d = IN(choose)(here, a / b, *d); at += 4; NEXT; }
+    S_NEG: { *d = IN(choose)(here, -a, *d); at += 3; NEXT; }
+    S_SIN: { *d = IN(choose)(here, IN(map)(sin, a), *d); at += 3; NEXT; }
+    S_COS: { *d = IN(choose)(here, IN(map)(cos, a), *d); at += 3; NEXT; }
+    S_TAN: { *d = IN(choose)(here, IN(map)(tan, a), *d); at += 3; NEXT; }
+    S_EXP: { *d = IN(choose)(here, IN(map)(exp, a), *d); at += 3; NEXT; }
+    S_EXPM1: { *d = IN(choose)(here, IN(map)(expm1, a), *d); at += 3; NEXT; }
+    S_LOG: { *d = IN(choose)(here, IN(map)(log, a), *d); at += 3; NEXT; }
+    S_LOG1P: { *d = IN(choose)(here, IN(map)(log1p, a), *d); at += 3; NEXT; }
+    S_SQRT: { *d = IN(choose)(here, IN(map)(sqrt, a), *d); at += 3; NEXT; }
+    S_ABS: { *d = IN(choose)(here, IN(choose)(a < 0.0, -a, a), *d); at += 3; NEXT; }
+    S_MIN: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, a, b), *d); at += 4; NEXT; }
+    S_MAX: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, b, a), *d); at += 4; NEXT; }
+    S_LESS: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, (V){0} + 1.0, (V){0}), *d); at += 4; NEXT; }
+    S_SELECT: { const V b = c[at[3]]; const V e = c[at[4]]; *d = IN(choose)(here, IN(choose)(a > 0.0, b, e), *d); at += 5; NEXT; }
 }
 
 INLINE void prologue(Batch *b, M here)

@@ -189,15 +189,16 @@ def c_operations() -> TextDict:
         text = operation.vector.format(*"abe")
         others = [(i, x) for i, x in ((3, "b"), (4, "e")) if f"{{{i - 2}}}" in operation.vector]
         loads = "".join(f"const V {x} = c[at[{i}]]; " for i, x in others)
-        case = f"{{ {loads}*d = IN(choose)(here, {text}, *d); at += {3 + len(others)}; break; }}"
+        case = f"{{ {loads}*d = IN(choose)(here, {text}, *d); at += {3 + len(others)}; NEXT; }}"
         arguments.append(1 + len(others))
-        cases += f"        case S_{name.upper()}: {case}\n"
+        cases += f"    S_{name.upper()}: {case}\n"
     return {
         "CODES": "".join(enums),
         "REGISTERS": ", ".join(map(str, registers)),
         "ARGUMENTS": ", ".join(map(str, arguments)),
         "SERIES": "".join(map(_c_case, OPERATIONS.values())),
         "CELL_OPERATIONS": cases,
+        "LABELS": ", ".join(f"&&S_{x.upper()}" for x in CELLS),
     }
 
 
