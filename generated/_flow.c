@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7d9e29c7b4c1c4eee5b1ed7f42aa057b4af8626ccab68eadbe240b54c604c520"
+#define DIGEST "c409b71059f1b74cf78dc7c60ce021b8365315f64e23a6976f0f145b53f59a56"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1136,68 +1136,78 @@ static void orders_0(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
             V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            V sum3 = n > 2 ? (r + 0)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
                 sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
                 sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
                 sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
                 sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
                 sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
-                sum3_next += (r + 0)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 0)[2 * i - 1] * sum3_before; sum3_next += (r + 0)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 0)[2 * i] * sum3_before;
             }
-            if (squares) (r + 462)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
             (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
             (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 210)[n] = n > 2 ? sum3 + (r + 0)[1] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[1] : (r + 0)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum3_next + (r + 0)[2] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[2] : (V){0};
         } else {
-            if (squares) (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
-            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 0)[1] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 0)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             V sum4 = n > 2 ? (r + 0)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            V sum5 = n > 2 ? (r + 0)[2] * (r + 294)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 294)[n - 2];
-            V sum6 = n > 2 ? (r + 0)[2] * (r + 336)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 336)[n - 2];
-            V sum7 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 378)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 0)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 0)[2 * i - 1] * sum3_before; sum3_next += (r + 0)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 0)[2 * i] * sum3_before;
                 sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
                 sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
                 sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+            }
+            (r + 210)[n] = n > 2 ? sum3 + (r + 0)[1] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[1] : (r + 0)[1] * (r + 210)[1];
+            (r + 210)[n + 1] = n > 2 ? sum3_next + (r + 0)[2] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (r + 0)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[2] : (V){0};
+        } else {
+            (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 0)[1] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 0)[2] * (r + 294)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 294)[n - 2];
+            V sum6 = n > 2 ? (r + 0)[2] * (r + 336)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 336)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 294)[n - 2 * i + 1];
                 sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
                 sum5_before = (r + 294)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
                 sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 336)[n - 2 * i + 1];
                 sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
                 sum6_before = (r + 336)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
-                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 378)[n - 2 * i + 1];
-                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
-                sum7_before = (r + 378)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
             }
-            (r + 252)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (r + 0)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[2] : (V){0};
             (r + 294)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (r + 0)[1] * (r + 294)[1];
             (r + 294)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[2] : (V){0};
             (r + 336)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (r + 0)[1] * (r + 336)[1];
             (r + 336)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[2] : (V){0};
-            (r + 378)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
-            (r + 378)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
         } else {
-            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (V){0};
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (V){0};
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum7 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 378)[n - 2];
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 378)[n - 2 * i + 1];
+                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
+                sum7_before = (r + 378)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            (r + 378)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
+            (r + 378)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
+            if (squares) (r + 462)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
+            if (squares) (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum8 = {0}, sum8_next = {0};
@@ -1405,47 +1415,52 @@ static void orders_1(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
             V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
                 sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
                 sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
                 sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
                 sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
                 sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
             }
-            if (squares) (r + 336)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 336)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
             (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
         } else {
-            if (squares) (r + 336)[n] = n > 1 ? (r + 336)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
-            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
             V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
                 sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
                 sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
                 sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
             }
+            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
             (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
             (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
         } else {
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            if (squares) (r + 336)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 336)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
+            if (squares) (r + 336)[n] = n > 1 ? (r + 336)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -1624,44 +1639,47 @@ static void orders_2(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
             V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
                 sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
                 sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
                 sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
                 sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
                 sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
             }
-            if (squares) (r + 462)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
             (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
             (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
         } else {
-            if (squares) (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
-            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
                 sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
                 sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
                 sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            }
+            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
+            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
+            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
                 sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
                 sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
@@ -1669,16 +1687,23 @@ static void orders_2(ORDERS)
                 sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
                 sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
             }
-            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
-            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
             (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
             (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
             (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
             (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
         } else {
-            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            if (squares) (r + 462)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
+            if (squares) (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -1897,47 +1922,52 @@ static void orders_3(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
             V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            V sum3 = n > 2 ? (r + 252)[2] * (r + 294)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 294)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
                 sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
                 sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
                 sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
                 sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
                 sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
-                sum3_next += (r + 252)[2 * i - 1] * sum3_before; sum3_before = (r + 294)[n - 2 * i + 1];
-                sum3 += (r + 252)[2 * i - 1] * sum3_before; sum3_next += (r + 252)[2 * i] * sum3_before;
-                sum3_before = (r + 294)[n - 2 * i]; sum3 += (r + 252)[2 * i] * sum3_before;
             }
-            if (squares) (r + 420)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 420)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
             (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
             (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum3 + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (r + 252)[1] * (r + 294)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 252)[2] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[2] : (V){0};
         } else {
-            if (squares) (r + 420)[n] = n > 1 ? (r + 420)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 252)[2] * (r + 294)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 294)[n - 2];
             V sum4 = n > 2 ? (r + 378)[2] * (r + 462)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 462)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 252)[2 * i - 1] * sum3_before; sum3_before = (r + 294)[n - 2 * i + 1];
+                sum3 += (r + 252)[2 * i - 1] * sum3_before; sum3_next += (r + 252)[2 * i] * sum3_before;
+                sum3_before = (r + 294)[n - 2 * i]; sum3 += (r + 252)[2 * i] * sum3_before;
                 sum4_next += (r + 378)[2 * i - 1] * sum4_before; sum4_before = (r + 462)[n - 2 * i + 1];
                 sum4 += (r + 378)[2 * i - 1] * sum4_before; sum4_next += (r + 378)[2 * i] * sum4_before;
                 sum4_before = (r + 462)[n - 2 * i]; sum4 += (r + 378)[2 * i] * sum4_before;
             }
+            (r + 294)[n] = n > 2 ? sum3 + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (r + 252)[1] * (r + 294)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 252)[2] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[2] : (V){0};
             (r + 504)[n] = n > 2 ? sum4 + (r + 378)[1] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[1] : (r + 378)[1] * (r + 462)[1];
             (r + 504)[n + 1] = n > 2 ? sum4_next + (r + 378)[2] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[2] : (V){0};
         } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (V){0};
             (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 378)[1] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            if (squares) (r + 420)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 420)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
+            if (squares) (r + 420)[n] = n > 1 ? (r + 420)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -2168,92 +2198,107 @@ static void orders_4(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
             V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            V sum3 = n > 2 ? (r + 252)[2] * (r + 294)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 294)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
                 sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
                 sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
                 sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
                 sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
                 sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
-                sum3_next += (r + 252)[2 * i - 1] * sum3_before; sum3_before = (r + 294)[n - 2 * i + 1];
-                sum3 += (r + 252)[2 * i - 1] * sum3_before; sum3_next += (r + 252)[2 * i] * sum3_before;
-                sum3_before = (r + 294)[n - 2 * i]; sum3 += (r + 252)[2 * i] * sum3_before;
             }
-            if (squares) (r + 672)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 672)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
             (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
             (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum3 + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (r + 252)[1] * (r + 294)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 252)[2] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[2] : (V){0};
         } else {
-            if (squares) (r + 672)[n] = n > 1 ? (r + 672)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 252)[2] * (r + 294)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 294)[n - 2];
             V sum4 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 420)[n - 2];
-            V sum5 = n > 2 ? (r + 0)[2] * (r + 462)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 462)[n - 2];
-            V sum6 = n > 2 ? (r + 0)[2] * (r + 504)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 504)[n - 2];
-            V sum7 = n > 2 ? (r + 0)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 252)[2 * i - 1] * sum3_before; sum3_before = (r + 294)[n - 2 * i + 1];
+                sum3 += (r + 252)[2 * i - 1] * sum3_before; sum3_next += (r + 252)[2 * i] * sum3_before;
+                sum3_before = (r + 294)[n - 2 * i]; sum3 += (r + 252)[2 * i] * sum3_before;
                 sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 420)[n - 2 * i + 1];
                 sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
                 sum4_before = (r + 420)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+            }
+            (r + 294)[n] = n > 2 ? sum3 + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (r + 252)[1] * (r + 294)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 252)[2] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[2] : (V){0};
+            (r + 420)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
+            (r + 420)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 0)[2] * (r + 462)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 462)[n - 2];
+            V sum6 = n > 2 ? (r + 0)[2] * (r + 504)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 504)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 462)[n - 2 * i + 1];
                 sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
                 sum5_before = (r + 462)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
                 sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 504)[n - 2 * i + 1];
                 sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
                 sum6_before = (r + 504)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
-                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
-                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
-                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
             }
-            (r + 420)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
-            (r + 420)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
             (r + 462)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (r + 0)[1] * (r + 462)[1];
             (r + 462)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[2] : (V){0};
             (r + 504)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (r + 0)[1] * (r + 504)[1];
             (r + 504)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[2] : (V){0};
-            (r + 546)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (r + 0)[1] * (r + 546)[1];
-            (r + 546)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[2] : (V){0};
         } else {
-            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
             (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (V){0};
             (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (V){0};
-            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum7 = n > 2 ? (r + 0)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
             V sum8 = n > 2 ? (r + 0)[2] * (r + 588)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 588)[n - 2];
-            V sum9 = {0}, sum9_next = {0};
-            V sum10 = n > 2 ? (r + 378)[2] * (r + 714)[n - 2] : (V){0}, sum10_next = {0}, sum10_before = (r + 714)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
+                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
                 sum8_next += (r + 0)[2 * i - 1] * sum8_before; sum8_before = (r + 588)[n - 2 * i + 1];
                 sum8 += (r + 0)[2 * i - 1] * sum8_before; sum8_next += (r + 0)[2 * i] * sum8_before;
                 sum8_before = (r + 588)[n - 2 * i]; sum8 += (r + 0)[2 * i] * sum8_before;
-                const V sum9_now = (r + 0)[n - i]; sum9 += (r + 0)[i] * sum9_now; sum9_next += (r + 0)[i + 1] * sum9_now;
+            }
+            (r + 546)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (r + 0)[1] * (r + 546)[1];
+            (r + 546)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[2] : (V){0};
+            (r + 588)[n] = n > 2 ? sum8 + (r + 0)[1] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[1] : (r + 0)[1] * (r + 588)[1];
+            (r + 588)[n + 1] = n > 2 ? sum8_next + (r + 0)[2] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[2] : (V){0};
+        } else {
+            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (V){0};
+            (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 0)[1] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum10 = n > 2 ? (r + 378)[2] * (r + 714)[n - 2] : (V){0}, sum10_next = {0}, sum10_before = (r + 714)[n - 2];
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
                 sum10_next += (r + 378)[2 * i - 1] * sum10_before; sum10_before = (r + 714)[n - 2 * i + 1];
                 sum10 += (r + 378)[2 * i - 1] * sum10_before; sum10_next += (r + 378)[2 * i] * sum10_before;
                 sum10_before = (r + 714)[n - 2 * i]; sum10 += (r + 378)[2 * i] * sum10_before;
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 588)[n] = n > 2 ? sum8 + (r + 0)[1] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[1] : (r + 0)[1] * (r + 588)[1];
-            (r + 588)[n + 1] = n > 2 ? sum8_next + (r + 0)[2] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[2] : (V){0};
-            (r + 630)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum9 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
-                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum9_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
             (r + 756)[n] = n > 2 ? sum10 + (r + 378)[1] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[1] : (r + 378)[1] * (r + 714)[1];
             (r + 756)[n + 1] = n > 2 ? sum10_next + (r + 378)[2] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[2] : (V){0};
+            if (squares) (r + 672)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 672)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
         } else {
-            (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 0)[1] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[1] : (V){0};
-            (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
             (r + 756)[n] = n > 1 ? (r + 756)[n] + (r + 378)[1] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[1] : (V){0};
+            if (squares) (r + 672)[n] = n > 1 ? (r + 672)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum9 = {0}, sum9_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum9_now = (r + 0)[n - i]; sum9 += (r + 0)[i] * sum9_now; sum9_next += (r + 0)[i + 1] * sum9_now;
+            }
+            (r + 630)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum9 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
+                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum9_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+        } else {
+            (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -2504,44 +2549,47 @@ static void orders_5(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
             V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
                 sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
                 sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
                 sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
                 sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
                 sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
             }
-            if (squares) (r + 546)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 546)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
             (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
         } else {
-            if (squares) (r + 546)[n] = n > 1 ? (r + 546)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
-            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
             V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
-            V sum5 = n > 2 ? (r + 378)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
-            V sum6 = n > 2 ? (r + 504)[2] * (r + 588)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 588)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
                 sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
                 sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
                 sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            }
+            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 378)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
+            V sum6 = n > 2 ? (r + 504)[2] * (r + 588)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 588)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 378)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
                 sum5 += (r + 378)[2 * i - 1] * sum5_before; sum5_next += (r + 378)[2 * i] * sum5_before;
                 sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 378)[2 * i] * sum5_before;
@@ -2549,16 +2597,23 @@ static void orders_5(ORDERS)
                 sum6 += (r + 504)[2 * i - 1] * sum6_before; sum6_next += (r + 504)[2 * i] * sum6_before;
                 sum6_before = (r + 588)[n - 2 * i]; sum6 += (r + 504)[2 * i] * sum6_before;
             }
-            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
             (r + 420)[n] = n > 2 ? sum5 + (r + 378)[1] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[1] : (r + 378)[1] * (r + 420)[1];
             (r + 420)[n + 1] = n > 2 ? sum5_next + (r + 378)[2] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[2] : (V){0};
             (r + 630)[n] = n > 2 ? sum6 + (r + 504)[1] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[1] : (r + 504)[1] * (r + 588)[1];
             (r + 630)[n + 1] = n > 2 ? sum6_next + (r + 504)[2] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[2] : (V){0};
         } else {
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 378)[1] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[1] : (V){0};
             (r + 630)[n] = n > 1 ? (r + 630)[n] + (r + 504)[1] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            if (squares) (r + 546)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 546)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
+            if (squares) (r + 546)[n] = n > 1 ? (r + 546)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -2812,80 +2867,90 @@ static void orders_6(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
             V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
                 sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
                 sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
                 sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
                 sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
                 sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
             }
-            if (squares) (r + 672)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 672)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
             (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
             (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
         } else {
-            if (squares) (r + 672)[n] = n > 1 ? (r + 672)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
-            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
-            V sum7 = n > 2 ? (r + 504)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
                 sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
                 sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
                 sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            }
+            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
+            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
+            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
                 sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
                 sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
                 sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
                 sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
                 sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
-                sum7_next += (r + 504)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
-                sum7 += (r + 504)[2 * i - 1] * sum7_before; sum7_next += (r + 504)[2 * i] * sum7_before;
-                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 504)[2 * i] * sum7_before;
             }
-            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
-            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
             (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
             (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
             (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
             (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 546)[n] = n > 2 ? sum7 + (r + 504)[1] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[1] : (r + 504)[1] * (r + 546)[1];
-            (r + 546)[n + 1] = n > 2 ? sum7_next + (r + 504)[2] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[2] : (V){0};
         } else {
-            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
-            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 504)[1] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum7 = n > 2 ? (r + 504)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
             V sum8 = n > 2 ? (r + 630)[2] * (r + 714)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 714)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum7_next += (r + 504)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
+                sum7 += (r + 504)[2 * i - 1] * sum7_before; sum7_next += (r + 504)[2 * i] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 504)[2 * i] * sum7_before;
                 sum8_next += (r + 630)[2 * i - 1] * sum8_before; sum8_before = (r + 714)[n - 2 * i + 1];
                 sum8 += (r + 630)[2 * i - 1] * sum8_before; sum8_next += (r + 630)[2 * i] * sum8_before;
                 sum8_before = (r + 714)[n - 2 * i]; sum8 += (r + 630)[2 * i] * sum8_before;
             }
+            (r + 546)[n] = n > 2 ? sum7 + (r + 504)[1] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[1] : (r + 504)[1] * (r + 546)[1];
+            (r + 546)[n + 1] = n > 2 ? sum7_next + (r + 504)[2] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[2] : (V){0};
             (r + 756)[n] = n > 2 ? sum8 + (r + 630)[1] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[1] : (r + 630)[1] * (r + 714)[1];
             (r + 756)[n + 1] = n > 2 ? sum8_next + (r + 630)[2] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[2] : (V){0};
         } else {
+            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 504)[1] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[1] : (V){0};
             (r + 756)[n] = n > 1 ? (r + 756)[n] + (r + 630)[1] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            if (squares) (r + 672)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 672)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
+            if (squares) (r + 672)[n] = n > 1 ? (r + 672)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -3105,35 +3170,40 @@ static void orders_7(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
             V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            V sum3 = n > 2 ? (r + 294)[2] * (r + 42)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 42)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
                 sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
                 sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
                 sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
                 sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
                 sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
-                sum3_next += (r + 294)[2 * i - 1] * sum3_before; sum3_before = (r + 42)[n - 2 * i + 1];
-                sum3 += (r + 294)[2 * i - 1] * sum3_before; sum3_next += (r + 294)[2 * i] * sum3_before;
-                sum3_before = (r + 42)[n - 2 * i]; sum3 += (r + 294)[2 * i] * sum3_before;
             }
-            if (squares) (r + 84)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 84)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
             (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
             (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 336)[n] = n > 2 ? sum3 + (r + 294)[1] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[1] : (r + 294)[1] * (r + 42)[1];
-            (r + 336)[n + 1] = n > 2 ? sum3_next + (r + 294)[2] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[2] : (V){0};
         } else {
-            if (squares) (r + 84)[n] = n > 1 ? (r + 84)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 294)[2] * (r + 42)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 42)[n - 2];
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 294)[2 * i - 1] * sum3_before; sum3_before = (r + 42)[n - 2 * i + 1];
+                sum3 += (r + 294)[2 * i - 1] * sum3_before; sum3_next += (r + 294)[2 * i] * sum3_before;
+                sum3_before = (r + 42)[n - 2 * i]; sum3 += (r + 294)[2 * i] * sum3_before;
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            (r + 336)[n] = n > 2 ? sum3 + (r + 294)[1] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[1] : (r + 294)[1] * (r + 42)[1];
+            (r + 336)[n + 1] = n > 2 ? sum3_next + (r + 294)[2] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[2] : (V){0};
+            if (squares) (r + 84)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 84)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 294)[1] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[1] : (V){0};
+            if (squares) (r + 84)[n] = n > 1 ? (r + 84)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -3344,92 +3414,107 @@ static void orders_8(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
             V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            V sum3 = n > 2 ? (r + 210)[2] * (r + 252)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 252)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
                 sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
                 sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
                 sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
                 sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
                 sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
-                sum3_next += (r + 210)[2 * i - 1] * sum3_before; sum3_before = (r + 252)[n - 2 * i + 1];
-                sum3 += (r + 210)[2 * i - 1] * sum3_before; sum3_next += (r + 210)[2 * i] * sum3_before;
-                sum3_before = (r + 252)[n - 2 * i]; sum3 += (r + 210)[2 * i] * sum3_before;
             }
-            if (squares) (r + 630)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
             (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
             (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum3 + (r + 210)[1] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[1] : (r + 210)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 210)[2] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[2] : (V){0};
         } else {
-            if (squares) (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
-            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 210)[1] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 210)[2] * (r + 252)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 252)[n - 2];
             V sum4 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 378)[n - 2];
-            V sum5 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
-            V sum6 = n > 2 ? (r + 0)[2] * (r + 462)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 462)[n - 2];
-            V sum7 = n > 2 ? (r + 0)[2] * (r + 504)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 504)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 210)[2 * i - 1] * sum3_before; sum3_before = (r + 252)[n - 2 * i + 1];
+                sum3 += (r + 210)[2 * i - 1] * sum3_before; sum3_next += (r + 210)[2 * i] * sum3_before;
+                sum3_before = (r + 252)[n - 2 * i]; sum3 += (r + 210)[2 * i] * sum3_before;
                 sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 378)[n - 2 * i + 1];
                 sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
                 sum4_before = (r + 378)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+            }
+            (r + 252)[n] = n > 2 ? sum3 + (r + 210)[1] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[1] : (r + 210)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 210)[2] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
+            (r + 378)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
+        } else {
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 210)[1] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
+            V sum6 = n > 2 ? (r + 0)[2] * (r + 462)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 462)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
                 sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
                 sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
                 sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 462)[n - 2 * i + 1];
                 sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
                 sum6_before = (r + 462)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
-                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 504)[n - 2 * i + 1];
-                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
-                sum7_before = (r + 504)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
             }
-            (r + 378)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
-            (r + 378)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
             (r + 420)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
             (r + 420)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
             (r + 462)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (r + 0)[1] * (r + 462)[1];
             (r + 462)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[2] : (V){0};
-            (r + 504)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (r + 0)[1] * (r + 504)[1];
-            (r + 504)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[2] : (V){0};
         } else {
-            (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
             (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (V){0};
-            (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum7 = n > 2 ? (r + 0)[2] * (r + 504)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 504)[n - 2];
             V sum8 = n > 2 ? (r + 0)[2] * (r + 546)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 546)[n - 2];
-            V sum9 = {0}, sum9_next = {0};
-            V sum10 = n > 2 ? (r + 336)[2] * (r + 672)[n - 2] : (V){0}, sum10_next = {0}, sum10_before = (r + 672)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 504)[n - 2 * i + 1];
+                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
+                sum7_before = (r + 504)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
                 sum8_next += (r + 0)[2 * i - 1] * sum8_before; sum8_before = (r + 546)[n - 2 * i + 1];
                 sum8 += (r + 0)[2 * i - 1] * sum8_before; sum8_next += (r + 0)[2 * i] * sum8_before;
                 sum8_before = (r + 546)[n - 2 * i]; sum8 += (r + 0)[2 * i] * sum8_before;
-                const V sum9_now = (r + 0)[n - i]; sum9 += (r + 0)[i] * sum9_now; sum9_next += (r + 0)[i + 1] * sum9_now;
+            }
+            (r + 504)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (r + 0)[1] * (r + 504)[1];
+            (r + 504)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[2] : (V){0};
+            (r + 546)[n] = n > 2 ? sum8 + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (r + 0)[1] * (r + 546)[1];
+            (r + 546)[n + 1] = n > 2 ? sum8_next + (r + 0)[2] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[2] : (V){0};
+        } else {
+            (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (V){0};
+            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum10 = n > 2 ? (r + 336)[2] * (r + 672)[n - 2] : (V){0}, sum10_next = {0}, sum10_before = (r + 672)[n - 2];
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
                 sum10_next += (r + 336)[2 * i - 1] * sum10_before; sum10_before = (r + 672)[n - 2 * i + 1];
                 sum10 += (r + 336)[2 * i - 1] * sum10_before; sum10_next += (r + 336)[2 * i] * sum10_before;
                 sum10_before = (r + 672)[n - 2 * i]; sum10 += (r + 336)[2 * i] * sum10_before;
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 546)[n] = n > 2 ? sum8 + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (r + 0)[1] * (r + 546)[1];
-            (r + 546)[n + 1] = n > 2 ? sum8_next + (r + 0)[2] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[2] : (V){0};
-            (r + 588)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum9 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
-                (r + 588)[n + 1] = n > 2 ? 2.0 * (sum9_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
             (r + 714)[n] = n > 2 ? sum10 + (r + 336)[1] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[1] : (r + 336)[1] * (r + 672)[1];
             (r + 714)[n + 1] = n > 2 ? sum10_next + (r + 336)[2] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[2] : (V){0};
+            if (squares) (r + 630)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
         } else {
-            (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (V){0};
-            (r + 588)[n] = n > 1 ? (r + 588)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
             (r + 714)[n] = n > 1 ? (r + 714)[n] + (r + 336)[1] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[1] : (V){0};
+            if (squares) (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum9 = {0}, sum9_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum9_now = (r + 0)[n - i]; sum9 += (r + 0)[i] * sum9_now; sum9_next += (r + 0)[i + 1] * sum9_now;
+            }
+            (r + 588)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum9 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
+                (r + 588)[n + 1] = n > 2 ? 2.0 * (sum9_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+        } else {
+            (r + 588)[n] = n > 1 ? (r + 588)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -3671,44 +3756,47 @@ static void orders_9(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
             V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
                 sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
                 sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
                 sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
                 sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
                 sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
             }
-            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
             (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
         } else {
-            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
-            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
             V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
-            V sum5 = n > 2 ? (r + 336)[2] * (r + 378)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 378)[n - 2];
-            V sum6 = n > 2 ? (r + 462)[2] * (r + 546)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 546)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
                 sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
                 sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
                 sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            }
+            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 336)[2] * (r + 378)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 378)[n - 2];
+            V sum6 = n > 2 ? (r + 462)[2] * (r + 546)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 546)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 336)[2 * i - 1] * sum5_before; sum5_before = (r + 378)[n - 2 * i + 1];
                 sum5 += (r + 336)[2 * i - 1] * sum5_before; sum5_next += (r + 336)[2 * i] * sum5_before;
                 sum5_before = (r + 378)[n - 2 * i]; sum5 += (r + 336)[2 * i] * sum5_before;
@@ -3716,16 +3804,23 @@ static void orders_9(ORDERS)
                 sum6 += (r + 462)[2 * i - 1] * sum6_before; sum6_next += (r + 462)[2 * i] * sum6_before;
                 sum6_before = (r + 546)[n - 2 * i]; sum6 += (r + 462)[2 * i] * sum6_before;
             }
-            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
             (r + 378)[n] = n > 2 ? sum5 + (r + 336)[1] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[1] : (r + 336)[1] * (r + 378)[1];
             (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 336)[2] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[2] : (V){0};
             (r + 588)[n] = n > 2 ? sum6 + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (r + 462)[1] * (r + 546)[1];
             (r + 588)[n + 1] = n > 2 ? sum6_next + (r + 462)[2] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[2] : (V){0};
         } else {
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 336)[1] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[1] : (V){0};
             (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
+            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -3970,80 +4065,90 @@ static void orders_10(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
             V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
                 sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
                 sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
                 sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
                 sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
                 sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
             }
-            if (squares) (r + 630)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
             (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
             (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
         } else {
-            if (squares) (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
-            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
-            V sum7 = n > 2 ? (r + 462)[2] * (r + 504)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 504)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
                 sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
                 sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
                 sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            }
+            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
+            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
+            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
                 sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
                 sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
                 sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
                 sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
                 sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
-                sum7_next += (r + 462)[2 * i - 1] * sum7_before; sum7_before = (r + 504)[n - 2 * i + 1];
-                sum7 += (r + 462)[2 * i - 1] * sum7_before; sum7_next += (r + 462)[2 * i] * sum7_before;
-                sum7_before = (r + 504)[n - 2 * i]; sum7 += (r + 462)[2 * i] * sum7_before;
             }
-            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
-            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
             (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
             (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
             (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
             (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 504)[n] = n > 2 ? sum7 + (r + 462)[1] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[1] : (r + 462)[1] * (r + 504)[1];
-            (r + 504)[n + 1] = n > 2 ? sum7_next + (r + 462)[2] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[2] : (V){0};
         } else {
-            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
-            (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 462)[1] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum7 = n > 2 ? (r + 462)[2] * (r + 504)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 504)[n - 2];
             V sum8 = n > 2 ? (r + 588)[2] * (r + 672)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 672)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum7_next += (r + 462)[2 * i - 1] * sum7_before; sum7_before = (r + 504)[n - 2 * i + 1];
+                sum7 += (r + 462)[2 * i - 1] * sum7_before; sum7_next += (r + 462)[2 * i] * sum7_before;
+                sum7_before = (r + 504)[n - 2 * i]; sum7 += (r + 462)[2 * i] * sum7_before;
                 sum8_next += (r + 588)[2 * i - 1] * sum8_before; sum8_before = (r + 672)[n - 2 * i + 1];
                 sum8 += (r + 588)[2 * i - 1] * sum8_before; sum8_next += (r + 588)[2 * i] * sum8_before;
                 sum8_before = (r + 672)[n - 2 * i]; sum8 += (r + 588)[2 * i] * sum8_before;
             }
+            (r + 504)[n] = n > 2 ? sum7 + (r + 462)[1] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[1] : (r + 462)[1] * (r + 504)[1];
+            (r + 504)[n + 1] = n > 2 ? sum7_next + (r + 462)[2] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[2] : (V){0};
             (r + 714)[n] = n > 2 ? sum8 + (r + 588)[1] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[1] : (r + 588)[1] * (r + 672)[1];
             (r + 714)[n + 1] = n > 2 ? sum8_next + (r + 588)[2] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[2] : (V){0};
         } else {
+            (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 462)[1] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[1] : (V){0};
             (r + 714)[n] = n > 1 ? (r + 714)[n] + (r + 588)[1] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            if (squares) (r + 630)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
+            if (squares) (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -4288,85 +4393,95 @@ static void orders_11(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
             V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            V sum3 = n > 2 ? (r + 0)[2] * (r + 252)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 252)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
                 sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
                 sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
                 sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
                 sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
                 sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
-                sum3_next += (r + 0)[2 * i - 1] * sum3_before; sum3_before = (r + 252)[n - 2 * i + 1];
-                sum3 += (r + 0)[2 * i - 1] * sum3_before; sum3_next += (r + 0)[2 * i] * sum3_before;
-                sum3_before = (r + 252)[n - 2 * i]; sum3 += (r + 0)[2 * i] * sum3_before;
             }
-            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
             (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
             (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum3 + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (r + 0)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 0)[2] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[2] : (V){0};
         } else {
-            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
-            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 0)[2] * (r + 252)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 252)[n - 2];
             V sum4 = n > 2 ? (r + 0)[2] * (r + 294)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 294)[n - 2];
-            V sum5 = n > 2 ? (r + 0)[2] * (r + 336)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 336)[n - 2];
-            V sum6 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 378)[n - 2];
-            V sum7 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 420)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 0)[2 * i - 1] * sum3_before; sum3_before = (r + 252)[n - 2 * i + 1];
+                sum3 += (r + 0)[2 * i - 1] * sum3_before; sum3_next += (r + 0)[2 * i] * sum3_before;
+                sum3_before = (r + 252)[n - 2 * i]; sum3 += (r + 0)[2 * i] * sum3_before;
                 sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 294)[n - 2 * i + 1];
                 sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
                 sum4_before = (r + 294)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+            }
+            (r + 252)[n] = n > 2 ? sum3 + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (r + 0)[1] * (r + 252)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 0)[2] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (r + 0)[1] * (r + 294)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[2] : (V){0};
+        } else {
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 0)[2] * (r + 336)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 336)[n - 2];
+            V sum6 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 378)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 336)[n - 2 * i + 1];
                 sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
                 sum5_before = (r + 336)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
                 sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 378)[n - 2 * i + 1];
                 sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
                 sum6_before = (r + 378)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
-                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 420)[n - 2 * i + 1];
-                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
-                sum7_before = (r + 420)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
             }
-            (r + 294)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (r + 0)[1] * (r + 294)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[2] : (V){0};
             (r + 336)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (r + 0)[1] * (r + 336)[1];
             (r + 336)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[2] : (V){0};
             (r + 378)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
             (r + 378)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
-            (r + 420)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
-            (r + 420)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
         } else {
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (V){0};
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (V){0};
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
-            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum8 = {0}, sum8_next = {0};
+            V sum7 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 420)[n - 2];
             V sum9 = n > 2 ? (r + 210)[2] * (r + 546)[n - 2] : (V){0}, sum9_next = {0}, sum9_before = (r + 546)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum8_now = (r + 0)[n - i]; sum8 += (r + 0)[i] * sum8_now; sum8_next += (r + 0)[i + 1] * sum8_now;
+                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 420)[n - 2 * i + 1];
+                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
+                sum7_before = (r + 420)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
                 sum9_next += (r + 210)[2 * i - 1] * sum9_before; sum9_before = (r + 546)[n - 2 * i + 1];
                 sum9 += (r + 210)[2 * i - 1] * sum9_before; sum9_next += (r + 210)[2 * i] * sum9_before;
                 sum9_before = (r + 546)[n - 2 * i]; sum9 += (r + 210)[2 * i] * sum9_before;
             }
-            (r + 462)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum8 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
-                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum8_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+            (r + 420)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
+            (r + 420)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
             (r + 588)[n] = n > 2 ? sum9 + (r + 210)[1] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[1] : (r + 210)[1] * (r + 546)[1];
             (r + 588)[n + 1] = n > 2 ? sum9_next + (r + 210)[2] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[2] : (V){0};
         } else {
-            (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
+            (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
             (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 210)[1] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum0 = {0}, sum0_next = {0};
+            V sum8 = {0}, sum8_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+                const V sum8_now = (r + 0)[n - i]; sum8 += (r + 0)[i] * sum8_now; sum8_next += (r + 0)[i + 1] * sum8_now;
+            }
+            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 462)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum8 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
+                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum8_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+        } else {
+            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
+            (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -4578,54 +4693,59 @@ static void orders_12(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
             V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
                 sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
                 sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
                 sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
                 sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
                 sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
             }
-            if (squares) (r + 378)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 378)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
             (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
             (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
         } else {
-            if (squares) (r + 378)[n] = n > 1 ? (r + 378)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
-            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
             V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
-            V sum5 = n > 2 ? (r + 336)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
                 sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
                 sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
                 sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            }
+            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
+            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+        } else {
+            (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 336)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 336)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
                 sum5 += (r + 336)[2 * i - 1] * sum5_before; sum5_next += (r + 336)[2 * i] * sum5_before;
                 sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 336)[2 * i] * sum5_before;
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
             (r + 462)[n] = n > 2 ? sum5 + (r + 336)[1] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[1] : (r + 336)[1] * (r + 420)[1];
             (r + 462)[n + 1] = n > 2 ? sum5_next + (r + 336)[2] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[2] : (V){0};
+            if (squares) (r + 378)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 378)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
         } else {
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
             (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 336)[1] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[1] : (V){0};
+            if (squares) (r + 378)[n] = n > 1 ? (r + 378)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];
@@ -4840,68 +4960,78 @@ static void orders_13(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum0 = {0}, sum0_next = {0};
             V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
             V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
-                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
                 sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
                 sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
                 sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
                 sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
                 sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
             }
-            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
             (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
             (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
             (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
             (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
         } else {
-            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
-            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
+            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
             V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
-            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
-            V sum7 = n > 2 ? (r + 462)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
             for (int i = 2; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
+                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
                 sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
                 sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
                 sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            }
+            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
+            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
+            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+        } else {
+            (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
+            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
+            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
+            for (int i = 2; 2 * i < n; i++) {
                 sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
                 sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
                 sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
                 sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
                 sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
                 sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
-                sum7_next += (r + 462)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
-                sum7 += (r + 462)[2 * i - 1] * sum7_before; sum7_next += (r + 462)[2 * i] * sum7_before;
-                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 462)[2 * i] * sum7_before;
             }
-            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
-            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
             (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
             (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
             (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
             (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 588)[n] = n > 2 ? sum7 + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (r + 462)[1] * (r + 546)[1];
-            (r + 588)[n + 1] = n > 2 ? sum7_next + (r + 462)[2] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[2] : (V){0};
         } else {
-            (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
+        }
+        if (n % 2 == 0) {
+            V sum7 = n > 2 ? (r + 462)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
+            V sum0 = {0}, sum0_next = {0};
+            for (int i = 2; 2 * i < n; i++) {
+                sum7_next += (r + 462)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
+                sum7 += (r + 462)[2 * i - 1] * sum7_before; sum7_next += (r + 462)[2 * i] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 462)[2 * i] * sum7_before;
+                const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
+            }
+            (r + 588)[n] = n > 2 ? sum7 + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (r + 462)[1] * (r + 546)[1];
+            (r + 588)[n + 1] = n > 2 ? sum7_next + (r + 462)[2] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[2] : (V){0};
+            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
+                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+        } else {
             (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (V){0};
+            if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         const V x0 = (r + 0)[n];
         const V x1 = (r + 42)[n];

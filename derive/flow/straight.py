@@ -27,7 +27,7 @@ MOVING: tuple[tuple[Symbol, ...], ...] = ((WATER,), (K_H,), (K_H, K_V))
 # operations on series.
 SERVED = {"constant": MOVING, "exponential": ((), *MOVING), "rate_weakening": ((), *MOVING), "linear": MOVING}
 ANY = "CELL"  # in a pattern
-TOGETHER = 4  # sums in a loop: vectors of 256 bits have 16 registers
+TOGETHER = 2  # sums in a loop: more vectors than fit into 16 registers are slower
 # Orders of the registers that rates need, and of all others. What an operation computes is in memory and in a variable,
 # so that the next operation need not wait for memory. Order 0 is apart, so that no operation asks which order it is.
 FUNCTIONS = """\
@@ -94,6 +94,7 @@ def _sums(operations: Iterable[OnSeries]) -> Texts:
             for s in sums_in(OPERATIONS[operation.kind]):
                 a, b, slot = (at[str(x)] for x in (s.a, s.b, s.slot))
                 sums.append(OneSum(s.total, f"sum{len(sums)}", a, b, slot, when))
+    sums.sort(key=lambda s: s.a == s.b)  # both of a sine and its cosine read one series
     lines: Texts = []
     for i in range(0, len(sums), TOGETHER):
         lines += known_terms(sums[i : i + TOGETHER])
