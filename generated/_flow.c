@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c409b71059f1b74cf78dc7c60ce021b8365315f64e23a6976f0f145b53f59a56"
+#define DIGEST "65d187e1e570144e6531ed8204f29536653a1ca2ff8824661208d0de4146950c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -5672,7 +5672,7 @@ INLINE V value_now(Batch *b, int t)
 }
 
 /* Compute the series of a sine about the current time, as its increment since the phase began. */
-INLINE void expand_sine(Batch *b, int t, int top)
+INLINE void expand_sine(Batch *b, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -5681,13 +5681,22 @@ INLINE void expand_sine(Batch *b, int t, int top)
     V angle = (rate * since_break(b, t)) + coefficients_at(b, t, c[job->table[t].cell + PIECE], 2);
     V now = sin_of(angle);
     V slope = cos_of(angle);
-    for (int j = 1; j <= top; j++) {
+    for (int j = 1; j <= job->order; j++) {
         size = size * ((rate * c[job->table[t].cell + SCALE]) * b->inverse[j]);
         (b->r + job->table[t].reg)[j] = size * slope;
         V before = now;
         now = slope;
         slope = -before;
     }
+}
+
+/* Return the rise of a function of time over a step: of a sine by all terms, whatever the other lanes' orders. */
+INLINE V rise_of_step(Batch *b, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int last = job->data[t].sine ? job->order : 1;
+    return increment(b->r + job->table[t].reg, last, c[STEP]);
 }
 
 /* Return the rise of a sine over a distance ahead of a place in its piece: 2 A sin(r/2) cos(angle + r/2). */
@@ -6068,7 +6077,7 @@ static void begin_expansion(Batch *b, M which, int top, int at_rest)
             (b->r + job->table[t].reg)[1] = c[job->table[t].cell + RISE];
         }
         if (job->data[t].sine) {
-            expand_sine(b, t, top);
+            expand_sine(b, t);
         }
     }
     c[LARGEST_OMEGA] = at_rest ? broadcast(0.0) : magnitude((b->r + job->role->omega)[0]);
@@ -7077,7 +7086,7 @@ INLINE void advance_further(Batch *b, M here, int top)
     }
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
-            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, top, c[STEP]), c[job->table[t].cell + INC]);
+            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + rise_of_step(b, t), c[job->table[t].cell + INC]);
         }
     }
 }
@@ -8750,7 +8759,7 @@ static void rest_to_change(Batch *b, M here, V limit, V room)
     }
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
-            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + increment(b->r + job->table[t].reg, job->order, c[STEP]), c[job->table[t].cell + INC]);
+            c[job->table[t].cell + INC] = pick(here, c[job->table[t].cell + INC] + rise_of_step(b, t), c[job->table[t].cell + INC]);
         }
     }
     M reaches = (c[EVENT] == (double)EVENT_NONE) & (c[STEP] >= room);

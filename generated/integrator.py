@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7b47c2d62aa3ae642c110c476e0e226c00b07642ce64b4f286bed6c6dffc6206
+# sha256 of the text below: 99a1e5a1263eadf94b93be3bfe60ac39c0462e149b16a3bac8a4ec5b4f07a0cc
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -625,7 +625,7 @@ def value_now(s: Lanes, t: Table) -> Floats:
     return value_within(s, t, c[t.cells + ix.PIECE], local)
 
 
-def expand_sine(s: Lanes, t: Table, top: int) -> None:
+def expand_sine(s: Lanes, t: Table) -> None:
     """Compute the series of a sine about the current time, as its increment since the phase began."""
     c = s.cells
     size = coefficients_at(s, t, c[t.cells + ix.PIECE], 0) * c[t.cells + ix.SCALED_BY]
@@ -633,12 +633,19 @@ def expand_sine(s: Lanes, t: Table, top: int) -> None:
     angle = rate * since_break(s, t) + coefficients_at(s, t, c[t.cells + ix.PIECE], 2)
     now = np.sin(angle)
     slope = np.cos(angle)
-    for j in range(1, top + 1):
+    for j in range(1, s.highest + 1):
         size = size * (rate * c[t.cells + ix.SCALE] * (1.0 / j))
         s.registers[t.register][j] = size * slope
         before = now
         now = slope
         slope = -before
+
+
+def rise_of_step(s: Lanes, t: Table) -> Floats:
+    """Return the rise of a function of time over a step: of a sine by all terms, whatever the other lanes' orders."""
+    c = s.cells
+    last = s.highest if t.sine else 1
+    return increment(s.registers[t.register], last, c[ix.STEP])
 
 
 def rise_of_sine(s: Lanes, t: Table, local: Floats, past: Floats) -> Floats:
@@ -945,7 +952,7 @@ def begin_expansion(s: Lanes, which: Mask, top: int, at_rest: int) -> None:
         if t.kind == ix.OF_TIME:
             s.registers[t.register][1] = c[t.cells + ix.RISE]
         if t.sine:
-            expand_sine(s, t, top)
+            expand_sine(s, t)
     c[ix.LARGEST_OMEGA] = 0.0 if at_rest else np.abs(s.registers[s.roles.omega][0])
 
 
@@ -1820,8 +1827,7 @@ def advance_further(s: Lanes, here: Mask, top: int) -> None:
             c[q.cell] = np.where(here, c[q.cell] + increment(s.registers[q.register], top, c[ix.STEP]), c[q.cell])
     for t in s.tables:
         if t.kind == ix.OF_TIME:
-            c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], top,
-                c[ix.STEP]), c[t.cells + ix.INC])
+            c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + rise_of_step(s, t), c[t.cells + ix.INC])
 
 
 def find_endless(s: Lanes, here: Mask, room: Floats) -> None:
@@ -3247,8 +3253,7 @@ def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
         look_ahead(s, both, c[ix.STEP])
     for t in s.tables:
         if t.kind == ix.OF_TIME:
-            c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + increment(s.registers[t.register], s.highest,
-                c[ix.STEP]), c[t.cells + ix.INC])
+            c[t.cells + ix.INC] = np.where(here, c[t.cells + ix.INC] + rise_of_step(s, t), c[t.cells + ix.INC])
     reaches = (c[ix.EVENT] == ix.EVENT_NONE) & (c[ix.STEP] >= room)
     c[ix.EVENT] = np.where(here, np.where(reaches, ix.EVENT_LIMIT, c[ix.EVENT]), c[ix.EVENT])
     leave_rest(s, here, limit)

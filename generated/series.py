@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 809c4f32de136cb252b79534d226c5b30ba9e642329f9f3aa9a183d90d3e27d2
+# sha256 of the text below: 06931142ce644080c798ff43f2f1818c47bc55e8fbc7afd3eca4fbc8c495c4ce
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "c409b71059f1b74cf78dc7c60ce021b8365315f64e23a6976f0f145b53f59a56"  # of the compiled integrator's source
+DIGEST = "65d187e1e570144e6531ed8204f29536653a1ca2ff8824661208d0de4146950c"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -22,6 +22,7 @@ def _record(size: float) -> Series:
 
 
 SHAKEN = {"horizontal": _record(0.08), "vertical": _record(0.2)}
+PULSE = Pulse("sine", 0.3, 0.5, 12.0, 6.0)
 SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
     "constant": (TURNING, MU, math.inf),
     "softening": (TURNING, {"law": "exponential", "peak": MU, "residual": 0.7 * MU, "length": 20.0}, math.inf),
@@ -32,7 +33,8 @@ SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
               MU, 200.0),
     "record": (TURNING | {"shaking": SHAKEN}, MU, math.inf),
     "two ways": (TURNING | {"shaking": SHAKEN | {"two_way": True}}, MU + 0.2, 15.0),
-    "pulse": (TURNING | {"shaking": {"horizontal": Pulse("sine", 0.3, 0.5, 12.0, 6.0)}}, MU, math.inf),
+    "pulse": (TURNING | {"shaking": {"horizontal": PULSE}}, MU, math.inf),
+    "pulse and record": (TURNING | {"shaking": SHAKEN | {"horizontal": PULSE}}, MU, math.inf),
     "heat": (TURNING | {"thermal_pressurisation": {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}},
              MU, 200.0),
 }  # fmt: skip

@@ -23,13 +23,13 @@ from derive.flow.integrator.one_lane import (
 from derive.flow.integrator.phases import begin_phases, face, stay
 from derive.flow.integrator.records import enter_pieces, look_for_quiet, slide_together
 from derive.flow.integrator.recurrence import has_recurrence
-from derive.flow.integrator.roots import crossing, increment
+from derive.flow.integrator.roots import crossing
 from derive.flow.integrator.rotation import turn_on
 from derive.flow.integrator.series import expand, longest_step
 from derive.flow.integrator.shaken import turn_through
 from derive.flow.integrator.step import change_contact, consider, find_contact_change, make_step
 from derive.flow.integrator.swing import swing
-from derive.flow.integrator.tables import next_break
+from derive.flow.integrator.tables import next_break, rise_of_step
 
 TOUCHES = 2.0  # units of rounding of the drive below which the net moment at rest is zero
 TOGETHER = 1e-9  # relative difference below which two times are equal
@@ -108,7 +108,7 @@ def rest_to_change(s: Lanes, here: M, limit: V, room: V) -> None:
         look_ahead(s, both, s.step)
     for t in s.tables:
         if t.kind == Kind.TIME:  # the same for both directions
-            t.inc = t.inc + increment(t.series, s.highest, s.step)
+            t.inc = t.inc + rise_of_step(s, t)
     reaches = s.event == Event.NONE and s.step >= room
     s.event = where(reaches, Event.LIMIT, s.event)
     leave_rest(s, here, limit)

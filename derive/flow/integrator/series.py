@@ -139,7 +139,7 @@ def begin_expansion(s: Lanes, which: M, top: N, at_rest: N) -> None:
         if t.kind == Kind.TIME:
             t.series[1] = t.rise
         if t.sine:
-            expand_sine(s, t, top)
+            expand_sine(s, t)
     s.largest_omega = 0.0 if at_rest else abs(s.series.omega[0])
 
 

@@ -31,7 +31,7 @@ from derive.flow.integrator.one_lane import (
 from derive.flow.integrator.phases import advance_origin, face, keep_faster, note_lift_off, update_reach
 from derive.flow.integrator.roots import crossing, falling_root, first_root, increment, margin_of, value
 from derive.flow.integrator.series import elapsed, expand, longest_step, per_time, variable_at
-from derive.flow.integrator.tables import end_of_piece, next_break, pass_breaks
+from derive.flow.integrator.tables import end_of_piece, next_break, pass_breaks, rise_of_step
 
 FAR = 1e300  # unreachable bound
 
@@ -247,7 +247,7 @@ def advance_further(s: Lanes, here: M, top: N) -> None:
             q.now = q.now + increment(q.series, top, s.step)
     for t in s.tables:
         if t.kind == Kind.TIME:
-            t.inc = t.inc + increment(t.series, top, s.step)
+            t.inc = t.inc + rise_of_step(s, t)
 
 
 def find_endless(s: Lanes, here: M, room: V) -> None:

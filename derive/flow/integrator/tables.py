@@ -32,7 +32,7 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
-from derive.flow.integrator.roots import shift
+from derive.flow.integrator.roots import increment, shift
 
 
 def end_of_piece(s: Lanes, t: T, piece: V) -> V:
@@ -81,19 +81,25 @@ def value_now(s: Lanes, t: T) -> V:
     return value_within(s, t, t.piece, local)
 
 
-def expand_sine(s: Lanes, t: T, top: N) -> None:
+def expand_sine(s: Lanes, t: T) -> None:
     """Compute the series of a sine about the current time, as its increment since the phase began."""
     size = coefficients_at(s, t, t.piece, 0) * t.scaled_by
     rate = coefficients_at(s, t, t.piece, 1)
     angle = rate * since_break(s, t) + coefficients_at(s, t, t.piece, 2)
     now = sin(angle)
     slope = cos(angle)
-    for j in up(1, top):
+    for j in up(1, s.highest):
         size = size * (rate * t.scale * s.inverse[j])
         t.series[j] = size * slope
         before = now
         now = slope
         slope = -before
+
+
+def rise_of_step(s: Lanes, t: T) -> V:
+    """Return the rise of a function of time over a step: of a sine by all terms, whatever the other lanes' orders."""
+    last: N = s.highest if t.sine else 1
+    return increment(t.series, last, s.step)
 
 
 def rise_of_sine(s: Lanes, t: T, local: V, past: V) -> V:
