@@ -11,6 +11,7 @@ import sys
 from collections.abc import Sequence
 from contextvars import copy_context
 from importlib import import_module
+from io import StringIO
 from textwrap import wrap
 from threading import active_count
 from typing import TYPE_CHECKING
@@ -78,6 +79,7 @@ def command() -> None:
 
     Long computations are announced. An interrupted process does not wait for threads that still compute.
     """
+    sys.stderr = sys.stderr or StringIO()  # closed by the caller, which not every argparse expects
     computing = say_later(SILENT)
     allow_interrupts()
     status = main()

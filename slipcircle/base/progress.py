@@ -122,7 +122,7 @@ def announce(message: str, before: str = "") -> None:
 
     ``before`` is printed ahead of the name.
     """
-    for text in message.splitlines() if sys.stderr is not None else ():
+    for text in message.splitlines() if sys.stderr else ():
         print(f"{before}slipcircle: {clean(text)}", file=sys.stderr, flush=True)
 
 

@@ -155,7 +155,7 @@ def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
             return value
         every_lane = np.broadcast_to(value, scene.shape)
         if flat:
-            every_lane = every_lane.reshape(-1)
+            every_lane = every_lane.ravel()
         selected = every_lane[index]
         shape = selected.shape
         return float_or_array(selected)

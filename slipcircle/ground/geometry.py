@@ -48,7 +48,7 @@ class SectionGeometry:
         centre = np.broadcast_to(centres, (*self.shape, 2))
         radius = np.broadcast_to(radii, self.shape)
         ground = self._lines(self.ground)
-        return ground, centre.reshape(-1, 2), radius.reshape(-1)
+        return ground, centre.reshape(-1, 2), radius.ravel()
 
     def _lines(self, points: Any) -> Floats:
         """Return lines with one axis of lanes, (lanes or 1, V, 2), where 1 means that all lanes share a line.

@@ -250,4 +250,4 @@ def _drawn(design: Design, points: Any) -> list[Floats]:
         scores = np.tensordot(np.linalg.cholesky(design.correlation), special().ndtri(points), 1)
         points = np.clip(special().ndtr(scores), 2.0**-54, 1.0 - 2.0**-53)
     by_input = zip(design.drawn.values(), points, strict=True)
-    return [np.asarray(uncertain.drawn(of_input.reshape(-1))) for uncertain, of_input in by_input]
+    return [np.asarray(uncertain.drawn(of_input.ravel())) for uncertain, of_input in by_input]
