@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "65d187e1e570144e6531ed8204f29536653a1ca2ff8824661208d0de4146950c"
+#define DIGEST "49288e66eb9687ea3f6f6aa6e4564f76d374d27a917778c12fbd72ea40bcaf9f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -597,26 +597,15 @@ INLINE V pick(M m, V a, V b)
 }
 INLINE V magnitude(V x) { return (V)((M)x & INT64_MAX); }
 /* The lesser and the greater number, b if one is not a number. */
-INLINE V minimum(V a, V b)
-{
 #if WIDE == 512
-    return (V)_mm512_min_pd((__m512d)a, (__m512d)b);
+#define EXTREME(name, before) (V)_mm512_##name##_pd((__m512d)a, (__m512d)b)
 #elif SPAN == 256
-    return (V)_mm256_min_pd((__m256d)a, (__m256d)b);
+#define EXTREME(name, before) (V)_mm256_##name##_pd((__m256d)a, (__m256d)b)
 #else
-    return pick(a < b, a, b);
+#define EXTREME(name, before) pick(a before b, a, b)
 #endif
-}
-INLINE V maximum(V a, V b)
-{
-#if WIDE == 512
-    return (V)_mm512_max_pd((__m512d)a, (__m512d)b);
-#elif SPAN == 256
-    return (V)_mm256_max_pd((__m256d)a, (__m256d)b);
-#else
-    return pick(a > b, a, b);
-#endif
-}
+INLINE V minimum(V a, V b) { return EXTREME(min, <); }
+INLINE V maximum(V a, V b) { return EXTREME(max, >); }
 INLINE V broadcast(double x)
 {
     return x - (V){0}; /* one instruction, which a loop over lanes is not with all compilers */
@@ -748,15 +737,14 @@ INLINE V sqrt_of(V x)
 
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
  * code, its results and its arguments; a sum is its code, how many terms, its result, their registers, the cell of its
- * constant and those of the factors. What is read off a table is there already.
- * Cells are read from `own`, all else from `at`, so that this may be constant. Register i begins at r + i; by_n is 1 / n. */
-INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, const V *c, int n, double by_n)
+ * constant and those of the factors. What is read off a table is there already. Register i begins at r + i; by_n is 1 / n. */
+INLINE const int32_t *operation(const int32_t *at, V *r, const V *c, int n, double by_n)
 {
     switch (at[0]) {
     case LIN: {
         const int terms = at[1];
-        V sum = n == 0 ? c[own[3 + terms]] : (V){0};
-        for (int k = 0; k < terms; k++) sum += c[own[4 + terms + k]] * r[at[3 + k] + n];
+        V sum = n == 0 ? c[at[3 + terms]] : (V){0};
+        for (int k = 0; k < terms; k++) sum += c[at[4 + terms + k]] * r[at[3 + k] + n];
         r[at[2] + n] = sum;
         return at + 4 + 2 * terms;
     }
@@ -768,14 +756,13 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             d[0] = a[0] * b[0];
         } else {
             if (n % 2 == 0) {
-                V sum0 = n > 2 ? a[2] * b[n - 2] : (V){0}, sum0_next = {0}, sum0_before = b[n - 2];
-                for (int i = 2; 2 * i < n; i++) {
-                    sum0_next += a[2 * i - 1] * sum0_before; sum0_before = b[n - 2 * i + 1];
-                    sum0 += a[2 * i - 1] * sum0_before; sum0_next += a[2 * i] * sum0_before;
-                    sum0_before = b[n - 2 * i]; sum0 += a[2 * i] * sum0_before;
+                V sum0 = a[1] * b[n - 1], sum0_next = {0}, sum0_before = b[n - 1];
+                for (int i = 1; 2 * i < n; i++) {
+                    sum0_next += a[2 * i] * sum0_before; sum0_before = b[n - 2 * i];
+                    sum0 += a[2 * i] * sum0_before; sum0_next += a[2 * i + 1] * sum0_before;
+                    sum0_before = b[n - 2 * i - 1]; sum0 += a[2 * i + 1] * sum0_before;
                 }
-                d[n] = n > 2 ? sum0 + a[1] * b[n - 1] + a[n - 1] * b[1] : a[1] * b[1];
-                d[n + 1] = n > 2 ? sum0_next + a[2] * b[n - 1] + a[n - 1] * b[2] : (V){0};
+                d[n] = sum0, d[n + 1] = sum0_next;
             } else {
                 d[n] = n > 1 ? d[n] + a[1] * b[n - 1] + a[n - 1] * b[1] : (V){0};
             }
@@ -792,11 +779,10 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
         } else {
             if (n % 2 == 0) {
                 V sum0 = {0}, sum0_next = {0};
-                for (int i = 2; 2 * i < n; i++) {
+                for (int i = 1; 2 * i < n; i++) {
                     const V sum0_now = a[n - i]; sum0 += a[i] * sum0_now; sum0_next += a[i + 1] * sum0_now;
                 }
-                d[n] = n > 2 ? a[n / 2] * a[n / 2] + 2.0 * (sum0 + a[1] * a[n - 1]) : a[1] * a[1],
-                    d[n + 1] = n > 2 ? 2.0 * (sum0_next + a[2] * a[n - 1]) : (V){0};
+                d[n] = 2.0 * sum0 + a[n / 2] * a[n / 2], d[n + 1] = 2.0 * sum0_next;
             } else {
                 d[n] = n > 1 ? d[n] + 2.0 * a[1] * a[n - 1] : (V){0};
             }
@@ -825,42 +811,36 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             p7[0] = t2 * t3;
         } else {
             if (n % 2 == 0) {
-                V sum0 = n > 2 ? x[2] * p2[n - 2] : (V){0}, sum0_next = {0}, sum0_before = p2[n - 2];
-                V sum1 = n > 2 ? x[2] * p3[n - 2] : (V){0}, sum1_next = {0}, sum1_before = p3[n - 2];
-                V sum2 = n > 2 ? x[2] * p4[n - 2] : (V){0}, sum2_next = {0}, sum2_before = p4[n - 2];
-                V sum3 = n > 2 ? x[2] * p5[n - 2] : (V){0}, sum3_next = {0}, sum3_before = p5[n - 2];
-                V sum4 = n > 2 ? x[2] * p6[n - 2] : (V){0}, sum4_next = {0}, sum4_before = p6[n - 2];
+                V sum0 = x[1] * p2[n - 1], sum0_next = {0}, sum0_before = p2[n - 1];
+                V sum1 = x[1] * p3[n - 1], sum1_next = {0}, sum1_before = p3[n - 1];
+                V sum2 = x[1] * p4[n - 1], sum2_next = {0}, sum2_before = p4[n - 1];
+                V sum3 = x[1] * p5[n - 1], sum3_next = {0}, sum3_before = p5[n - 1];
+                V sum4 = x[1] * p6[n - 1], sum4_next = {0}, sum4_before = p6[n - 1];
                 V sum5 = {0}, sum5_next = {0};
-                for (int i = 2; 2 * i < n; i++) {
-                    sum0_next += x[2 * i - 1] * sum0_before; sum0_before = p2[n - 2 * i + 1];
-                    sum0 += x[2 * i - 1] * sum0_before; sum0_next += x[2 * i] * sum0_before;
-                    sum0_before = p2[n - 2 * i]; sum0 += x[2 * i] * sum0_before;
-                    sum1_next += x[2 * i - 1] * sum1_before; sum1_before = p3[n - 2 * i + 1];
-                    sum1 += x[2 * i - 1] * sum1_before; sum1_next += x[2 * i] * sum1_before;
-                    sum1_before = p3[n - 2 * i]; sum1 += x[2 * i] * sum1_before;
-                    sum2_next += x[2 * i - 1] * sum2_before; sum2_before = p4[n - 2 * i + 1];
-                    sum2 += x[2 * i - 1] * sum2_before; sum2_next += x[2 * i] * sum2_before;
-                    sum2_before = p4[n - 2 * i]; sum2 += x[2 * i] * sum2_before;
-                    sum3_next += x[2 * i - 1] * sum3_before; sum3_before = p5[n - 2 * i + 1];
-                    sum3 += x[2 * i - 1] * sum3_before; sum3_next += x[2 * i] * sum3_before;
-                    sum3_before = p5[n - 2 * i]; sum3 += x[2 * i] * sum3_before;
-                    sum4_next += x[2 * i - 1] * sum4_before; sum4_before = p6[n - 2 * i + 1];
-                    sum4 += x[2 * i - 1] * sum4_before; sum4_next += x[2 * i] * sum4_before;
-                    sum4_before = p6[n - 2 * i]; sum4 += x[2 * i] * sum4_before;
+                for (int i = 1; 2 * i < n; i++) {
+                    sum0_next += x[2 * i] * sum0_before; sum0_before = p2[n - 2 * i];
+                    sum0 += x[2 * i] * sum0_before; sum0_next += x[2 * i + 1] * sum0_before;
+                    sum0_before = p2[n - 2 * i - 1]; sum0 += x[2 * i + 1] * sum0_before;
+                    sum1_next += x[2 * i] * sum1_before; sum1_before = p3[n - 2 * i];
+                    sum1 += x[2 * i] * sum1_before; sum1_next += x[2 * i + 1] * sum1_before;
+                    sum1_before = p3[n - 2 * i - 1]; sum1 += x[2 * i + 1] * sum1_before;
+                    sum2_next += x[2 * i] * sum2_before; sum2_before = p4[n - 2 * i];
+                    sum2 += x[2 * i] * sum2_before; sum2_next += x[2 * i + 1] * sum2_before;
+                    sum2_before = p4[n - 2 * i - 1]; sum2 += x[2 * i + 1] * sum2_before;
+                    sum3_next += x[2 * i] * sum3_before; sum3_before = p5[n - 2 * i];
+                    sum3 += x[2 * i] * sum3_before; sum3_next += x[2 * i + 1] * sum3_before;
+                    sum3_before = p5[n - 2 * i - 1]; sum3 += x[2 * i + 1] * sum3_before;
+                    sum4_next += x[2 * i] * sum4_before; sum4_before = p6[n - 2 * i];
+                    sum4 += x[2 * i] * sum4_before; sum4_next += x[2 * i + 1] * sum4_before;
+                    sum4_before = p6[n - 2 * i - 1]; sum4 += x[2 * i + 1] * sum4_before;
                     const V sum5_now = x[n - i]; sum5 += x[i] * sum5_now; sum5_next += x[i + 1] * sum5_now;
                 }
-                p2[n] = n > 2 ? sum0 + x[1] * p2[n - 1] + x[n - 1] * p2[1] : x[1] * p2[1];
-                p2[n + 1] = n > 2 ? sum0_next + x[2] * p2[n - 1] + x[n - 1] * p2[2] : (V){0};
-                p3[n] = n > 2 ? sum1 + x[1] * p3[n - 1] + x[n - 1] * p3[1] : x[1] * p3[1];
-                p3[n + 1] = n > 2 ? sum1_next + x[2] * p3[n - 1] + x[n - 1] * p3[2] : (V){0};
-                p4[n] = n > 2 ? sum2 + x[1] * p4[n - 1] + x[n - 1] * p4[1] : x[1] * p4[1];
-                p4[n + 1] = n > 2 ? sum2_next + x[2] * p4[n - 1] + x[n - 1] * p4[2] : (V){0};
-                p5[n] = n > 2 ? sum3 + x[1] * p5[n - 1] + x[n - 1] * p5[1] : x[1] * p5[1];
-                p5[n + 1] = n > 2 ? sum3_next + x[2] * p5[n - 1] + x[n - 1] * p5[2] : (V){0};
-                p6[n] = n > 2 ? sum4 + x[1] * p6[n - 1] + x[n - 1] * p6[1] : x[1] * p6[1];
-                p6[n + 1] = n > 2 ? sum4_next + x[2] * p6[n - 1] + x[n - 1] * p6[2] : (V){0};
-                p7[n] = n > 2 ? x[n / 2] * x[n / 2] + 2.0 * (sum5 + x[1] * x[n - 1]) : x[1] * x[1],
-                    p7[n + 1] = n > 2 ? 2.0 * (sum5_next + x[2] * x[n - 1]) : (V){0};
+                p2[n] = sum0, p2[n + 1] = sum0_next;
+                p3[n] = sum1, p3[n + 1] = sum1_next;
+                p4[n] = sum2, p4[n + 1] = sum2_next;
+                p5[n] = sum3, p5[n + 1] = sum3_next;
+                p6[n] = sum4, p6[n + 1] = sum4_next;
+                p7[n] = 2.0 * sum5 + x[n / 2] * x[n / 2], p7[n + 1] = 2.0 * sum5_next;
             } else {
                 p2[n] = n > 1 ? p2[n] + x[1] * p2[n - 1] + x[n - 1] * p2[1] : (V){0};
                 p3[n] = n > 1 ? p3[n] + x[1] * p3[n - 1] + x[n - 1] * p3[1] : (V){0};
@@ -905,20 +885,18 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             v[0] = 2.0 * (t1 * t1);
         } else {
             if (n % 2 == 0) {
-                V sum0 = n > 2 ? q[2] * s[n - 2] : (V){0}, sum0_next = {0}, sum0_before = s[n - 2];
-                V sum1 = n > 2 ? q[2] * v[n - 2] : (V){0}, sum1_next = {0}, sum1_before = v[n - 2];
-                for (int i = 2; 2 * i < n; i++) {
-                    sum0_next += q[2 * i - 1] * sum0_before; sum0_before = s[n - 2 * i + 1];
-                    sum0 += q[2 * i - 1] * sum0_before; sum0_next += q[2 * i] * sum0_before;
-                    sum0_before = s[n - 2 * i]; sum0 += q[2 * i] * sum0_before;
-                    sum1_next += q[2 * i - 1] * sum1_before; sum1_before = v[n - 2 * i + 1];
-                    sum1 += q[2 * i - 1] * sum1_before; sum1_next += q[2 * i] * sum1_before;
-                    sum1_before = v[n - 2 * i]; sum1 += q[2 * i] * sum1_before;
+                V sum0 = q[1] * s[n - 1], sum0_next = {0}, sum0_before = s[n - 1];
+                V sum1 = q[1] * v[n - 1], sum1_next = {0}, sum1_before = v[n - 1];
+                for (int i = 1; 2 * i < n; i++) {
+                    sum0_next += q[2 * i] * sum0_before; sum0_before = s[n - 2 * i];
+                    sum0 += q[2 * i] * sum0_before; sum0_next += q[2 * i + 1] * sum0_before;
+                    sum0_before = s[n - 2 * i - 1]; sum0 += q[2 * i + 1] * sum0_before;
+                    sum1_next += q[2 * i] * sum1_before; sum1_before = v[n - 2 * i];
+                    sum1 += q[2 * i] * sum1_before; sum1_next += q[2 * i + 1] * sum1_before;
+                    sum1_before = v[n - 2 * i - 1]; sum1 += q[2 * i + 1] * sum1_before;
                 }
-                s[n] = n > 2 ? sum0 + q[1] * s[n - 1] + q[n - 1] * s[1] : q[1] * s[1];
-                s[n + 1] = n > 2 ? sum0_next + q[2] * s[n - 1] + q[n - 1] * s[2] : (V){0};
-                v[n] = n > 2 ? sum1 + q[1] * v[n - 1] + q[n - 1] * v[1] : q[1] * v[1];
-                v[n + 1] = n > 2 ? sum1_next + q[2] * v[n - 1] + q[n - 1] * v[2] : (V){0};
+                s[n] = sum0, s[n + 1] = sum0_next;
+                v[n] = sum1, v[n + 1] = sum1_next;
             } else {
                 s[n] = n > 1 ? s[n] + q[1] * s[n - 1] + q[n - 1] * s[1] : (V){0};
                 v[n] = n > 1 ? v[n] + q[1] * v[n - 1] + q[n - 1] * v[1] : (V){0};
@@ -941,14 +919,13 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             m[0] = IN(map)(expm1, z[0]);
         } else {
             if (n % 2 == 0) {
-                V sum0 = n > 2 ? q[2] * e[n - 2] : (V){0}, sum0_next = {0}, sum0_before = e[n - 2];
-                for (int i = 2; 2 * i < n; i++) {
-                    sum0_next += q[2 * i - 1] * sum0_before; sum0_before = e[n - 2 * i + 1];
-                    sum0 += q[2 * i - 1] * sum0_before; sum0_next += q[2 * i] * sum0_before;
-                    sum0_before = e[n - 2 * i]; sum0 += q[2 * i] * sum0_before;
+                V sum0 = q[1] * e[n - 1], sum0_next = {0}, sum0_before = e[n - 1];
+                for (int i = 1; 2 * i < n; i++) {
+                    sum0_next += q[2 * i] * sum0_before; sum0_before = e[n - 2 * i];
+                    sum0 += q[2 * i] * sum0_before; sum0_next += q[2 * i + 1] * sum0_before;
+                    sum0_before = e[n - 2 * i - 1]; sum0 += q[2 * i + 1] * sum0_before;
                 }
-                e[n] = n > 2 ? sum0 + q[1] * e[n - 1] + q[n - 1] * e[1] : q[1] * e[1];
-                e[n + 1] = n > 2 ? sum0_next + q[2] * e[n - 1] + q[n - 1] * e[2] : (V){0};
+                e[n] = sum0, e[n + 1] = sum0_next;
             } else {
                 e[n] = n > 1 ? e[n] + q[1] * e[n - 1] + q[n - 1] * e[1] : (V){0};
             }
@@ -968,14 +945,13 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             m[0] = -(z[0] / t1);
         } else {
             if (n % 2 == 0) {
-                V sum0 = n > 2 ? z[2] * h[n - 2] : (V){0}, sum0_next = {0}, sum0_before = h[n - 2];
-                for (int i = 2; 2 * i < n; i++) {
-                    sum0_next += z[2 * i - 1] * sum0_before; sum0_before = h[n - 2 * i + 1];
-                    sum0 += z[2 * i - 1] * sum0_before; sum0_next += z[2 * i] * sum0_before;
-                    sum0_before = h[n - 2 * i]; sum0 += z[2 * i] * sum0_before;
+                V sum0 = z[1] * h[n - 1], sum0_next = {0}, sum0_before = h[n - 1];
+                for (int i = 1; 2 * i < n; i++) {
+                    sum0_next += z[2 * i] * sum0_before; sum0_before = h[n - 2 * i];
+                    sum0 += z[2 * i] * sum0_before; sum0_next += z[2 * i + 1] * sum0_before;
+                    sum0_before = h[n - 2 * i - 1]; sum0 += z[2 * i + 1] * sum0_before;
                 }
-                h[n] = n > 2 ? sum0 + z[1] * h[n - 1] + z[n - 1] * h[1] : z[1] * h[1];
-                h[n + 1] = n > 2 ? sum0_next + z[2] * h[n - 1] + z[n - 1] * h[2] : (V){0};
+                h[n] = sum0, h[n + 1] = sum0_next;
             } else {
                 h[n] = n > 1 ? h[n] + z[1] * h[n - 1] + z[n - 1] * h[1] : (V){0};
             }
@@ -995,14 +971,13 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             l[0] = IN(map)(log1p, z[0]);
         } else {
             if (n % 2 == 0) {
-                V sum0 = n > 2 ? u[2] * z[n - 2] : (V){0}, sum0_next = {0}, sum0_before = z[n - 2];
-                for (int i = 2; 2 * i < n; i++) {
-                    sum0_next += u[2 * i - 1] * sum0_before; sum0_before = z[n - 2 * i + 1];
-                    sum0 += u[2 * i - 1] * sum0_before; sum0_next += u[2 * i] * sum0_before;
-                    sum0_before = z[n - 2 * i]; sum0 += u[2 * i] * sum0_before;
+                V sum0 = u[1] * z[n - 1], sum0_next = {0}, sum0_before = z[n - 1];
+                for (int i = 1; 2 * i < n; i++) {
+                    sum0_next += u[2 * i] * sum0_before; sum0_before = z[n - 2 * i];
+                    sum0 += u[2 * i] * sum0_before; sum0_next += u[2 * i + 1] * sum0_before;
+                    sum0_before = z[n - 2 * i - 1]; sum0 += u[2 * i + 1] * sum0_before;
                 }
-                u[n] = n > 2 ? sum0 + u[1] * z[n - 1] + u[n - 1] * z[1] : u[1] * z[1];
-                u[n + 1] = n > 2 ? sum0_next + u[2] * z[n - 1] + u[n - 1] * z[2] : (V){0};
+                u[n] = sum0, u[n + 1] = sum0_next;
             } else {
                 u[n] = n > 1 ? u[n] + u[1] * z[n - 1] + u[n - 1] * z[1] : (V){0};
             }
@@ -1053,12 +1028,6 @@ INLINE void prologue(Batch *b, M here)
 }
 
 /* --- what the text asks of a program, of tables and of records --- */
-
-/* Coefficient n + 1 of the states. */
-INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const double *inverse)
-{
-    for (; q < q_end; q++) r[q->series + n + 1] = r[q->rate + n] * inverse[n + 1];
-}
 
 #ifndef SMALL
 #define HAS_STRAIGHT
@@ -1136,86 +1105,77 @@ static void orders_0(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
-            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
-                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
-                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
-                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
-                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
-                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+            V sum1 = (r + 84)[1] * (r + 126)[n - 1], sum1_next = {0}, sum1_before = (r + 126)[n - 1];
+            V sum2 = (r + 84)[1] * (r + 168)[n - 1], sum2_next = {0}, sum2_before = (r + 168)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 84)[2 * i] * sum1_before; sum1_before = (r + 126)[n - 2 * i];
+                sum1 += (r + 84)[2 * i] * sum1_before; sum1_next += (r + 84)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i - 1]; sum1 += (r + 84)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 84)[2 * i] * sum2_before; sum2_before = (r + 168)[n - 2 * i];
+                sum2 += (r + 84)[2 * i] * sum2_before; sum2_next += (r + 84)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i - 1]; sum2 += (r + 84)[2 * i + 1] * sum2_before;
             }
-            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
-            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
-            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 126)[n] = sum1, (r + 126)[n + 1] = sum1_next;
+            (r + 168)[n] = sum2, (r + 168)[n + 1] = sum2_next;
         } else {
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 0)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
-            V sum4 = n > 2 ? (r + 0)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 0)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 0)[2 * i - 1] * sum3_before; sum3_next += (r + 0)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 0)[2 * i] * sum3_before;
-                sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
-                sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
-                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+            V sum3 = (r + 0)[1] * (r + 210)[n - 1], sum3_next = {0}, sum3_before = (r + 210)[n - 1];
+            V sum4 = (r + 0)[1] * (r + 252)[n - 1], sum4_next = {0}, sum4_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 0)[2 * i] * sum3_before; sum3_before = (r + 210)[n - 2 * i];
+                sum3 += (r + 0)[2 * i] * sum3_before; sum3_next += (r + 0)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i - 1]; sum3 += (r + 0)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 0)[2 * i] * sum4_before; sum4_before = (r + 252)[n - 2 * i];
+                sum4 += (r + 0)[2 * i] * sum4_before; sum4_next += (r + 0)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i - 1]; sum4 += (r + 0)[2 * i + 1] * sum4_before;
             }
-            (r + 210)[n] = n > 2 ? sum3 + (r + 0)[1] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[1] : (r + 0)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum3_next + (r + 0)[2] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (r + 0)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 210)[n] = sum3, (r + 210)[n + 1] = sum3_next;
+            (r + 252)[n] = sum4, (r + 252)[n + 1] = sum4_next;
         } else {
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 0)[1] * (r + 210)[n - 1] + (r + 0)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 0)[2] * (r + 294)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 294)[n - 2];
-            V sum6 = n > 2 ? (r + 0)[2] * (r + 336)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 336)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 294)[n - 2 * i + 1];
-                sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
-                sum5_before = (r + 294)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
-                sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 336)[n - 2 * i + 1];
-                sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
-                sum6_before = (r + 336)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
+            V sum5 = (r + 0)[1] * (r + 294)[n - 1], sum5_next = {0}, sum5_before = (r + 294)[n - 1];
+            V sum6 = (r + 0)[1] * (r + 336)[n - 1], sum6_next = {0}, sum6_before = (r + 336)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 0)[2 * i] * sum5_before; sum5_before = (r + 294)[n - 2 * i];
+                sum5 += (r + 0)[2 * i] * sum5_before; sum5_next += (r + 0)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 294)[n - 2 * i - 1]; sum5 += (r + 0)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 0)[2 * i] * sum6_before; sum6_before = (r + 336)[n - 2 * i];
+                sum6 += (r + 0)[2 * i] * sum6_before; sum6_next += (r + 0)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 336)[n - 2 * i - 1]; sum6 += (r + 0)[2 * i + 1] * sum6_before;
             }
-            (r + 294)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (r + 0)[1] * (r + 294)[1];
-            (r + 294)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[2] : (V){0};
-            (r + 336)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (r + 0)[1] * (r + 336)[1];
-            (r + 336)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[2] : (V){0};
+            (r + 294)[n] = sum5, (r + 294)[n + 1] = sum5_next;
+            (r + 336)[n] = sum6, (r + 336)[n + 1] = sum6_next;
         } else {
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (V){0};
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum7 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 378)[n - 2];
+            V sum7 = (r + 0)[1] * (r + 378)[n - 1], sum7_next = {0}, sum7_before = (r + 378)[n - 1];
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
-                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 378)[n - 2 * i + 1];
-                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
-                sum7_before = (r + 378)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
+            for (int i = 1; 2 * i < n; i++) {
+                sum7_next += (r + 0)[2 * i] * sum7_before; sum7_before = (r + 378)[n - 2 * i];
+                sum7 += (r + 0)[2 * i] * sum7_before; sum7_next += (r + 0)[2 * i + 1] * sum7_before;
+                sum7_before = (r + 378)[n - 2 * i - 1]; sum7 += (r + 0)[2 * i + 1] * sum7_before;
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 378)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
-            (r + 378)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
-            if (squares) (r + 462)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 378)[n] = sum7, (r + 378)[n + 1] = sum7_next;
+            if (squares) (r + 462)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 462)[n + 1] = 2.0 * sum0_next;
         } else {
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
             if (squares) (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum8 = {0}, sum8_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum8_now = (r + 0)[n - i]; sum8 += (r + 0)[i] * sum8_now; sum8_next += (r + 0)[i + 1] * sum8_now;
             }
-            (r + 420)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum8 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
-                (r + 420)[n + 1] = n > 2 ? 2.0 * (sum8_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+            (r + 420)[n] = 2.0 * sum8 + (r + 0)[n / 2] * (r + 0)[n / 2], (r + 420)[n + 1] = 2.0 * sum8_next;
         } else {
             (r + 420)[n] = n > 1 ? (r + 420)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
         }
@@ -1415,50 +1375,45 @@ static void orders_1(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
-            V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
-                sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
-                sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
-                sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
-                sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
-                sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
+            V sum1 = (r + 126)[1] * (r + 168)[n - 1], sum1_next = {0}, sum1_before = (r + 168)[n - 1];
+            V sum2 = (r + 126)[1] * (r + 210)[n - 1], sum2_next = {0}, sum2_before = (r + 210)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 126)[2 * i] * sum1_before; sum1_before = (r + 168)[n - 2 * i];
+                sum1 += (r + 126)[2 * i] * sum1_before; sum1_next += (r + 126)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 168)[n - 2 * i - 1]; sum1 += (r + 126)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 126)[2 * i] * sum2_before; sum2_before = (r + 210)[n - 2 * i];
+                sum2 += (r + 126)[2 * i] * sum2_before; sum2_next += (r + 126)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 210)[n - 2 * i - 1]; sum2 += (r + 126)[2 * i + 1] * sum2_before;
             }
-            (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 168)[n] = sum1, (r + 168)[n + 1] = sum1_next;
+            (r + 210)[n] = sum2, (r + 210)[n + 1] = sum2_next;
         } else {
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
-            V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
-                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
-                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
-                sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            V sum3 = (r + 84)[1] * (r + 168)[n - 1], sum3_next = {0}, sum3_before = (r + 168)[n - 1];
+            V sum4 = (r + 84)[1] * (r + 210)[n - 1], sum4_next = {0}, sum4_before = (r + 210)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i] * sum3_before; sum3_before = (r + 168)[n - 2 * i];
+                sum3 += (r + 84)[2 * i] * sum3_before; sum3_next += (r + 84)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i - 1]; sum3 += (r + 84)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 84)[2 * i] * sum4_before; sum4_before = (r + 210)[n - 2 * i];
+                sum4 += (r + 84)[2 * i] * sum4_before; sum4_next += (r + 84)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 210)[n - 2 * i - 1]; sum4 += (r + 84)[2 * i + 1] * sum4_before;
             }
-            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = sum3, (r + 252)[n + 1] = sum3_next;
+            (r + 294)[n] = sum4, (r + 294)[n + 1] = sum4_next;
         } else {
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            if (squares) (r + 336)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 336)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            if (squares) (r + 336)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 336)[n + 1] = 2.0 * sum0_next;
         } else {
             if (squares) (r + 336)[n] = n > 1 ? (r + 336)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
@@ -1639,69 +1594,62 @@ static void orders_2(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
-            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
-                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
-                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
-                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
-                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
-                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+            V sum1 = (r + 168)[1] * (r + 210)[n - 1], sum1_next = {0}, sum1_before = (r + 210)[n - 1];
+            V sum2 = (r + 168)[1] * (r + 252)[n - 1], sum2_next = {0}, sum2_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 168)[2 * i] * sum1_before; sum1_before = (r + 210)[n - 2 * i];
+                sum1 += (r + 168)[2 * i] * sum1_before; sum1_next += (r + 168)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i - 1]; sum1 += (r + 168)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 168)[2 * i] * sum2_before; sum2_before = (r + 252)[n - 2 * i];
+                sum2 += (r + 168)[2 * i] * sum2_before; sum2_next += (r + 168)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i - 1]; sum2 += (r + 168)[2 * i + 1] * sum2_before;
             }
-            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 210)[n] = sum1, (r + 210)[n + 1] = sum1_next;
+            (r + 252)[n] = sum2, (r + 252)[n + 1] = sum2_next;
         } else {
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
-            V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
-                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
-                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
-                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            V sum3 = (r + 84)[1] * (r + 210)[n - 1], sum3_next = {0}, sum3_before = (r + 210)[n - 1];
+            V sum4 = (r + 84)[1] * (r + 252)[n - 1], sum4_next = {0}, sum4_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i] * sum3_before; sum3_before = (r + 210)[n - 2 * i];
+                sum3 += (r + 84)[2 * i] * sum3_before; sum3_next += (r + 84)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i - 1]; sum3 += (r + 84)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 84)[2 * i] * sum4_before; sum4_before = (r + 252)[n - 2 * i];
+                sum4 += (r + 84)[2 * i] * sum4_before; sum4_next += (r + 84)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i - 1]; sum4 += (r + 84)[2 * i + 1] * sum4_before;
             }
-            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
-            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = sum3, (r + 294)[n + 1] = sum3_next;
+            (r + 336)[n] = sum4, (r + 336)[n + 1] = sum4_next;
         } else {
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
-            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
-                sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
-                sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
-                sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
-                sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
-                sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
+            V sum5 = (r + 126)[1] * (r + 210)[n - 1], sum5_next = {0}, sum5_before = (r + 210)[n - 1];
+            V sum6 = (r + 126)[1] * (r + 252)[n - 1], sum6_next = {0}, sum6_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 126)[2 * i] * sum5_before; sum5_before = (r + 210)[n - 2 * i];
+                sum5 += (r + 126)[2 * i] * sum5_before; sum5_next += (r + 126)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 210)[n - 2 * i - 1]; sum5 += (r + 126)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 126)[2 * i] * sum6_before; sum6_before = (r + 252)[n - 2 * i];
+                sum6 += (r + 126)[2 * i] * sum6_before; sum6_next += (r + 126)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 252)[n - 2 * i - 1]; sum6 += (r + 126)[2 * i + 1] * sum6_before;
             }
-            (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
-            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
-            (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = sum5, (r + 378)[n + 1] = sum5_next;
+            (r + 420)[n] = sum6, (r + 420)[n + 1] = sum6_next;
         } else {
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            if (squares) (r + 462)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            if (squares) (r + 462)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 462)[n + 1] = 2.0 * sum0_next;
         } else {
             if (squares) (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
@@ -1922,50 +1870,45 @@ static void orders_3(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
-            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
-                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
-                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
-                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
-                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
-                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+            V sum1 = (r + 84)[1] * (r + 126)[n - 1], sum1_next = {0}, sum1_before = (r + 126)[n - 1];
+            V sum2 = (r + 84)[1] * (r + 168)[n - 1], sum2_next = {0}, sum2_before = (r + 168)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 84)[2 * i] * sum1_before; sum1_before = (r + 126)[n - 2 * i];
+                sum1 += (r + 84)[2 * i] * sum1_before; sum1_next += (r + 84)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i - 1]; sum1 += (r + 84)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 84)[2 * i] * sum2_before; sum2_before = (r + 168)[n - 2 * i];
+                sum2 += (r + 84)[2 * i] * sum2_before; sum2_next += (r + 84)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i - 1]; sum2 += (r + 84)[2 * i + 1] * sum2_before;
             }
-            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
-            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
-            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 126)[n] = sum1, (r + 126)[n + 1] = sum1_next;
+            (r + 168)[n] = sum2, (r + 168)[n + 1] = sum2_next;
         } else {
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 252)[2] * (r + 294)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 294)[n - 2];
-            V sum4 = n > 2 ? (r + 378)[2] * (r + 462)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 462)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 252)[2 * i - 1] * sum3_before; sum3_before = (r + 294)[n - 2 * i + 1];
-                sum3 += (r + 252)[2 * i - 1] * sum3_before; sum3_next += (r + 252)[2 * i] * sum3_before;
-                sum3_before = (r + 294)[n - 2 * i]; sum3 += (r + 252)[2 * i] * sum3_before;
-                sum4_next += (r + 378)[2 * i - 1] * sum4_before; sum4_before = (r + 462)[n - 2 * i + 1];
-                sum4 += (r + 378)[2 * i - 1] * sum4_before; sum4_next += (r + 378)[2 * i] * sum4_before;
-                sum4_before = (r + 462)[n - 2 * i]; sum4 += (r + 378)[2 * i] * sum4_before;
+            V sum3 = (r + 252)[1] * (r + 294)[n - 1], sum3_next = {0}, sum3_before = (r + 294)[n - 1];
+            V sum4 = (r + 378)[1] * (r + 462)[n - 1], sum4_next = {0}, sum4_before = (r + 462)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 252)[2 * i] * sum3_before; sum3_before = (r + 294)[n - 2 * i];
+                sum3 += (r + 252)[2 * i] * sum3_before; sum3_next += (r + 252)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 294)[n - 2 * i - 1]; sum3 += (r + 252)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 378)[2 * i] * sum4_before; sum4_before = (r + 462)[n - 2 * i];
+                sum4 += (r + 378)[2 * i] * sum4_before; sum4_next += (r + 378)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 462)[n - 2 * i - 1]; sum4 += (r + 378)[2 * i + 1] * sum4_before;
             }
-            (r + 294)[n] = n > 2 ? sum3 + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (r + 252)[1] * (r + 294)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 252)[2] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[2] : (V){0};
-            (r + 504)[n] = n > 2 ? sum4 + (r + 378)[1] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[1] : (r + 378)[1] * (r + 462)[1];
-            (r + 504)[n + 1] = n > 2 ? sum4_next + (r + 378)[2] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[2] : (V){0};
+            (r + 294)[n] = sum3, (r + 294)[n + 1] = sum3_next;
+            (r + 504)[n] = sum4, (r + 504)[n + 1] = sum4_next;
         } else {
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (V){0};
             (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 378)[1] * (r + 462)[n - 1] + (r + 378)[n - 1] * (r + 462)[1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            if (squares) (r + 420)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 420)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            if (squares) (r + 420)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 420)[n + 1] = 2.0 * sum0_next;
         } else {
             if (squares) (r + 420)[n] = n > 1 ? (r + 420)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
@@ -2198,105 +2141,94 @@ static void orders_4(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
-            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
-                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
-                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
-                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
-                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
-                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+            V sum1 = (r + 84)[1] * (r + 126)[n - 1], sum1_next = {0}, sum1_before = (r + 126)[n - 1];
+            V sum2 = (r + 84)[1] * (r + 168)[n - 1], sum2_next = {0}, sum2_before = (r + 168)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 84)[2 * i] * sum1_before; sum1_before = (r + 126)[n - 2 * i];
+                sum1 += (r + 84)[2 * i] * sum1_before; sum1_next += (r + 84)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i - 1]; sum1 += (r + 84)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 84)[2 * i] * sum2_before; sum2_before = (r + 168)[n - 2 * i];
+                sum2 += (r + 84)[2 * i] * sum2_before; sum2_next += (r + 84)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i - 1]; sum2 += (r + 84)[2 * i + 1] * sum2_before;
             }
-            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
-            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
-            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 126)[n] = sum1, (r + 126)[n + 1] = sum1_next;
+            (r + 168)[n] = sum2, (r + 168)[n + 1] = sum2_next;
         } else {
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 252)[2] * (r + 294)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 294)[n - 2];
-            V sum4 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 420)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 252)[2 * i - 1] * sum3_before; sum3_before = (r + 294)[n - 2 * i + 1];
-                sum3 += (r + 252)[2 * i - 1] * sum3_before; sum3_next += (r + 252)[2 * i] * sum3_before;
-                sum3_before = (r + 294)[n - 2 * i]; sum3 += (r + 252)[2 * i] * sum3_before;
-                sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 420)[n - 2 * i + 1];
-                sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
-                sum4_before = (r + 420)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+            V sum3 = (r + 252)[1] * (r + 294)[n - 1], sum3_next = {0}, sum3_before = (r + 294)[n - 1];
+            V sum4 = (r + 0)[1] * (r + 420)[n - 1], sum4_next = {0}, sum4_before = (r + 420)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 252)[2 * i] * sum3_before; sum3_before = (r + 294)[n - 2 * i];
+                sum3 += (r + 252)[2 * i] * sum3_before; sum3_next += (r + 252)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 294)[n - 2 * i - 1]; sum3 += (r + 252)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 0)[2 * i] * sum4_before; sum4_before = (r + 420)[n - 2 * i];
+                sum4 += (r + 0)[2 * i] * sum4_before; sum4_next += (r + 0)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 420)[n - 2 * i - 1]; sum4 += (r + 0)[2 * i + 1] * sum4_before;
             }
-            (r + 294)[n] = n > 2 ? sum3 + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (r + 252)[1] * (r + 294)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 252)[2] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[2] : (V){0};
-            (r + 420)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
-            (r + 420)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
+            (r + 294)[n] = sum3, (r + 294)[n + 1] = sum3_next;
+            (r + 420)[n] = sum4, (r + 420)[n + 1] = sum4_next;
         } else {
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 252)[1] * (r + 294)[n - 1] + (r + 252)[n - 1] * (r + 294)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 0)[2] * (r + 462)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 462)[n - 2];
-            V sum6 = n > 2 ? (r + 0)[2] * (r + 504)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 504)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 462)[n - 2 * i + 1];
-                sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
-                sum5_before = (r + 462)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
-                sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 504)[n - 2 * i + 1];
-                sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
-                sum6_before = (r + 504)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
+            V sum5 = (r + 0)[1] * (r + 462)[n - 1], sum5_next = {0}, sum5_before = (r + 462)[n - 1];
+            V sum6 = (r + 0)[1] * (r + 504)[n - 1], sum6_next = {0}, sum6_before = (r + 504)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 0)[2 * i] * sum5_before; sum5_before = (r + 462)[n - 2 * i];
+                sum5 += (r + 0)[2 * i] * sum5_before; sum5_next += (r + 0)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 462)[n - 2 * i - 1]; sum5 += (r + 0)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 0)[2 * i] * sum6_before; sum6_before = (r + 504)[n - 2 * i];
+                sum6 += (r + 0)[2 * i] * sum6_before; sum6_next += (r + 0)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 504)[n - 2 * i - 1]; sum6 += (r + 0)[2 * i + 1] * sum6_before;
             }
-            (r + 462)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (r + 0)[1] * (r + 462)[1];
-            (r + 462)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[2] : (V){0};
-            (r + 504)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (r + 0)[1] * (r + 504)[1];
-            (r + 504)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[2] : (V){0};
+            (r + 462)[n] = sum5, (r + 462)[n + 1] = sum5_next;
+            (r + 504)[n] = sum6, (r + 504)[n + 1] = sum6_next;
         } else {
             (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (V){0};
             (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum7 = n > 2 ? (r + 0)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
-            V sum8 = n > 2 ? (r + 0)[2] * (r + 588)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 588)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
-                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
-                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
-                sum8_next += (r + 0)[2 * i - 1] * sum8_before; sum8_before = (r + 588)[n - 2 * i + 1];
-                sum8 += (r + 0)[2 * i - 1] * sum8_before; sum8_next += (r + 0)[2 * i] * sum8_before;
-                sum8_before = (r + 588)[n - 2 * i]; sum8 += (r + 0)[2 * i] * sum8_before;
+            V sum7 = (r + 0)[1] * (r + 546)[n - 1], sum7_next = {0}, sum7_before = (r + 546)[n - 1];
+            V sum8 = (r + 0)[1] * (r + 588)[n - 1], sum8_next = {0}, sum8_before = (r + 588)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum7_next += (r + 0)[2 * i] * sum7_before; sum7_before = (r + 546)[n - 2 * i];
+                sum7 += (r + 0)[2 * i] * sum7_before; sum7_next += (r + 0)[2 * i + 1] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i - 1]; sum7 += (r + 0)[2 * i + 1] * sum7_before;
+                sum8_next += (r + 0)[2 * i] * sum8_before; sum8_before = (r + 588)[n - 2 * i];
+                sum8 += (r + 0)[2 * i] * sum8_before; sum8_next += (r + 0)[2 * i + 1] * sum8_before;
+                sum8_before = (r + 588)[n - 2 * i - 1]; sum8 += (r + 0)[2 * i + 1] * sum8_before;
             }
-            (r + 546)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (r + 0)[1] * (r + 546)[1];
-            (r + 546)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[2] : (V){0};
-            (r + 588)[n] = n > 2 ? sum8 + (r + 0)[1] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[1] : (r + 0)[1] * (r + 588)[1];
-            (r + 588)[n + 1] = n > 2 ? sum8_next + (r + 0)[2] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[2] : (V){0};
+            (r + 546)[n] = sum7, (r + 546)[n + 1] = sum7_next;
+            (r + 588)[n] = sum8, (r + 588)[n + 1] = sum8_next;
         } else {
             (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (V){0};
             (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 0)[1] * (r + 588)[n - 1] + (r + 0)[n - 1] * (r + 588)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum10 = n > 2 ? (r + 378)[2] * (r + 714)[n - 2] : (V){0}, sum10_next = {0}, sum10_before = (r + 714)[n - 2];
+            V sum10 = (r + 378)[1] * (r + 714)[n - 1], sum10_next = {0}, sum10_before = (r + 714)[n - 1];
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
-                sum10_next += (r + 378)[2 * i - 1] * sum10_before; sum10_before = (r + 714)[n - 2 * i + 1];
-                sum10 += (r + 378)[2 * i - 1] * sum10_before; sum10_next += (r + 378)[2 * i] * sum10_before;
-                sum10_before = (r + 714)[n - 2 * i]; sum10 += (r + 378)[2 * i] * sum10_before;
+            for (int i = 1; 2 * i < n; i++) {
+                sum10_next += (r + 378)[2 * i] * sum10_before; sum10_before = (r + 714)[n - 2 * i];
+                sum10 += (r + 378)[2 * i] * sum10_before; sum10_next += (r + 378)[2 * i + 1] * sum10_before;
+                sum10_before = (r + 714)[n - 2 * i - 1]; sum10 += (r + 378)[2 * i + 1] * sum10_before;
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 756)[n] = n > 2 ? sum10 + (r + 378)[1] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[1] : (r + 378)[1] * (r + 714)[1];
-            (r + 756)[n + 1] = n > 2 ? sum10_next + (r + 378)[2] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[2] : (V){0};
-            if (squares) (r + 672)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 672)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 756)[n] = sum10, (r + 756)[n + 1] = sum10_next;
+            if (squares) (r + 672)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 672)[n + 1] = 2.0 * sum0_next;
         } else {
             (r + 756)[n] = n > 1 ? (r + 756)[n] + (r + 378)[1] * (r + 714)[n - 1] + (r + 378)[n - 1] * (r + 714)[1] : (V){0};
             if (squares) (r + 672)[n] = n > 1 ? (r + 672)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum9 = {0}, sum9_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum9_now = (r + 0)[n - i]; sum9 += (r + 0)[i] * sum9_now; sum9_next += (r + 0)[i + 1] * sum9_now;
             }
-            (r + 630)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum9 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
-                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum9_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+            (r + 630)[n] = 2.0 * sum9 + (r + 0)[n / 2] * (r + 0)[n / 2], (r + 630)[n + 1] = 2.0 * sum9_next;
         } else {
             (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
         }
@@ -2549,69 +2481,62 @@ static void orders_5(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
-            V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
-                sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
-                sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
-                sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
-                sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
-                sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
+            V sum1 = (r + 126)[1] * (r + 168)[n - 1], sum1_next = {0}, sum1_before = (r + 168)[n - 1];
+            V sum2 = (r + 126)[1] * (r + 210)[n - 1], sum2_next = {0}, sum2_before = (r + 210)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 126)[2 * i] * sum1_before; sum1_before = (r + 168)[n - 2 * i];
+                sum1 += (r + 126)[2 * i] * sum1_before; sum1_next += (r + 126)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 168)[n - 2 * i - 1]; sum1 += (r + 126)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 126)[2 * i] * sum2_before; sum2_before = (r + 210)[n - 2 * i];
+                sum2 += (r + 126)[2 * i] * sum2_before; sum2_next += (r + 126)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 210)[n - 2 * i - 1]; sum2 += (r + 126)[2 * i + 1] * sum2_before;
             }
-            (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 168)[n] = sum1, (r + 168)[n + 1] = sum1_next;
+            (r + 210)[n] = sum2, (r + 210)[n + 1] = sum2_next;
         } else {
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
-            V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
-                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
-                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
-                sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            V sum3 = (r + 84)[1] * (r + 168)[n - 1], sum3_next = {0}, sum3_before = (r + 168)[n - 1];
+            V sum4 = (r + 84)[1] * (r + 210)[n - 1], sum4_next = {0}, sum4_before = (r + 210)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i] * sum3_before; sum3_before = (r + 168)[n - 2 * i];
+                sum3 += (r + 84)[2 * i] * sum3_before; sum3_next += (r + 84)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i - 1]; sum3 += (r + 84)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 84)[2 * i] * sum4_before; sum4_before = (r + 210)[n - 2 * i];
+                sum4 += (r + 84)[2 * i] * sum4_before; sum4_next += (r + 84)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 210)[n - 2 * i - 1]; sum4 += (r + 84)[2 * i + 1] * sum4_before;
             }
-            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = sum3, (r + 252)[n + 1] = sum3_next;
+            (r + 294)[n] = sum4, (r + 294)[n + 1] = sum4_next;
         } else {
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 378)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
-            V sum6 = n > 2 ? (r + 504)[2] * (r + 588)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 588)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 378)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
-                sum5 += (r + 378)[2 * i - 1] * sum5_before; sum5_next += (r + 378)[2 * i] * sum5_before;
-                sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 378)[2 * i] * sum5_before;
-                sum6_next += (r + 504)[2 * i - 1] * sum6_before; sum6_before = (r + 588)[n - 2 * i + 1];
-                sum6 += (r + 504)[2 * i - 1] * sum6_before; sum6_next += (r + 504)[2 * i] * sum6_before;
-                sum6_before = (r + 588)[n - 2 * i]; sum6 += (r + 504)[2 * i] * sum6_before;
+            V sum5 = (r + 378)[1] * (r + 420)[n - 1], sum5_next = {0}, sum5_before = (r + 420)[n - 1];
+            V sum6 = (r + 504)[1] * (r + 588)[n - 1], sum6_next = {0}, sum6_before = (r + 588)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 378)[2 * i] * sum5_before; sum5_before = (r + 420)[n - 2 * i];
+                sum5 += (r + 378)[2 * i] * sum5_before; sum5_next += (r + 378)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 420)[n - 2 * i - 1]; sum5 += (r + 378)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 504)[2 * i] * sum6_before; sum6_before = (r + 588)[n - 2 * i];
+                sum6 += (r + 504)[2 * i] * sum6_before; sum6_next += (r + 504)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 588)[n - 2 * i - 1]; sum6 += (r + 504)[2 * i + 1] * sum6_before;
             }
-            (r + 420)[n] = n > 2 ? sum5 + (r + 378)[1] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[1] : (r + 378)[1] * (r + 420)[1];
-            (r + 420)[n + 1] = n > 2 ? sum5_next + (r + 378)[2] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[2] : (V){0};
-            (r + 630)[n] = n > 2 ? sum6 + (r + 504)[1] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[1] : (r + 504)[1] * (r + 588)[1];
-            (r + 630)[n + 1] = n > 2 ? sum6_next + (r + 504)[2] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[2] : (V){0};
+            (r + 420)[n] = sum5, (r + 420)[n + 1] = sum5_next;
+            (r + 630)[n] = sum6, (r + 630)[n + 1] = sum6_next;
         } else {
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 378)[1] * (r + 420)[n - 1] + (r + 378)[n - 1] * (r + 420)[1] : (V){0};
             (r + 630)[n] = n > 1 ? (r + 630)[n] + (r + 504)[1] * (r + 588)[n - 1] + (r + 504)[n - 1] * (r + 588)[1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            if (squares) (r + 546)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 546)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            if (squares) (r + 546)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 546)[n + 1] = 2.0 * sum0_next;
         } else {
             if (squares) (r + 546)[n] = n > 1 ? (r + 546)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
@@ -2867,88 +2792,79 @@ static void orders_6(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
-            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
-                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
-                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
-                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
-                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
-                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+            V sum1 = (r + 168)[1] * (r + 210)[n - 1], sum1_next = {0}, sum1_before = (r + 210)[n - 1];
+            V sum2 = (r + 168)[1] * (r + 252)[n - 1], sum2_next = {0}, sum2_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 168)[2 * i] * sum1_before; sum1_before = (r + 210)[n - 2 * i];
+                sum1 += (r + 168)[2 * i] * sum1_before; sum1_next += (r + 168)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i - 1]; sum1 += (r + 168)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 168)[2 * i] * sum2_before; sum2_before = (r + 252)[n - 2 * i];
+                sum2 += (r + 168)[2 * i] * sum2_before; sum2_next += (r + 168)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i - 1]; sum2 += (r + 168)[2 * i + 1] * sum2_before;
             }
-            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 210)[n] = sum1, (r + 210)[n + 1] = sum1_next;
+            (r + 252)[n] = sum2, (r + 252)[n + 1] = sum2_next;
         } else {
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
-            V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
-                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
-                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
-                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            V sum3 = (r + 84)[1] * (r + 210)[n - 1], sum3_next = {0}, sum3_before = (r + 210)[n - 1];
+            V sum4 = (r + 84)[1] * (r + 252)[n - 1], sum4_next = {0}, sum4_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i] * sum3_before; sum3_before = (r + 210)[n - 2 * i];
+                sum3 += (r + 84)[2 * i] * sum3_before; sum3_next += (r + 84)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i - 1]; sum3 += (r + 84)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 84)[2 * i] * sum4_before; sum4_before = (r + 252)[n - 2 * i];
+                sum4 += (r + 84)[2 * i] * sum4_before; sum4_next += (r + 84)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i - 1]; sum4 += (r + 84)[2 * i + 1] * sum4_before;
             }
-            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
-            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = sum3, (r + 294)[n + 1] = sum3_next;
+            (r + 336)[n] = sum4, (r + 336)[n + 1] = sum4_next;
         } else {
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
-            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
-                sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
-                sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
-                sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
-                sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
-                sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
+            V sum5 = (r + 126)[1] * (r + 210)[n - 1], sum5_next = {0}, sum5_before = (r + 210)[n - 1];
+            V sum6 = (r + 126)[1] * (r + 252)[n - 1], sum6_next = {0}, sum6_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 126)[2 * i] * sum5_before; sum5_before = (r + 210)[n - 2 * i];
+                sum5 += (r + 126)[2 * i] * sum5_before; sum5_next += (r + 126)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 210)[n - 2 * i - 1]; sum5 += (r + 126)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 126)[2 * i] * sum6_before; sum6_before = (r + 252)[n - 2 * i];
+                sum6 += (r + 126)[2 * i] * sum6_before; sum6_next += (r + 126)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 252)[n - 2 * i - 1]; sum6 += (r + 126)[2 * i + 1] * sum6_before;
             }
-            (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
-            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
-            (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = sum5, (r + 378)[n + 1] = sum5_next;
+            (r + 420)[n] = sum6, (r + 420)[n + 1] = sum6_next;
         } else {
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum7 = n > 2 ? (r + 504)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
-            V sum8 = n > 2 ? (r + 630)[2] * (r + 714)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 714)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum7_next += (r + 504)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
-                sum7 += (r + 504)[2 * i - 1] * sum7_before; sum7_next += (r + 504)[2 * i] * sum7_before;
-                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 504)[2 * i] * sum7_before;
-                sum8_next += (r + 630)[2 * i - 1] * sum8_before; sum8_before = (r + 714)[n - 2 * i + 1];
-                sum8 += (r + 630)[2 * i - 1] * sum8_before; sum8_next += (r + 630)[2 * i] * sum8_before;
-                sum8_before = (r + 714)[n - 2 * i]; sum8 += (r + 630)[2 * i] * sum8_before;
+            V sum7 = (r + 504)[1] * (r + 546)[n - 1], sum7_next = {0}, sum7_before = (r + 546)[n - 1];
+            V sum8 = (r + 630)[1] * (r + 714)[n - 1], sum8_next = {0}, sum8_before = (r + 714)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum7_next += (r + 504)[2 * i] * sum7_before; sum7_before = (r + 546)[n - 2 * i];
+                sum7 += (r + 504)[2 * i] * sum7_before; sum7_next += (r + 504)[2 * i + 1] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i - 1]; sum7 += (r + 504)[2 * i + 1] * sum7_before;
+                sum8_next += (r + 630)[2 * i] * sum8_before; sum8_before = (r + 714)[n - 2 * i];
+                sum8 += (r + 630)[2 * i] * sum8_before; sum8_next += (r + 630)[2 * i + 1] * sum8_before;
+                sum8_before = (r + 714)[n - 2 * i - 1]; sum8 += (r + 630)[2 * i + 1] * sum8_before;
             }
-            (r + 546)[n] = n > 2 ? sum7 + (r + 504)[1] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[1] : (r + 504)[1] * (r + 546)[1];
-            (r + 546)[n + 1] = n > 2 ? sum7_next + (r + 504)[2] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[2] : (V){0};
-            (r + 756)[n] = n > 2 ? sum8 + (r + 630)[1] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[1] : (r + 630)[1] * (r + 714)[1];
-            (r + 756)[n + 1] = n > 2 ? sum8_next + (r + 630)[2] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[2] : (V){0};
+            (r + 546)[n] = sum7, (r + 546)[n + 1] = sum7_next;
+            (r + 756)[n] = sum8, (r + 756)[n + 1] = sum8_next;
         } else {
             (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 504)[1] * (r + 546)[n - 1] + (r + 504)[n - 1] * (r + 546)[1] : (V){0};
             (r + 756)[n] = n > 1 ? (r + 756)[n] + (r + 630)[1] * (r + 714)[n - 1] + (r + 630)[n - 1] * (r + 714)[1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            if (squares) (r + 672)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 672)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            if (squares) (r + 672)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 672)[n + 1] = 2.0 * sum0_next;
         } else {
             if (squares) (r + 672)[n] = n > 1 ? (r + 672)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
@@ -3170,37 +3086,33 @@ static void orders_7(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
-            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
-                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
-                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
-                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
-                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
-                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+            V sum1 = (r + 168)[1] * (r + 210)[n - 1], sum1_next = {0}, sum1_before = (r + 210)[n - 1];
+            V sum2 = (r + 168)[1] * (r + 252)[n - 1], sum2_next = {0}, sum2_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 168)[2 * i] * sum1_before; sum1_before = (r + 210)[n - 2 * i];
+                sum1 += (r + 168)[2 * i] * sum1_before; sum1_next += (r + 168)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i - 1]; sum1 += (r + 168)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 168)[2 * i] * sum2_before; sum2_before = (r + 252)[n - 2 * i];
+                sum2 += (r + 168)[2 * i] * sum2_before; sum2_next += (r + 168)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i - 1]; sum2 += (r + 168)[2 * i + 1] * sum2_before;
             }
-            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 210)[n] = sum1, (r + 210)[n + 1] = sum1_next;
+            (r + 252)[n] = sum2, (r + 252)[n + 1] = sum2_next;
         } else {
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 294)[2] * (r + 42)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 42)[n - 2];
+            V sum3 = (r + 294)[1] * (r + 42)[n - 1], sum3_next = {0}, sum3_before = (r + 42)[n - 1];
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 294)[2 * i - 1] * sum3_before; sum3_before = (r + 42)[n - 2 * i + 1];
-                sum3 += (r + 294)[2 * i - 1] * sum3_before; sum3_next += (r + 294)[2 * i] * sum3_before;
-                sum3_before = (r + 42)[n - 2 * i]; sum3 += (r + 294)[2 * i] * sum3_before;
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 294)[2 * i] * sum3_before; sum3_before = (r + 42)[n - 2 * i];
+                sum3 += (r + 294)[2 * i] * sum3_before; sum3_next += (r + 294)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 42)[n - 2 * i - 1]; sum3 += (r + 294)[2 * i + 1] * sum3_before;
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 336)[n] = n > 2 ? sum3 + (r + 294)[1] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[1] : (r + 294)[1] * (r + 42)[1];
-            (r + 336)[n + 1] = n > 2 ? sum3_next + (r + 294)[2] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[2] : (V){0};
-            if (squares) (r + 84)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 84)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 336)[n] = sum3, (r + 336)[n + 1] = sum3_next;
+            if (squares) (r + 84)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 84)[n + 1] = 2.0 * sum0_next;
         } else {
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 294)[1] * (r + 42)[n - 1] + (r + 294)[n - 1] * (r + 42)[1] : (V){0};
             if (squares) (r + 84)[n] = n > 1 ? (r + 84)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
@@ -3414,105 +3326,94 @@ static void orders_8(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
-            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
-                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
-                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
-                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
-                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
-                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+            V sum1 = (r + 84)[1] * (r + 126)[n - 1], sum1_next = {0}, sum1_before = (r + 126)[n - 1];
+            V sum2 = (r + 84)[1] * (r + 168)[n - 1], sum2_next = {0}, sum2_before = (r + 168)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 84)[2 * i] * sum1_before; sum1_before = (r + 126)[n - 2 * i];
+                sum1 += (r + 84)[2 * i] * sum1_before; sum1_next += (r + 84)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i - 1]; sum1 += (r + 84)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 84)[2 * i] * sum2_before; sum2_before = (r + 168)[n - 2 * i];
+                sum2 += (r + 84)[2 * i] * sum2_before; sum2_next += (r + 84)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i - 1]; sum2 += (r + 84)[2 * i + 1] * sum2_before;
             }
-            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
-            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
-            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 126)[n] = sum1, (r + 126)[n + 1] = sum1_next;
+            (r + 168)[n] = sum2, (r + 168)[n + 1] = sum2_next;
         } else {
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 210)[2] * (r + 252)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 252)[n - 2];
-            V sum4 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 378)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 210)[2 * i - 1] * sum3_before; sum3_before = (r + 252)[n - 2 * i + 1];
-                sum3 += (r + 210)[2 * i - 1] * sum3_before; sum3_next += (r + 210)[2 * i] * sum3_before;
-                sum3_before = (r + 252)[n - 2 * i]; sum3 += (r + 210)[2 * i] * sum3_before;
-                sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 378)[n - 2 * i + 1];
-                sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
-                sum4_before = (r + 378)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+            V sum3 = (r + 210)[1] * (r + 252)[n - 1], sum3_next = {0}, sum3_before = (r + 252)[n - 1];
+            V sum4 = (r + 0)[1] * (r + 378)[n - 1], sum4_next = {0}, sum4_before = (r + 378)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 210)[2 * i] * sum3_before; sum3_before = (r + 252)[n - 2 * i];
+                sum3 += (r + 210)[2 * i] * sum3_before; sum3_next += (r + 210)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 252)[n - 2 * i - 1]; sum3 += (r + 210)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 0)[2 * i] * sum4_before; sum4_before = (r + 378)[n - 2 * i];
+                sum4 += (r + 0)[2 * i] * sum4_before; sum4_next += (r + 0)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 378)[n - 2 * i - 1]; sum4 += (r + 0)[2 * i + 1] * sum4_before;
             }
-            (r + 252)[n] = n > 2 ? sum3 + (r + 210)[1] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[1] : (r + 210)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 210)[2] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 378)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
-            (r + 378)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
+            (r + 252)[n] = sum3, (r + 252)[n + 1] = sum3_next;
+            (r + 378)[n] = sum4, (r + 378)[n + 1] = sum4_next;
         } else {
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 210)[1] * (r + 252)[n - 1] + (r + 210)[n - 1] * (r + 252)[1] : (V){0};
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
-            V sum6 = n > 2 ? (r + 0)[2] * (r + 462)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 462)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
-                sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
-                sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
-                sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 462)[n - 2 * i + 1];
-                sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
-                sum6_before = (r + 462)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
+            V sum5 = (r + 0)[1] * (r + 420)[n - 1], sum5_next = {0}, sum5_before = (r + 420)[n - 1];
+            V sum6 = (r + 0)[1] * (r + 462)[n - 1], sum6_next = {0}, sum6_before = (r + 462)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 0)[2 * i] * sum5_before; sum5_before = (r + 420)[n - 2 * i];
+                sum5 += (r + 0)[2 * i] * sum5_before; sum5_next += (r + 0)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 420)[n - 2 * i - 1]; sum5 += (r + 0)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 0)[2 * i] * sum6_before; sum6_before = (r + 462)[n - 2 * i];
+                sum6 += (r + 0)[2 * i] * sum6_before; sum6_next += (r + 0)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 462)[n - 2 * i - 1]; sum6 += (r + 0)[2 * i + 1] * sum6_before;
             }
-            (r + 420)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
-            (r + 420)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
-            (r + 462)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (r + 0)[1] * (r + 462)[1];
-            (r + 462)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[2] : (V){0};
+            (r + 420)[n] = sum5, (r + 420)[n + 1] = sum5_next;
+            (r + 462)[n] = sum6, (r + 462)[n + 1] = sum6_next;
         } else {
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
             (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 0)[1] * (r + 462)[n - 1] + (r + 0)[n - 1] * (r + 462)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum7 = n > 2 ? (r + 0)[2] * (r + 504)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 504)[n - 2];
-            V sum8 = n > 2 ? (r + 0)[2] * (r + 546)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 546)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 504)[n - 2 * i + 1];
-                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
-                sum7_before = (r + 504)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
-                sum8_next += (r + 0)[2 * i - 1] * sum8_before; sum8_before = (r + 546)[n - 2 * i + 1];
-                sum8 += (r + 0)[2 * i - 1] * sum8_before; sum8_next += (r + 0)[2 * i] * sum8_before;
-                sum8_before = (r + 546)[n - 2 * i]; sum8 += (r + 0)[2 * i] * sum8_before;
+            V sum7 = (r + 0)[1] * (r + 504)[n - 1], sum7_next = {0}, sum7_before = (r + 504)[n - 1];
+            V sum8 = (r + 0)[1] * (r + 546)[n - 1], sum8_next = {0}, sum8_before = (r + 546)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum7_next += (r + 0)[2 * i] * sum7_before; sum7_before = (r + 504)[n - 2 * i];
+                sum7 += (r + 0)[2 * i] * sum7_before; sum7_next += (r + 0)[2 * i + 1] * sum7_before;
+                sum7_before = (r + 504)[n - 2 * i - 1]; sum7 += (r + 0)[2 * i + 1] * sum7_before;
+                sum8_next += (r + 0)[2 * i] * sum8_before; sum8_before = (r + 546)[n - 2 * i];
+                sum8 += (r + 0)[2 * i] * sum8_before; sum8_next += (r + 0)[2 * i + 1] * sum8_before;
+                sum8_before = (r + 546)[n - 2 * i - 1]; sum8 += (r + 0)[2 * i + 1] * sum8_before;
             }
-            (r + 504)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (r + 0)[1] * (r + 504)[1];
-            (r + 504)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[2] : (V){0};
-            (r + 546)[n] = n > 2 ? sum8 + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (r + 0)[1] * (r + 546)[1];
-            (r + 546)[n + 1] = n > 2 ? sum8_next + (r + 0)[2] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[2] : (V){0};
+            (r + 504)[n] = sum7, (r + 504)[n + 1] = sum7_next;
+            (r + 546)[n] = sum8, (r + 546)[n + 1] = sum8_next;
         } else {
             (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 0)[1] * (r + 504)[n - 1] + (r + 0)[n - 1] * (r + 504)[1] : (V){0};
             (r + 546)[n] = n > 1 ? (r + 546)[n] + (r + 0)[1] * (r + 546)[n - 1] + (r + 0)[n - 1] * (r + 546)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum10 = n > 2 ? (r + 336)[2] * (r + 672)[n - 2] : (V){0}, sum10_next = {0}, sum10_before = (r + 672)[n - 2];
+            V sum10 = (r + 336)[1] * (r + 672)[n - 1], sum10_next = {0}, sum10_before = (r + 672)[n - 1];
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
-                sum10_next += (r + 336)[2 * i - 1] * sum10_before; sum10_before = (r + 672)[n - 2 * i + 1];
-                sum10 += (r + 336)[2 * i - 1] * sum10_before; sum10_next += (r + 336)[2 * i] * sum10_before;
-                sum10_before = (r + 672)[n - 2 * i]; sum10 += (r + 336)[2 * i] * sum10_before;
+            for (int i = 1; 2 * i < n; i++) {
+                sum10_next += (r + 336)[2 * i] * sum10_before; sum10_before = (r + 672)[n - 2 * i];
+                sum10 += (r + 336)[2 * i] * sum10_before; sum10_next += (r + 336)[2 * i + 1] * sum10_before;
+                sum10_before = (r + 672)[n - 2 * i - 1]; sum10 += (r + 336)[2 * i + 1] * sum10_before;
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 714)[n] = n > 2 ? sum10 + (r + 336)[1] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[1] : (r + 336)[1] * (r + 672)[1];
-            (r + 714)[n + 1] = n > 2 ? sum10_next + (r + 336)[2] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[2] : (V){0};
-            if (squares) (r + 630)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 714)[n] = sum10, (r + 714)[n + 1] = sum10_next;
+            if (squares) (r + 630)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 630)[n + 1] = 2.0 * sum0_next;
         } else {
             (r + 714)[n] = n > 1 ? (r + 714)[n] + (r + 336)[1] * (r + 672)[n - 1] + (r + 336)[n - 1] * (r + 672)[1] : (V){0};
             if (squares) (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum9 = {0}, sum9_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum9_now = (r + 0)[n - i]; sum9 += (r + 0)[i] * sum9_now; sum9_next += (r + 0)[i + 1] * sum9_now;
             }
-            (r + 588)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum9 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
-                (r + 588)[n + 1] = n > 2 ? 2.0 * (sum9_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+            (r + 588)[n] = 2.0 * sum9 + (r + 0)[n / 2] * (r + 0)[n / 2], (r + 588)[n + 1] = 2.0 * sum9_next;
         } else {
             (r + 588)[n] = n > 1 ? (r + 588)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
         }
@@ -3756,69 +3657,62 @@ static void orders_9(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
-            V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
-                sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
-                sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
-                sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
-                sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
-                sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
+            V sum1 = (r + 126)[1] * (r + 168)[n - 1], sum1_next = {0}, sum1_before = (r + 168)[n - 1];
+            V sum2 = (r + 126)[1] * (r + 210)[n - 1], sum2_next = {0}, sum2_before = (r + 210)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 126)[2 * i] * sum1_before; sum1_before = (r + 168)[n - 2 * i];
+                sum1 += (r + 126)[2 * i] * sum1_before; sum1_next += (r + 126)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 168)[n - 2 * i - 1]; sum1 += (r + 126)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 126)[2 * i] * sum2_before; sum2_before = (r + 210)[n - 2 * i];
+                sum2 += (r + 126)[2 * i] * sum2_before; sum2_next += (r + 126)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 210)[n - 2 * i - 1]; sum2 += (r + 126)[2 * i + 1] * sum2_before;
             }
-            (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 168)[n] = sum1, (r + 168)[n + 1] = sum1_next;
+            (r + 210)[n] = sum2, (r + 210)[n + 1] = sum2_next;
         } else {
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
-            V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
-                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
-                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
-                sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            V sum3 = (r + 84)[1] * (r + 168)[n - 1], sum3_next = {0}, sum3_before = (r + 168)[n - 1];
+            V sum4 = (r + 84)[1] * (r + 210)[n - 1], sum4_next = {0}, sum4_before = (r + 210)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i] * sum3_before; sum3_before = (r + 168)[n - 2 * i];
+                sum3 += (r + 84)[2 * i] * sum3_before; sum3_next += (r + 84)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i - 1]; sum3 += (r + 84)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 84)[2 * i] * sum4_before; sum4_before = (r + 210)[n - 2 * i];
+                sum4 += (r + 84)[2 * i] * sum4_before; sum4_next += (r + 84)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 210)[n - 2 * i - 1]; sum4 += (r + 84)[2 * i + 1] * sum4_before;
             }
-            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = sum3, (r + 252)[n + 1] = sum3_next;
+            (r + 294)[n] = sum4, (r + 294)[n + 1] = sum4_next;
         } else {
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 336)[2] * (r + 378)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 378)[n - 2];
-            V sum6 = n > 2 ? (r + 462)[2] * (r + 546)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 546)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 336)[2 * i - 1] * sum5_before; sum5_before = (r + 378)[n - 2 * i + 1];
-                sum5 += (r + 336)[2 * i - 1] * sum5_before; sum5_next += (r + 336)[2 * i] * sum5_before;
-                sum5_before = (r + 378)[n - 2 * i]; sum5 += (r + 336)[2 * i] * sum5_before;
-                sum6_next += (r + 462)[2 * i - 1] * sum6_before; sum6_before = (r + 546)[n - 2 * i + 1];
-                sum6 += (r + 462)[2 * i - 1] * sum6_before; sum6_next += (r + 462)[2 * i] * sum6_before;
-                sum6_before = (r + 546)[n - 2 * i]; sum6 += (r + 462)[2 * i] * sum6_before;
+            V sum5 = (r + 336)[1] * (r + 378)[n - 1], sum5_next = {0}, sum5_before = (r + 378)[n - 1];
+            V sum6 = (r + 462)[1] * (r + 546)[n - 1], sum6_next = {0}, sum6_before = (r + 546)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 336)[2 * i] * sum5_before; sum5_before = (r + 378)[n - 2 * i];
+                sum5 += (r + 336)[2 * i] * sum5_before; sum5_next += (r + 336)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 378)[n - 2 * i - 1]; sum5 += (r + 336)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 462)[2 * i] * sum6_before; sum6_before = (r + 546)[n - 2 * i];
+                sum6 += (r + 462)[2 * i] * sum6_before; sum6_next += (r + 462)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 546)[n - 2 * i - 1]; sum6 += (r + 462)[2 * i + 1] * sum6_before;
             }
-            (r + 378)[n] = n > 2 ? sum5 + (r + 336)[1] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[1] : (r + 336)[1] * (r + 378)[1];
-            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 336)[2] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[2] : (V){0};
-            (r + 588)[n] = n > 2 ? sum6 + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (r + 462)[1] * (r + 546)[1];
-            (r + 588)[n + 1] = n > 2 ? sum6_next + (r + 462)[2] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[2] : (V){0};
+            (r + 378)[n] = sum5, (r + 378)[n + 1] = sum5_next;
+            (r + 588)[n] = sum6, (r + 588)[n + 1] = sum6_next;
         } else {
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 336)[1] * (r + 378)[n - 1] + (r + 336)[n - 1] * (r + 378)[1] : (V){0};
             (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            if (squares) (r + 504)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 504)[n + 1] = 2.0 * sum0_next;
         } else {
             if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
@@ -4065,88 +3959,79 @@ static void orders_10(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
-            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
-                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
-                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
-                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
-                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
-                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+            V sum1 = (r + 168)[1] * (r + 210)[n - 1], sum1_next = {0}, sum1_before = (r + 210)[n - 1];
+            V sum2 = (r + 168)[1] * (r + 252)[n - 1], sum2_next = {0}, sum2_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 168)[2 * i] * sum1_before; sum1_before = (r + 210)[n - 2 * i];
+                sum1 += (r + 168)[2 * i] * sum1_before; sum1_next += (r + 168)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i - 1]; sum1 += (r + 168)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 168)[2 * i] * sum2_before; sum2_before = (r + 252)[n - 2 * i];
+                sum2 += (r + 168)[2 * i] * sum2_before; sum2_next += (r + 168)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i - 1]; sum2 += (r + 168)[2 * i + 1] * sum2_before;
             }
-            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 210)[n] = sum1, (r + 210)[n + 1] = sum1_next;
+            (r + 252)[n] = sum2, (r + 252)[n + 1] = sum2_next;
         } else {
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
-            V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
-                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
-                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
-                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            V sum3 = (r + 84)[1] * (r + 210)[n - 1], sum3_next = {0}, sum3_before = (r + 210)[n - 1];
+            V sum4 = (r + 84)[1] * (r + 252)[n - 1], sum4_next = {0}, sum4_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i] * sum3_before; sum3_before = (r + 210)[n - 2 * i];
+                sum3 += (r + 84)[2 * i] * sum3_before; sum3_next += (r + 84)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i - 1]; sum3 += (r + 84)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 84)[2 * i] * sum4_before; sum4_before = (r + 252)[n - 2 * i];
+                sum4 += (r + 84)[2 * i] * sum4_before; sum4_next += (r + 84)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i - 1]; sum4 += (r + 84)[2 * i + 1] * sum4_before;
             }
-            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
-            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = sum3, (r + 294)[n + 1] = sum3_next;
+            (r + 336)[n] = sum4, (r + 336)[n + 1] = sum4_next;
         } else {
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
-            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
-                sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
-                sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
-                sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
-                sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
-                sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
+            V sum5 = (r + 126)[1] * (r + 210)[n - 1], sum5_next = {0}, sum5_before = (r + 210)[n - 1];
+            V sum6 = (r + 126)[1] * (r + 252)[n - 1], sum6_next = {0}, sum6_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 126)[2 * i] * sum5_before; sum5_before = (r + 210)[n - 2 * i];
+                sum5 += (r + 126)[2 * i] * sum5_before; sum5_next += (r + 126)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 210)[n - 2 * i - 1]; sum5 += (r + 126)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 126)[2 * i] * sum6_before; sum6_before = (r + 252)[n - 2 * i];
+                sum6 += (r + 126)[2 * i] * sum6_before; sum6_next += (r + 126)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 252)[n - 2 * i - 1]; sum6 += (r + 126)[2 * i + 1] * sum6_before;
             }
-            (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
-            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
-            (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = sum5, (r + 378)[n + 1] = sum5_next;
+            (r + 420)[n] = sum6, (r + 420)[n + 1] = sum6_next;
         } else {
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum7 = n > 2 ? (r + 462)[2] * (r + 504)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 504)[n - 2];
-            V sum8 = n > 2 ? (r + 588)[2] * (r + 672)[n - 2] : (V){0}, sum8_next = {0}, sum8_before = (r + 672)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum7_next += (r + 462)[2 * i - 1] * sum7_before; sum7_before = (r + 504)[n - 2 * i + 1];
-                sum7 += (r + 462)[2 * i - 1] * sum7_before; sum7_next += (r + 462)[2 * i] * sum7_before;
-                sum7_before = (r + 504)[n - 2 * i]; sum7 += (r + 462)[2 * i] * sum7_before;
-                sum8_next += (r + 588)[2 * i - 1] * sum8_before; sum8_before = (r + 672)[n - 2 * i + 1];
-                sum8 += (r + 588)[2 * i - 1] * sum8_before; sum8_next += (r + 588)[2 * i] * sum8_before;
-                sum8_before = (r + 672)[n - 2 * i]; sum8 += (r + 588)[2 * i] * sum8_before;
+            V sum7 = (r + 462)[1] * (r + 504)[n - 1], sum7_next = {0}, sum7_before = (r + 504)[n - 1];
+            V sum8 = (r + 588)[1] * (r + 672)[n - 1], sum8_next = {0}, sum8_before = (r + 672)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum7_next += (r + 462)[2 * i] * sum7_before; sum7_before = (r + 504)[n - 2 * i];
+                sum7 += (r + 462)[2 * i] * sum7_before; sum7_next += (r + 462)[2 * i + 1] * sum7_before;
+                sum7_before = (r + 504)[n - 2 * i - 1]; sum7 += (r + 462)[2 * i + 1] * sum7_before;
+                sum8_next += (r + 588)[2 * i] * sum8_before; sum8_before = (r + 672)[n - 2 * i];
+                sum8 += (r + 588)[2 * i] * sum8_before; sum8_next += (r + 588)[2 * i + 1] * sum8_before;
+                sum8_before = (r + 672)[n - 2 * i - 1]; sum8 += (r + 588)[2 * i + 1] * sum8_before;
             }
-            (r + 504)[n] = n > 2 ? sum7 + (r + 462)[1] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[1] : (r + 462)[1] * (r + 504)[1];
-            (r + 504)[n + 1] = n > 2 ? sum7_next + (r + 462)[2] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[2] : (V){0};
-            (r + 714)[n] = n > 2 ? sum8 + (r + 588)[1] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[1] : (r + 588)[1] * (r + 672)[1];
-            (r + 714)[n + 1] = n > 2 ? sum8_next + (r + 588)[2] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[2] : (V){0};
+            (r + 504)[n] = sum7, (r + 504)[n + 1] = sum7_next;
+            (r + 714)[n] = sum8, (r + 714)[n + 1] = sum8_next;
         } else {
             (r + 504)[n] = n > 1 ? (r + 504)[n] + (r + 462)[1] * (r + 504)[n - 1] + (r + 462)[n - 1] * (r + 504)[1] : (V){0};
             (r + 714)[n] = n > 1 ? (r + 714)[n] + (r + 588)[1] * (r + 672)[n - 1] + (r + 588)[n - 1] * (r + 672)[1] : (V){0};
         }
         if (n % 2 == 0) {
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            if (squares) (r + 630)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 630)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            if (squares) (r + 630)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 630)[n + 1] = 2.0 * sum0_next;
         } else {
             if (squares) (r + 630)[n] = n > 1 ? (r + 630)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
         }
@@ -4393,77 +4278,69 @@ static void orders_11(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 84)[2] * (r + 126)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 126)[n - 2];
-            V sum2 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 168)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 84)[2 * i - 1] * sum1_before; sum1_before = (r + 126)[n - 2 * i + 1];
-                sum1 += (r + 84)[2 * i - 1] * sum1_before; sum1_next += (r + 84)[2 * i] * sum1_before;
-                sum1_before = (r + 126)[n - 2 * i]; sum1 += (r + 84)[2 * i] * sum1_before;
-                sum2_next += (r + 84)[2 * i - 1] * sum2_before; sum2_before = (r + 168)[n - 2 * i + 1];
-                sum2 += (r + 84)[2 * i - 1] * sum2_before; sum2_next += (r + 84)[2 * i] * sum2_before;
-                sum2_before = (r + 168)[n - 2 * i]; sum2 += (r + 84)[2 * i] * sum2_before;
+            V sum1 = (r + 84)[1] * (r + 126)[n - 1], sum1_next = {0}, sum1_before = (r + 126)[n - 1];
+            V sum2 = (r + 84)[1] * (r + 168)[n - 1], sum2_next = {0}, sum2_before = (r + 168)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 84)[2 * i] * sum1_before; sum1_before = (r + 126)[n - 2 * i];
+                sum1 += (r + 84)[2 * i] * sum1_before; sum1_next += (r + 84)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 126)[n - 2 * i - 1]; sum1 += (r + 84)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 84)[2 * i] * sum2_before; sum2_before = (r + 168)[n - 2 * i];
+                sum2 += (r + 84)[2 * i] * sum2_before; sum2_next += (r + 84)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 168)[n - 2 * i - 1]; sum2 += (r + 84)[2 * i + 1] * sum2_before;
             }
-            (r + 126)[n] = n > 2 ? sum1 + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (r + 84)[1] * (r + 126)[1];
-            (r + 126)[n + 1] = n > 2 ? sum1_next + (r + 84)[2] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[2] : (V){0};
-            (r + 168)[n] = n > 2 ? sum2 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum2_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
+            (r + 126)[n] = sum1, (r + 126)[n + 1] = sum1_next;
+            (r + 168)[n] = sum2, (r + 168)[n + 1] = sum2_next;
         } else {
             (r + 126)[n] = n > 1 ? (r + 126)[n] + (r + 84)[1] * (r + 126)[n - 1] + (r + 84)[n - 1] * (r + 126)[1] : (V){0};
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 0)[2] * (r + 252)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 252)[n - 2];
-            V sum4 = n > 2 ? (r + 0)[2] * (r + 294)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 294)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 0)[2 * i - 1] * sum3_before; sum3_before = (r + 252)[n - 2 * i + 1];
-                sum3 += (r + 0)[2 * i - 1] * sum3_before; sum3_next += (r + 0)[2 * i] * sum3_before;
-                sum3_before = (r + 252)[n - 2 * i]; sum3 += (r + 0)[2 * i] * sum3_before;
-                sum4_next += (r + 0)[2 * i - 1] * sum4_before; sum4_before = (r + 294)[n - 2 * i + 1];
-                sum4 += (r + 0)[2 * i - 1] * sum4_before; sum4_next += (r + 0)[2 * i] * sum4_before;
-                sum4_before = (r + 294)[n - 2 * i]; sum4 += (r + 0)[2 * i] * sum4_before;
+            V sum3 = (r + 0)[1] * (r + 252)[n - 1], sum3_next = {0}, sum3_before = (r + 252)[n - 1];
+            V sum4 = (r + 0)[1] * (r + 294)[n - 1], sum4_next = {0}, sum4_before = (r + 294)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 0)[2 * i] * sum3_before; sum3_before = (r + 252)[n - 2 * i];
+                sum3 += (r + 0)[2 * i] * sum3_before; sum3_next += (r + 0)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 252)[n - 2 * i - 1]; sum3 += (r + 0)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 0)[2 * i] * sum4_before; sum4_before = (r + 294)[n - 2 * i];
+                sum4 += (r + 0)[2 * i] * sum4_before; sum4_next += (r + 0)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 294)[n - 2 * i - 1]; sum4 += (r + 0)[2 * i + 1] * sum4_before;
             }
-            (r + 252)[n] = n > 2 ? sum3 + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (r + 0)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 0)[2] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum4 + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (r + 0)[1] * (r + 294)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 0)[2] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[2] : (V){0};
+            (r + 252)[n] = sum3, (r + 252)[n + 1] = sum3_next;
+            (r + 294)[n] = sum4, (r + 294)[n + 1] = sum4_next;
         } else {
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 0)[1] * (r + 252)[n - 1] + (r + 0)[n - 1] * (r + 252)[1] : (V){0};
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 0)[1] * (r + 294)[n - 1] + (r + 0)[n - 1] * (r + 294)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 0)[2] * (r + 336)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 336)[n - 2];
-            V sum6 = n > 2 ? (r + 0)[2] * (r + 378)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 378)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 0)[2 * i - 1] * sum5_before; sum5_before = (r + 336)[n - 2 * i + 1];
-                sum5 += (r + 0)[2 * i - 1] * sum5_before; sum5_next += (r + 0)[2 * i] * sum5_before;
-                sum5_before = (r + 336)[n - 2 * i]; sum5 += (r + 0)[2 * i] * sum5_before;
-                sum6_next += (r + 0)[2 * i - 1] * sum6_before; sum6_before = (r + 378)[n - 2 * i + 1];
-                sum6 += (r + 0)[2 * i - 1] * sum6_before; sum6_next += (r + 0)[2 * i] * sum6_before;
-                sum6_before = (r + 378)[n - 2 * i]; sum6 += (r + 0)[2 * i] * sum6_before;
+            V sum5 = (r + 0)[1] * (r + 336)[n - 1], sum5_next = {0}, sum5_before = (r + 336)[n - 1];
+            V sum6 = (r + 0)[1] * (r + 378)[n - 1], sum6_next = {0}, sum6_before = (r + 378)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 0)[2 * i] * sum5_before; sum5_before = (r + 336)[n - 2 * i];
+                sum5 += (r + 0)[2 * i] * sum5_before; sum5_next += (r + 0)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 336)[n - 2 * i - 1]; sum5 += (r + 0)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 0)[2 * i] * sum6_before; sum6_before = (r + 378)[n - 2 * i];
+                sum6 += (r + 0)[2 * i] * sum6_before; sum6_next += (r + 0)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 378)[n - 2 * i - 1]; sum6 += (r + 0)[2 * i + 1] * sum6_before;
             }
-            (r + 336)[n] = n > 2 ? sum5 + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (r + 0)[1] * (r + 336)[1];
-            (r + 336)[n + 1] = n > 2 ? sum5_next + (r + 0)[2] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[2] : (V){0};
-            (r + 378)[n] = n > 2 ? sum6 + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (r + 0)[1] * (r + 378)[1];
-            (r + 378)[n + 1] = n > 2 ? sum6_next + (r + 0)[2] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[2] : (V){0};
+            (r + 336)[n] = sum5, (r + 336)[n + 1] = sum5_next;
+            (r + 378)[n] = sum6, (r + 378)[n + 1] = sum6_next;
         } else {
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 0)[1] * (r + 336)[n - 1] + (r + 0)[n - 1] * (r + 336)[1] : (V){0};
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 0)[1] * (r + 378)[n - 1] + (r + 0)[n - 1] * (r + 378)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum7 = n > 2 ? (r + 0)[2] * (r + 420)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 420)[n - 2];
-            V sum9 = n > 2 ? (r + 210)[2] * (r + 546)[n - 2] : (V){0}, sum9_next = {0}, sum9_before = (r + 546)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum7_next += (r + 0)[2 * i - 1] * sum7_before; sum7_before = (r + 420)[n - 2 * i + 1];
-                sum7 += (r + 0)[2 * i - 1] * sum7_before; sum7_next += (r + 0)[2 * i] * sum7_before;
-                sum7_before = (r + 420)[n - 2 * i]; sum7 += (r + 0)[2 * i] * sum7_before;
-                sum9_next += (r + 210)[2 * i - 1] * sum9_before; sum9_before = (r + 546)[n - 2 * i + 1];
-                sum9 += (r + 210)[2 * i - 1] * sum9_before; sum9_next += (r + 210)[2 * i] * sum9_before;
-                sum9_before = (r + 546)[n - 2 * i]; sum9 += (r + 210)[2 * i] * sum9_before;
+            V sum7 = (r + 0)[1] * (r + 420)[n - 1], sum7_next = {0}, sum7_before = (r + 420)[n - 1];
+            V sum9 = (r + 210)[1] * (r + 546)[n - 1], sum9_next = {0}, sum9_before = (r + 546)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum7_next += (r + 0)[2 * i] * sum7_before; sum7_before = (r + 420)[n - 2 * i];
+                sum7 += (r + 0)[2 * i] * sum7_before; sum7_next += (r + 0)[2 * i + 1] * sum7_before;
+                sum7_before = (r + 420)[n - 2 * i - 1]; sum7 += (r + 0)[2 * i + 1] * sum7_before;
+                sum9_next += (r + 210)[2 * i] * sum9_before; sum9_before = (r + 546)[n - 2 * i];
+                sum9 += (r + 210)[2 * i] * sum9_before; sum9_next += (r + 210)[2 * i + 1] * sum9_before;
+                sum9_before = (r + 546)[n - 2 * i - 1]; sum9 += (r + 210)[2 * i + 1] * sum9_before;
             }
-            (r + 420)[n] = n > 2 ? sum7 + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (r + 0)[1] * (r + 420)[1];
-            (r + 420)[n + 1] = n > 2 ? sum7_next + (r + 0)[2] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[2] : (V){0};
-            (r + 588)[n] = n > 2 ? sum9 + (r + 210)[1] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[1] : (r + 210)[1] * (r + 546)[1];
-            (r + 588)[n + 1] = n > 2 ? sum9_next + (r + 210)[2] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[2] : (V){0};
+            (r + 420)[n] = sum7, (r + 420)[n + 1] = sum7_next;
+            (r + 588)[n] = sum9, (r + 588)[n + 1] = sum9_next;
         } else {
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 0)[1] * (r + 420)[n - 1] + (r + 0)[n - 1] * (r + 420)[1] : (V){0};
             (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 210)[1] * (r + 546)[n - 1] + (r + 210)[n - 1] * (r + 546)[1] : (V){0};
@@ -4471,14 +4348,12 @@ static void orders_11(ORDERS)
         if (n % 2 == 0) {
             V sum0 = {0}, sum0_next = {0};
             V sum8 = {0}, sum8_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
+            for (int i = 1; 2 * i < n; i++) {
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
                 const V sum8_now = (r + 0)[n - i]; sum8 += (r + 0)[i] * sum8_now; sum8_next += (r + 0)[i + 1] * sum8_now;
             }
-            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
-            (r + 462)[n] = n > 2 ? (r + 0)[n / 2] * (r + 0)[n / 2] + 2.0 * (sum8 + (r + 0)[1] * (r + 0)[n - 1]) : (r + 0)[1] * (r + 0)[1],
-                (r + 462)[n + 1] = n > 2 ? 2.0 * (sum8_next + (r + 0)[2] * (r + 0)[n - 1]) : (V){0};
+            if (squares) (r + 504)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 504)[n + 1] = 2.0 * sum0_next;
+            (r + 462)[n] = 2.0 * sum8 + (r + 0)[n / 2] * (r + 0)[n / 2], (r + 462)[n + 1] = 2.0 * sum8_next;
         } else {
             if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
             (r + 462)[n] = n > 1 ? (r + 462)[n] + 2.0 * (r + 0)[1] * (r + 0)[n - 1] : (V){0};
@@ -4693,56 +4568,50 @@ static void orders_12(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 126)[2] * (r + 168)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 168)[n - 2];
-            V sum2 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 210)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 126)[2 * i - 1] * sum1_before; sum1_before = (r + 168)[n - 2 * i + 1];
-                sum1 += (r + 126)[2 * i - 1] * sum1_before; sum1_next += (r + 126)[2 * i] * sum1_before;
-                sum1_before = (r + 168)[n - 2 * i]; sum1 += (r + 126)[2 * i] * sum1_before;
-                sum2_next += (r + 126)[2 * i - 1] * sum2_before; sum2_before = (r + 210)[n - 2 * i + 1];
-                sum2 += (r + 126)[2 * i - 1] * sum2_before; sum2_next += (r + 126)[2 * i] * sum2_before;
-                sum2_before = (r + 210)[n - 2 * i]; sum2 += (r + 126)[2 * i] * sum2_before;
+            V sum1 = (r + 126)[1] * (r + 168)[n - 1], sum1_next = {0}, sum1_before = (r + 168)[n - 1];
+            V sum2 = (r + 126)[1] * (r + 210)[n - 1], sum2_next = {0}, sum2_before = (r + 210)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 126)[2 * i] * sum1_before; sum1_before = (r + 168)[n - 2 * i];
+                sum1 += (r + 126)[2 * i] * sum1_before; sum1_next += (r + 126)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 168)[n - 2 * i - 1]; sum1 += (r + 126)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 126)[2 * i] * sum2_before; sum2_before = (r + 210)[n - 2 * i];
+                sum2 += (r + 126)[2 * i] * sum2_before; sum2_next += (r + 126)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 210)[n - 2 * i - 1]; sum2 += (r + 126)[2 * i + 1] * sum2_before;
             }
-            (r + 168)[n] = n > 2 ? sum1 + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (r + 126)[1] * (r + 168)[1];
-            (r + 168)[n + 1] = n > 2 ? sum1_next + (r + 126)[2] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 210)[n] = n > 2 ? sum2 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum2_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 168)[n] = sum1, (r + 168)[n + 1] = sum1_next;
+            (r + 210)[n] = sum2, (r + 210)[n + 1] = sum2_next;
         } else {
             (r + 168)[n] = n > 1 ? (r + 168)[n] + (r + 126)[1] * (r + 168)[n - 1] + (r + 126)[n - 1] * (r + 168)[1] : (V){0};
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 168)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 168)[n - 2];
-            V sum4 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 210)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 168)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 168)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
-                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 210)[n - 2 * i + 1];
-                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
-                sum4_before = (r + 210)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            V sum3 = (r + 84)[1] * (r + 168)[n - 1], sum3_next = {0}, sum3_before = (r + 168)[n - 1];
+            V sum4 = (r + 84)[1] * (r + 210)[n - 1], sum4_next = {0}, sum4_before = (r + 210)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i] * sum3_before; sum3_before = (r + 168)[n - 2 * i];
+                sum3 += (r + 84)[2 * i] * sum3_before; sum3_next += (r + 84)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 168)[n - 2 * i - 1]; sum3 += (r + 84)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 84)[2 * i] * sum4_before; sum4_before = (r + 210)[n - 2 * i];
+                sum4 += (r + 84)[2 * i] * sum4_before; sum4_next += (r + 84)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 210)[n - 2 * i - 1]; sum4 += (r + 84)[2 * i + 1] * sum4_before;
             }
-            (r + 252)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (r + 84)[1] * (r + 168)[1];
-            (r + 252)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[2] : (V){0};
-            (r + 294)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
+            (r + 252)[n] = sum3, (r + 252)[n + 1] = sum3_next;
+            (r + 294)[n] = sum4, (r + 294)[n + 1] = sum4_next;
         } else {
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 84)[1] * (r + 168)[n - 1] + (r + 84)[n - 1] * (r + 168)[1] : (V){0};
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 336)[2] * (r + 420)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 420)[n - 2];
+            V sum5 = (r + 336)[1] * (r + 420)[n - 1], sum5_next = {0}, sum5_before = (r + 420)[n - 1];
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 336)[2 * i - 1] * sum5_before; sum5_before = (r + 420)[n - 2 * i + 1];
-                sum5 += (r + 336)[2 * i - 1] * sum5_before; sum5_next += (r + 336)[2 * i] * sum5_before;
-                sum5_before = (r + 420)[n - 2 * i]; sum5 += (r + 336)[2 * i] * sum5_before;
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 336)[2 * i] * sum5_before; sum5_before = (r + 420)[n - 2 * i];
+                sum5 += (r + 336)[2 * i] * sum5_before; sum5_next += (r + 336)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 420)[n - 2 * i - 1]; sum5 += (r + 336)[2 * i + 1] * sum5_before;
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 462)[n] = n > 2 ? sum5 + (r + 336)[1] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[1] : (r + 336)[1] * (r + 420)[1];
-            (r + 462)[n + 1] = n > 2 ? sum5_next + (r + 336)[2] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[2] : (V){0};
-            if (squares) (r + 378)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 378)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 462)[n] = sum5, (r + 462)[n + 1] = sum5_next;
+            if (squares) (r + 378)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 378)[n + 1] = 2.0 * sum0_next;
         } else {
             (r + 462)[n] = n > 1 ? (r + 462)[n] + (r + 336)[1] * (r + 420)[n - 1] + (r + 336)[n - 1] * (r + 420)[1] : (V){0};
             if (squares) (r + 378)[n] = n > 1 ? (r + 378)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
@@ -4960,75 +4829,67 @@ static void orders_13(ORDERS)
     for (; n < behind; n++) {
         const double by_n = inverse[n];
         if (n % 2 == 0) {
-            V sum1 = n > 2 ? (r + 168)[2] * (r + 210)[n - 2] : (V){0}, sum1_next = {0}, sum1_before = (r + 210)[n - 2];
-            V sum2 = n > 2 ? (r + 168)[2] * (r + 252)[n - 2] : (V){0}, sum2_next = {0}, sum2_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum1_next += (r + 168)[2 * i - 1] * sum1_before; sum1_before = (r + 210)[n - 2 * i + 1];
-                sum1 += (r + 168)[2 * i - 1] * sum1_before; sum1_next += (r + 168)[2 * i] * sum1_before;
-                sum1_before = (r + 210)[n - 2 * i]; sum1 += (r + 168)[2 * i] * sum1_before;
-                sum2_next += (r + 168)[2 * i - 1] * sum2_before; sum2_before = (r + 252)[n - 2 * i + 1];
-                sum2 += (r + 168)[2 * i - 1] * sum2_before; sum2_next += (r + 168)[2 * i] * sum2_before;
-                sum2_before = (r + 252)[n - 2 * i]; sum2 += (r + 168)[2 * i] * sum2_before;
+            V sum1 = (r + 168)[1] * (r + 210)[n - 1], sum1_next = {0}, sum1_before = (r + 210)[n - 1];
+            V sum2 = (r + 168)[1] * (r + 252)[n - 1], sum2_next = {0}, sum2_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum1_next += (r + 168)[2 * i] * sum1_before; sum1_before = (r + 210)[n - 2 * i];
+                sum1 += (r + 168)[2 * i] * sum1_before; sum1_next += (r + 168)[2 * i + 1] * sum1_before;
+                sum1_before = (r + 210)[n - 2 * i - 1]; sum1 += (r + 168)[2 * i + 1] * sum1_before;
+                sum2_next += (r + 168)[2 * i] * sum2_before; sum2_before = (r + 252)[n - 2 * i];
+                sum2 += (r + 168)[2 * i] * sum2_before; sum2_next += (r + 168)[2 * i + 1] * sum2_before;
+                sum2_before = (r + 252)[n - 2 * i - 1]; sum2 += (r + 168)[2 * i + 1] * sum2_before;
             }
-            (r + 210)[n] = n > 2 ? sum1 + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (r + 168)[1] * (r + 210)[1];
-            (r + 210)[n + 1] = n > 2 ? sum1_next + (r + 168)[2] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 252)[n] = n > 2 ? sum2 + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (r + 168)[1] * (r + 252)[1];
-            (r + 252)[n + 1] = n > 2 ? sum2_next + (r + 168)[2] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 210)[n] = sum1, (r + 210)[n + 1] = sum1_next;
+            (r + 252)[n] = sum2, (r + 252)[n + 1] = sum2_next;
         } else {
             (r + 210)[n] = n > 1 ? (r + 210)[n] + (r + 168)[1] * (r + 210)[n - 1] + (r + 168)[n - 1] * (r + 210)[1] : (V){0};
             (r + 252)[n] = n > 1 ? (r + 252)[n] + (r + 168)[1] * (r + 252)[n - 1] + (r + 168)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum3 = n > 2 ? (r + 84)[2] * (r + 210)[n - 2] : (V){0}, sum3_next = {0}, sum3_before = (r + 210)[n - 2];
-            V sum4 = n > 2 ? (r + 84)[2] * (r + 252)[n - 2] : (V){0}, sum4_next = {0}, sum4_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum3_next += (r + 84)[2 * i - 1] * sum3_before; sum3_before = (r + 210)[n - 2 * i + 1];
-                sum3 += (r + 84)[2 * i - 1] * sum3_before; sum3_next += (r + 84)[2 * i] * sum3_before;
-                sum3_before = (r + 210)[n - 2 * i]; sum3 += (r + 84)[2 * i] * sum3_before;
-                sum4_next += (r + 84)[2 * i - 1] * sum4_before; sum4_before = (r + 252)[n - 2 * i + 1];
-                sum4 += (r + 84)[2 * i - 1] * sum4_before; sum4_next += (r + 84)[2 * i] * sum4_before;
-                sum4_before = (r + 252)[n - 2 * i]; sum4 += (r + 84)[2 * i] * sum4_before;
+            V sum3 = (r + 84)[1] * (r + 210)[n - 1], sum3_next = {0}, sum3_before = (r + 210)[n - 1];
+            V sum4 = (r + 84)[1] * (r + 252)[n - 1], sum4_next = {0}, sum4_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum3_next += (r + 84)[2 * i] * sum3_before; sum3_before = (r + 210)[n - 2 * i];
+                sum3 += (r + 84)[2 * i] * sum3_before; sum3_next += (r + 84)[2 * i + 1] * sum3_before;
+                sum3_before = (r + 210)[n - 2 * i - 1]; sum3 += (r + 84)[2 * i + 1] * sum3_before;
+                sum4_next += (r + 84)[2 * i] * sum4_before; sum4_before = (r + 252)[n - 2 * i];
+                sum4 += (r + 84)[2 * i] * sum4_before; sum4_next += (r + 84)[2 * i + 1] * sum4_before;
+                sum4_before = (r + 252)[n - 2 * i - 1]; sum4 += (r + 84)[2 * i + 1] * sum4_before;
             }
-            (r + 294)[n] = n > 2 ? sum3 + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (r + 84)[1] * (r + 210)[1];
-            (r + 294)[n + 1] = n > 2 ? sum3_next + (r + 84)[2] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 336)[n] = n > 2 ? sum4 + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (r + 84)[1] * (r + 252)[1];
-            (r + 336)[n + 1] = n > 2 ? sum4_next + (r + 84)[2] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 294)[n] = sum3, (r + 294)[n + 1] = sum3_next;
+            (r + 336)[n] = sum4, (r + 336)[n + 1] = sum4_next;
         } else {
             (r + 294)[n] = n > 1 ? (r + 294)[n] + (r + 84)[1] * (r + 210)[n - 1] + (r + 84)[n - 1] * (r + 210)[1] : (V){0};
             (r + 336)[n] = n > 1 ? (r + 336)[n] + (r + 84)[1] * (r + 252)[n - 1] + (r + 84)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum5 = n > 2 ? (r + 126)[2] * (r + 210)[n - 2] : (V){0}, sum5_next = {0}, sum5_before = (r + 210)[n - 2];
-            V sum6 = n > 2 ? (r + 126)[2] * (r + 252)[n - 2] : (V){0}, sum6_next = {0}, sum6_before = (r + 252)[n - 2];
-            for (int i = 2; 2 * i < n; i++) {
-                sum5_next += (r + 126)[2 * i - 1] * sum5_before; sum5_before = (r + 210)[n - 2 * i + 1];
-                sum5 += (r + 126)[2 * i - 1] * sum5_before; sum5_next += (r + 126)[2 * i] * sum5_before;
-                sum5_before = (r + 210)[n - 2 * i]; sum5 += (r + 126)[2 * i] * sum5_before;
-                sum6_next += (r + 126)[2 * i - 1] * sum6_before; sum6_before = (r + 252)[n - 2 * i + 1];
-                sum6 += (r + 126)[2 * i - 1] * sum6_before; sum6_next += (r + 126)[2 * i] * sum6_before;
-                sum6_before = (r + 252)[n - 2 * i]; sum6 += (r + 126)[2 * i] * sum6_before;
+            V sum5 = (r + 126)[1] * (r + 210)[n - 1], sum5_next = {0}, sum5_before = (r + 210)[n - 1];
+            V sum6 = (r + 126)[1] * (r + 252)[n - 1], sum6_next = {0}, sum6_before = (r + 252)[n - 1];
+            for (int i = 1; 2 * i < n; i++) {
+                sum5_next += (r + 126)[2 * i] * sum5_before; sum5_before = (r + 210)[n - 2 * i];
+                sum5 += (r + 126)[2 * i] * sum5_before; sum5_next += (r + 126)[2 * i + 1] * sum5_before;
+                sum5_before = (r + 210)[n - 2 * i - 1]; sum5 += (r + 126)[2 * i + 1] * sum5_before;
+                sum6_next += (r + 126)[2 * i] * sum6_before; sum6_before = (r + 252)[n - 2 * i];
+                sum6 += (r + 126)[2 * i] * sum6_before; sum6_next += (r + 126)[2 * i + 1] * sum6_before;
+                sum6_before = (r + 252)[n - 2 * i - 1]; sum6 += (r + 126)[2 * i + 1] * sum6_before;
             }
-            (r + 378)[n] = n > 2 ? sum5 + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (r + 126)[1] * (r + 210)[1];
-            (r + 378)[n + 1] = n > 2 ? sum5_next + (r + 126)[2] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[2] : (V){0};
-            (r + 420)[n] = n > 2 ? sum6 + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (r + 126)[1] * (r + 252)[1];
-            (r + 420)[n + 1] = n > 2 ? sum6_next + (r + 126)[2] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[2] : (V){0};
+            (r + 378)[n] = sum5, (r + 378)[n + 1] = sum5_next;
+            (r + 420)[n] = sum6, (r + 420)[n + 1] = sum6_next;
         } else {
             (r + 378)[n] = n > 1 ? (r + 378)[n] + (r + 126)[1] * (r + 210)[n - 1] + (r + 126)[n - 1] * (r + 210)[1] : (V){0};
             (r + 420)[n] = n > 1 ? (r + 420)[n] + (r + 126)[1] * (r + 252)[n - 1] + (r + 126)[n - 1] * (r + 252)[1] : (V){0};
         }
         if (n % 2 == 0) {
-            V sum7 = n > 2 ? (r + 462)[2] * (r + 546)[n - 2] : (V){0}, sum7_next = {0}, sum7_before = (r + 546)[n - 2];
+            V sum7 = (r + 462)[1] * (r + 546)[n - 1], sum7_next = {0}, sum7_before = (r + 546)[n - 1];
             V sum0 = {0}, sum0_next = {0};
-            for (int i = 2; 2 * i < n; i++) {
-                sum7_next += (r + 462)[2 * i - 1] * sum7_before; sum7_before = (r + 546)[n - 2 * i + 1];
-                sum7 += (r + 462)[2 * i - 1] * sum7_before; sum7_next += (r + 462)[2 * i] * sum7_before;
-                sum7_before = (r + 546)[n - 2 * i]; sum7 += (r + 462)[2 * i] * sum7_before;
+            for (int i = 1; 2 * i < n; i++) {
+                sum7_next += (r + 462)[2 * i] * sum7_before; sum7_before = (r + 546)[n - 2 * i];
+                sum7 += (r + 462)[2 * i] * sum7_before; sum7_next += (r + 462)[2 * i + 1] * sum7_before;
+                sum7_before = (r + 546)[n - 2 * i - 1]; sum7 += (r + 462)[2 * i + 1] * sum7_before;
                 const V sum0_now = (r + 42)[n - i]; sum0 += (r + 42)[i] * sum0_now; sum0_next += (r + 42)[i + 1] * sum0_now;
             }
-            (r + 588)[n] = n > 2 ? sum7 + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (r + 462)[1] * (r + 546)[1];
-            (r + 588)[n + 1] = n > 2 ? sum7_next + (r + 462)[2] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[2] : (V){0};
-            if (squares) (r + 504)[n] = n > 2 ? (r + 42)[n / 2] * (r + 42)[n / 2] + 2.0 * (sum0 + (r + 42)[1] * (r + 42)[n - 1]) : (r + 42)[1] * (r + 42)[1],
-                (r + 504)[n + 1] = n > 2 ? 2.0 * (sum0_next + (r + 42)[2] * (r + 42)[n - 1]) : (V){0};
+            (r + 588)[n] = sum7, (r + 588)[n + 1] = sum7_next;
+            if (squares) (r + 504)[n] = 2.0 * sum0 + (r + 42)[n / 2] * (r + 42)[n / 2], (r + 504)[n + 1] = 2.0 * sum0_next;
         } else {
             (r + 588)[n] = n > 1 ? (r + 588)[n] + (r + 462)[1] * (r + 546)[n - 1] + (r + 462)[n - 1] * (r + 546)[1] : (V){0};
             if (squares) (r + 504)[n] = n > 1 ? (r + 504)[n] + 2.0 * (r + 42)[1] * (r + 42)[n - 1] : (V){0};
@@ -5196,7 +5057,6 @@ INLINE void operate(const Batch *b, int n, int behind, int by_rotation, int move
 {
     const Job *const job = b->job;
     const int given = by_rotation && job->by_rotation == 2;
-    const State *const q = job->state, *const q_end = q + (moves ? job->states : 0);
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
         straight[job->straight].orders(job->series, b->r, b->c, n, behind, b->inverse, !given, moves);
@@ -5205,8 +5065,9 @@ INLINE void operate(const Batch *b, int n, int behind, int by_rotation, int move
 #endif
     for (; n < behind; n++) {
         const int32_t *at = job->series + 3 * given;
-        while (at < job->series_end) at = operation(at, at, b->r, b->c, n, b->inverse[n]);
-        advance_to(b->r, q, q_end, n, b->inverse);
+        while (at < job->series_end) at = operation(at, b->r, b->c, n, b->inverse[n]);
+        for (const State *q = job->state; q < job->state + (moves ? job->states : 0); q++)
+            b->r[q->series + n + 1] = b->r[q->rate + n] * b->inverse[n + 1];
     }
 }
 
@@ -5221,7 +5082,7 @@ INLINE void operate_later(const Batch *b, int n)
     }
 #endif
     for (const int32_t *at = job->series_end, *next = at; at < job->later_end; at = next)
-        for (int k = 0; k < n; k++) next = operation(at, at, b->r, b->c, k, b->inverse[k]);
+        for (int k = 0; k < n; k++) next = operation(at, b->r, b->c, k, b->inverse[k]);
 }
 
 #define REGISTER(i) (b->r + (i))
@@ -5967,14 +5828,10 @@ INLINE void find_clock(Batch *b, V *t, int top)
 INLINE V elapsed(Batch *b, int top, V at)
 {
     const Job *const job = b->job;
-    V *const c = b->c;
     if (job->role->pace >= 0) {
-        V *omega = b->r + job->role->omega;
-        V path = omega[top - 1] * b->inverse[top];
-        for (int k = top - 2; k >= 0; k--) {
-            path = (path * at) + (omega[k] * b->inverse[k + 1]);
-        }
-        return at + ((c[job->role->pace] * path) * at);
+        V t[STRIDE];
+        find_clock(b, t, top);
+        return value(t, top, at);
     }
     return at;
 }
@@ -6958,10 +6815,7 @@ static void find_standstill(Batch *b, M here, int top)
     M from_rest = omega[0] == 0.0;
     M decelerates = net[0] < 0.0;
     M falls_from_rest = from_rest & (decelerates | ((net[0] == 0.0) & (net[1] <= 0.0)));
-    M dips = decelerates;
-    if (bits(decelerates)) {
-        dips = decelerates & (value(net, top - 1, c[STEP]) > 0.0);
-    }
+    M dips = decelerates & (value(net, top - 1, c[STEP]) > 0.0);
     M asked = here & ((last <= 0.0) | dips | falls_from_rest);
     if (bits(asked)) {
         V e[STRIDE];
@@ -8595,8 +8449,8 @@ static M complete_swing(Batch *b, M fits, V *e, V *back, V *f, V *at_peak, V end
 }
 
 /* Complete phases under softening laws, up to rest before the end time, and return these lanes. Lanes that hardly
- * come to rest before the end time are left at once. */
-static M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
+ * come to rest before the end time are left at once. ``f`` and ``at_peak`` are those of `complete_swing`. */
+static M complete_softening(Batch *b, M fits, V *e, V *f, V *at_peak, V end, V peak)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -8606,8 +8460,6 @@ static M complete_softening(Batch *b, M fits, V *e, V *at_peak, V end, V peak)
         return fits;
     }
     int fine = job->order > FINEST;
-    V f[STRIDE];
-    softening_functions(b, e, f, end);
     const Pair before_duration = duration_of_softening(b, e, f, end, peak, fine);
     V before = before_duration.one, duration = before_duration.other;
     M unsure = fits & (duration == INFINITY);
@@ -8649,9 +8501,13 @@ static M swing(Batch *b, M which)
     }
     V q = e[4];
     V end = end_of_swing(b, e, sine, fits);
-    functions(f, minimum(end, broadcast(FARTHEST)), q);
+    V farthest = minimum(end, broadcast(FARTHEST));
     V peak = 0.5 * end;
+    if (softens) {
+        softening_functions(b, e, f, farthest);
+    }
     if (!softens) {
+        functions(f, farthest, q);
         mirror(back, c[job->role->drive], sine, c[job->role->net_vers], q, f);
         peak = peak_of_cubic(e[0], back[0], end);
         fits = fits & (back[0] > 0.0);
@@ -8663,7 +8519,7 @@ static M swing(Batch *b, M which)
     V at_peak[STRIDE];
     peak = peak_of_swing(b, e, at_peak, peak, end, fits);
     if (softens) {
-        return complete_softening(b, fits, e, at_peak, end, peak);
+        return complete_softening(b, fits, e, f, at_peak, end, peak);
     }
     return complete_swing(b, fits, e, back, f, at_peak, end, peak);
 }

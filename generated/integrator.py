@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 99a1e5a1263eadf94b93be3bfe60ac39c0462e149b16a3bac8a4ec5b4f07a0cc
+# sha256 of the text below: 98f107b7e22fb888da6250b0cd71dfb1b1277d233c51df7442f112dbfae446f4
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -871,13 +871,10 @@ def find_clock(s: Lanes, t: Floats, top: int) -> None:
 
 def elapsed(s: Lanes, top: int, at: Floats) -> Floats:
     """Return the time since the beginning of a step from its variable."""
-    c = s.cells
     if s.roles.pace >= 0:
-        omega = s.registers[s.roles.omega]
-        path = omega[top - 1] * (1.0 / top)
-        for k in range(top - 2, 0 - 1, -1):
-            path = path * at + omega[k] * (1.0 / (k + 1))
-        return at + c[s.roles.pace] * path * at
+        t = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
+        find_clock(s, t, top)
+        return value(t, top, at)
     return at
 
 
@@ -1723,9 +1720,7 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest & (decelerates | (net[0] == 0.0) & (net[1] <= 0.0))
-    dips = decelerates
-    if np.any(decelerates):
-        dips = decelerates & (value(net, top - 1, c[ix.STEP]) > 0.0)
+    dips = decelerates & (value(net, top - 1, c[ix.STEP]) > 0.0)
     asked = here & ((last <= 0.0) | dips | falls_from_rest)
     if np.any(asked):
         e = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
@@ -3110,7 +3105,7 @@ def complete_swing(s: Lanes, fits: Mask, e: Floats, back: Floats, f: Floats, at_
     return rests | ends
 
 
-def complete_softening(s: Lanes, fits: Mask, e: Floats, at_peak: Floats, end: Floats, peak: Floats) -> Mask:
+def complete_softening(s: Lanes, fits: Mask, e: Floats, f: Floats, at_peak: Floats, end: Floats, peak: Floats) -> Mask:
     """Complete phases under softening laws, up to rest before the end time, and return these lanes."""
     c = s.cells
     least = LEAST_DURATION * end / np.sqrt(at_peak[9])
@@ -3118,8 +3113,6 @@ def complete_softening(s: Lanes, fits: Mask, e: Floats, at_peak: Floats, end: Fl
     if not np.any(fits):
         return fits
     fine = s.highest > FINEST
-    f = np.zeros((ix.STRIDE, e.shape[1]))
-    softening_functions(s, e, f, end)
     before, duration = duration_of_softening(s, e, f, end, peak, fine)
     unsure = fits & (duration == INFINITY)
     if not fine and np.any(unsure):
@@ -3153,9 +3146,12 @@ def swing(s: Lanes, which: Mask) -> Mask:
         factors(e, c[s.roles.drive], sine, c[s.roles.net_vers], -2.0 * c[s.roles.net_square])
     q = e[4]
     end = end_of_swing(s, e, sine, fits)
-    functions(f, np.minimum(end, FARTHEST), q)
+    farthest = np.minimum(end, FARTHEST)
     peak = 0.5 * end
+    if softens:
+        softening_functions(s, e, f, farthest)
     if not softens:
+        functions(f, farthest, q)
         mirror(back, c[s.roles.drive], sine, c[s.roles.net_vers], q, f)
         peak = peak_of_cubic(e[0], back[0], end)
         fits = fits & (back[0] > 0.0)
@@ -3165,7 +3161,7 @@ def swing(s: Lanes, which: Mask) -> Mask:
     at_peak = np.zeros((ix.STRIDE, s.registers[0].shape[1]))
     peak = peak_of_swing(s, e, at_peak, peak, end, fits)
     if softens:
-        return complete_softening(s, fits, e, at_peak, end, peak)
+        return complete_softening(s, fits, e, f, at_peak, end, peak)
     return complete_swing(s, fits, e, back, f, at_peak, end, peak)
 
 

@@ -31,12 +31,11 @@ NUMPY = Target(
     "{name} = 2.0 * _over({a}, {a}, n, (n - 1) // 2)\n{name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0",
 )
 # Sums in C: their terms that are known before an order. One loop at even orders also adds those of the next order, so
-# that coefficients are read once for two orders. The latest coefficients come last, so that the loop need not wait for
-# them. Until an operation needs a sum it is where the result will be.
+# that coefficients are read once for two orders. Until an operation needs a sum it is where the result will be.
 SUMS = """\
 if (n % 2 == 0) {{
 {start}
-    for (int i = 2; 2 * i < n; i++) {{
+    for (int i = 1; 2 * i < n; i++) {{
 {terms}
     }}
 {last}
@@ -44,23 +43,19 @@ if (n % 2 == 0) {{
 {rest}
 }}"""
 OF_PRODUCT = {
-    "start": "V {name} = n > 2 ? {a}[2] * {b}[n - 2] : (V){{0}}, {name}_next = {{0}}, {name}_before = {b}[n - 2];",
+    "start": "V {name} = {a}[1] * {b}[n - 1], {name}_next = {{0}}, {name}_before = {b}[n - 1];",
     "terms": """\
-{name}_next += {a}[2 * i - 1] * {name}_before; {name}_before = {b}[n - 2 * i + 1];
-{name} += {a}[2 * i - 1] * {name}_before; {name}_next += {a}[2 * i] * {name}_before;
-{name}_before = {b}[n - 2 * i]; {name} += {a}[2 * i] * {name}_before;""",
-    "last": """\
-{slot}[n] = n > 2 ? {name} + {a}[1] * {b}[n - 1] + {a}[n - 1] * {b}[1] : {a}[1] * {b}[1];
-{slot}[n + 1] = n > 2 ? {name}_next + {a}[2] * {b}[n - 1] + {a}[n - 1] * {b}[2] : (V){{0}};""",
+{name}_next += {a}[2 * i] * {name}_before; {name}_before = {b}[n - 2 * i];
+{name} += {a}[2 * i] * {name}_before; {name}_next += {a}[2 * i + 1] * {name}_before;
+{name}_before = {b}[n - 2 * i - 1]; {name} += {a}[2 * i + 1] * {name}_before;""",
+    "last": "{slot}[n] = {name}, {slot}[n + 1] = {name}_next;",
     "rest": "{slot}[n] = n > 1 ? {slot}[n] + {a}[1] * {b}[n - 1] + {a}[n - 1] * {b}[1] : (V){{0}};",
 }
 OF_SQUARE = {
     "start": "V {name} = {{0}}, {name}_next = {{0}};",
     "terms": """\
 const V {name}_now = {a}[n - i]; {name} += {a}[i] * {name}_now; {name}_next += {a}[i + 1] * {name}_now;""",
-    "last": """\
-{when}{slot}[n] = n > 2 ? {a}[n / 2] * {a}[n / 2] + 2.0 * ({name} + {a}[1] * {a}[n - 1]) : {a}[1] * {a}[1],
-    {slot}[n + 1] = n > 2 ? 2.0 * ({name}_next + {a}[2] * {a}[n - 1]) : (V){{0}};""",
+    "last": "{when}{slot}[n] = 2.0 * {name} + {a}[n / 2] * {a}[n / 2], {slot}[n + 1] = 2.0 * {name}_next;",
     "rest": "{when}{slot}[n] = n > 1 ? {slot}[n] + 2.0 * {a}[1] * {a}[n - 1] : (V){{0}};",
 }
 CASE = """\

@@ -532,26 +532,15 @@ INLINE V pick(M m, V a, V b)
 }
 INLINE V magnitude(V x) { return (V)((M)x & INT64_MAX); }
 /* The lesser and the greater number, b if one is not a number. */
-INLINE V minimum(V a, V b)
-{
 #if WIDE == 512
-    return (V)_mm512_min_pd((__m512d)a, (__m512d)b);
+#define EXTREME(name, before) (V)_mm512_##name##_pd((__m512d)a, (__m512d)b)
 #elif SPAN == 256
-    return (V)_mm256_min_pd((__m256d)a, (__m256d)b);
+#define EXTREME(name, before) (V)_mm256_##name##_pd((__m256d)a, (__m256d)b)
 #else
-    return pick(a < b, a, b);
+#define EXTREME(name, before) pick(a before b, a, b)
 #endif
-}
-INLINE V maximum(V a, V b)
-{
-#if WIDE == 512
-    return (V)_mm512_max_pd((__m512d)a, (__m512d)b);
-#elif SPAN == 256
-    return (V)_mm256_max_pd((__m256d)a, (__m256d)b);
-#else
-    return pick(a > b, a, b);
-#endif
-}
+INLINE V minimum(V a, V b) { return EXTREME(min, <); }
+INLINE V maximum(V a, V b) { return EXTREME(max, >); }
 INLINE V broadcast(double x)
 {
     return x - (V){0}; /* one instruction, which a loop over lanes is not with all compilers */
@@ -683,15 +672,14 @@ INLINE V sqrt_of(V x)
 
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
  * code, its results and its arguments; a sum is its code, how many terms, its result, their registers, the cell of its
- * constant and those of the factors. What is read off a table is there already.
- * Cells are read from `own`, all else from `at`, so that this may be constant. Register i begins at r + i; by_n is 1 / n. */
-INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, const V *c, int n, double by_n)
+ * constant and those of the factors. What is read off a table is there already. Register i begins at r + i; by_n is 1 / n. */
+INLINE const int32_t *operation(const int32_t *at, V *r, const V *c, int n, double by_n)
 {
     switch (at[0]) {
     case LIN: {
         const int terms = at[1];
-        V sum = n == 0 ? c[own[3 + terms]] : (V){0};
-        for (int k = 0; k < terms; k++) sum += c[own[4 + terms + k]] * r[at[3 + k] + n];
+        V sum = n == 0 ? c[at[3 + terms]] : (V){0};
+        for (int k = 0; k < terms; k++) sum += c[at[4 + terms + k]] * r[at[3 + k] + n];
         r[at[2] + n] = sum;
         return at + 4 + 2 * terms;
     }
@@ -721,12 +709,6 @@ INLINE void prologue(Batch *b, M here)
 
 /* --- what the text asks of a program, of tables and of records --- */
 
-/* Coefficient n + 1 of the states. */
-INLINE void advance_to(V *r, const State *q, const State *q_end, int n, const double *inverse)
-{
-    for (; q < q_end; q++) r[q->series + n + 1] = r[q->rate + n] * inverse[n + 1];
-}
-
 #ifndef SMALL
 #define HAS_STRAIGHT
 #define ORDERS const int32_t *own, V *restrict r, const V *restrict c, int n, int behind, const double *inverse, int squares, \
@@ -747,7 +729,6 @@ INLINE void operate(const Batch *b, int n, int behind, int by_rotation, int move
 {
     const Job *const job = b->job;
     const int given = by_rotation && job->by_rotation == 2;
-    const State *const q = job->state, *const q_end = q + (moves ? job->states : 0);
 #ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
         straight[job->straight].orders(job->series, b->r, b->c, n, behind, b->inverse, !given, moves);
@@ -756,8 +737,9 @@ INLINE void operate(const Batch *b, int n, int behind, int by_rotation, int move
 #endif
     for (; n < behind; n++) {
         const int32_t *at = job->series + 3 * given;
-        while (at < job->series_end) at = operation(at, at, b->r, b->c, n, b->inverse[n]);
-        advance_to(b->r, q, q_end, n, b->inverse);
+        while (at < job->series_end) at = operation(at, b->r, b->c, n, b->inverse[n]);
+        for (const State *q = job->state; q < job->state + (moves ? job->states : 0); q++)
+            b->r[q->series + n + 1] = b->r[q->rate + n] * b->inverse[n + 1];
     }
 }
 
@@ -772,7 +754,7 @@ INLINE void operate_later(const Batch *b, int n)
     }
 #endif
     for (const int32_t *at = job->series_end, *next = at; at < job->later_end; at = next)
-        for (int k = 0; k < n; k++) next = operation(at, at, b->r, b->c, k, b->inverse[k]);
+        for (int k = 0; k < n; k++) next = operation(at, b->r, b->c, k, b->inverse[k]);
 }
 
 #define REGISTER(i) (b->r + (i))

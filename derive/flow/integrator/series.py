@@ -10,7 +10,6 @@ from derive.flow.integrator.one_lane import (
     V,
     all_lanes,
     any_lane,
-    down,
     greatest,
     least,
     log2_of,
@@ -26,7 +25,7 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
-from derive.flow.integrator.roots import first_root, margin_of
+from derive.flow.integrator.roots import first_root, margin_of, value
 from derive.flow.integrator.tables import expand_sine
 
 ROUNDING = 2.0**-56  # size over the largest term of a series below which a term is rounding
@@ -60,11 +59,9 @@ def find_clock(s: Lanes, t: S, top: N) -> None:
 def elapsed(s: Lanes, top: N, at: V) -> V:
     """Return the time since the beginning of a step from its variable."""
     if s.has.pace:
-        omega = s.series.omega
-        path = omega[top - 1] * s.inverse[top]
-        for k in down(top - 2, 0):
-            path = path * at + omega[k] * s.inverse[k + 1]
-        return at + s.pace * path * at
+        t = new_series()
+        find_clock(s, t, top)
+        return value(t, top, at)
     return at
 
 

@@ -154,9 +154,7 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest and (decelerates or (net[0] == 0.0 and net[1] <= 0.0))
-    dips = decelerates
-    if any_lane(decelerates):
-        dips = decelerates and value(net, top - 1, s.step) > 0.0
+    dips = decelerates and value(net, top - 1, s.step) > 0.0
     asked = here and (last <= 0.0 or dips or falls_from_rest)
     if any_lane(asked):
         e = new_series()

@@ -258,18 +258,17 @@ def complete_swing(s: Lanes, fits: M, e: S, back: S, f: S, at_peak: S, end: V, p
     return rests or ends
 
 
-def complete_softening(s: Lanes, fits: M, e: S, at_peak: S, end: V, peak: V) -> M:
+def complete_softening(s: Lanes, fits: M, e: S, f: S, at_peak: S, end: V, peak: V) -> M:
     """Complete phases under softening laws, up to rest before the end time, and return these lanes.
 
-    Lanes that hardly come to rest before the end time are left at once.
+    Lanes that hardly come to rest before the end time are left at once. ``f`` and ``at_peak`` are those of
+    `complete_swing`.
     """
     least = LEAST_DURATION * end / sqrt(at_peak[9])
     fits = fits and s.time + least < s.end_time
     if not any_lane(fits):
         return fits
     fine: N = s.highest > FINEST
-    f = new_series()
-    softening_functions(s, e, f, end)
     before, duration = duration_of_softening(s, e, f, end, peak, fine)
     unsure = fits and duration == INFINITY
     if not fine and any_lane(unsure):
@@ -302,9 +301,12 @@ def swing(s: Lanes, which: M) -> M:
         factors(e, s.drive, sine, s.net_vers, -2.0 * s.net_square)
     q = e[4]
     end = end_of_swing(s, e, sine, fits)
-    functions(f, minimum(end, FARTHEST), q)
+    farthest = minimum(end, FARTHEST)
     peak = 0.5 * end
+    if softens:
+        softening_functions(s, e, f, farthest)
     if not softens:
+        functions(f, farthest, q)
         mirror(back, s.drive, sine, s.net_vers, q, f)
         peak = peak_of_cubic(e[0], back[0], end)
         fits = fits and back[0] > 0.0
@@ -314,5 +316,5 @@ def swing(s: Lanes, which: M) -> M:
     at_peak = new_series()
     peak = peak_of_swing(s, e, at_peak, peak, end, fits)
     if softens:
-        return complete_softening(s, fits, e, at_peak, end, peak)
+        return complete_softening(s, fits, e, f, at_peak, end, peak)
     return complete_swing(s, fits, e, back, f, at_peak, end, peak)
