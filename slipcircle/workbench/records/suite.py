@@ -87,7 +87,7 @@ class Entry:
     @cached_property
     def measures(self) -> Measures:
         """Intensity measures, drift warning and digest, computed when they are first requested."""
-        if self.computed is not None:
+        if self.computed:
             return self.computed
         record = self.record()
         gravity = float(self.reading.get("gravity", 9.81))
@@ -121,7 +121,7 @@ class Entry:
 
     def record(self) -> Series:
         """Return driving acceleration over gravity, zero before and after. A record from a file starts at 0 s."""
-        return self.kept if self.kept is not None else _read(self.file, **self.reading)
+        return self.kept or _read(self.file, **self.reading)
 
 
 class Unread(NamedTuple):

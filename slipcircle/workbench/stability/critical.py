@@ -306,7 +306,8 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
 
 def _point(points: Floats) -> Pair:
     """Return the point of an array (1, 2) as a tuple x, y."""
-    return float(points[0, 0]), float(points[0, 1])
+    x, y = points[0].tolist()
+    return x, y
 
 
 def _by_method(factors: ArrayMap) -> dict[str, float | None]:
