@@ -3,6 +3,7 @@
 import math
 import pickle
 import sys
+from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any, assert_type
 from xml.etree import ElementTree
@@ -16,6 +17,7 @@ from slipcircle import Arc, Motion, Scene, Status, Study, ensemble, kernels, loa
 from slipcircle.base.kinds import Array
 from slipcircle.base.text import digits_left, number_text
 from slipcircle.core import ANSWERED
+from slipcircle.core.integrator.compiled import numpy_only
 from slipcircle.workbench.common.quantities import HISTORY, JOURNEY, OUTCOMES, RESULTS, SINGLE, to_error
 from slipcircle.workbench.studies.ensemble import grid
 
@@ -118,6 +120,28 @@ def test_a_failure_has_a_name_and_a_reason() -> None:
     assert failed.reason.tolist() == ["", "the chord is vertical, and the mass would overhang"]
     assert np.isnan(failed.run_out[1])
     assert [s for s in Status if not s.reason] == [*ANSWERED]
+
+
+@pytest.mark.parametrize("engine", [nullcontext, numpy_only])
+def test_a_lane_without_a_result_has_states_until_it_ends(engine: Any) -> None:
+    alone = solve(replace(VAIONT, friction=0.0, initial_velocity=-400.0, end_time=3.0))
+    with engine():
+        failed = overturned()
+        state, energy = failed.at([1.0, 3.0, 5.0, 30.0]), failed.energy
+    assert state.rotation[1, :2] == pytest.approx(alone.at([1.0, 3.0]).rotation, rel=1e-12)
+    np.testing.assert_array_equal(np.isnan(state.velocity), [[False] * 4, [False, False, True, True]])
+    np.testing.assert_array_equal(np.isnan([energy.work, energy.dissipation, energy.kinetic_end]), [[False, True]] * 3)
+
+
+def test_each_lane_has_its_energy_at_its_own_end() -> None:
+    motion = many()
+    assert motion.energy.work.shape == (2, 3)
+    for (row, column), work in np.ndenumerate(motion.energy.work):
+        alone = single(float(ANGLES[column]), float(row)).energy
+        assert work == pytest.approx(alone.work, rel=1e-12)
+        assert motion.energy.dissipation[row, column] == pytest.approx(alone.dissipation, rel=1e-12)
+    assert np.all(motion.energy.kinetic_end == 0.0)
+    assert np.max(np.abs(motion.energy.residual)) < 1e-11 * np.max(motion.energy.work)
 
 
 def test_a_sample_of_a_study_is_its_motion(study: Study) -> None:

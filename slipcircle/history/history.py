@@ -129,17 +129,17 @@ class History:
             )
         return time
 
-    def _dimensionless(self, flat_times: Floats) -> Floats:
-        """Return times in s, one-dimensional, divided by the time scale of each lane, (times, lanes)."""
-        return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).ravel()
+    def _dimensionless(self, times: Floats) -> Floats:
+        """Return times in s, (times, 1) or (times, lanes), divided by the time scale of each lane, (times, lanes)."""
+        return times / np.broadcast_to(self._time_scale, self.shape).ravel()
 
-    def _read(self, problem: Problem, flat_times: Floats) -> Floats:
+    def _read(self, problem: Problem, times: Floats) -> Floats:
         """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes).
 
-        The times are one-dimensional and in any order. All results are dimensionless, the rotation in rad.
+        The times are (times, 1), in any order, or (1, lanes). All results are dimensionless, the rotation in rad.
         """
-        increasing = np.argsort(flat_times, kind="stable")
-        rows = read(problem, self._dimensionless(flat_times[increasing]))
+        increasing = np.argsort(times[:, 0], kind="stable")
+        rows = read(problem, self._dimensionless(times[increasing]))
         states = np.empty_like(rows)
         states[:, increasing] = rows
         return states
@@ -151,18 +151,18 @@ class History:
             last_key, last_rows = self._last_read
             if last_key == key:
                 return last_rows
-        flat_times = np.ravel(time)
-        rows = self._read(self.problem, flat_times)
-        ended = self._has_ended(flat_times)
+        times = np.reshape(time, (-1, 1))
+        rows = self._read(self.problem, times)
+        ended = self._has_ended(times)
         at_end = (ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
         for row, entry in zip(rows, at_end, strict=False):
             row[:] = np.where(ended, np.ravel(self._final[entry]), row)
         self._last_read = key, rows
         return rows
 
-    def _has_ended(self, flat_times: Floats) -> Any:
-        """Return whether each lane has ended at times in s, of shape (times, lanes), compared without rounding."""
-        return flat_times[:, None] >= np.ravel(self._duration)
+    def _has_ended(self, times: Floats) -> Any:
+        """Return whether each lane has ended at times as in `_read`, of shape (times, lanes), without rounding."""
+        return times >= np.ravel(self._duration)
 
     def _over_time(self, time: Floats, values: Floats) -> Any:
         """Return values of shape (times, lanes) in the shape of the scene followed by the shape of the times."""
@@ -175,7 +175,7 @@ class History:
         rows = self._rows(time)
         rotation, omega, _, *further = rows.reshape(len(rows), time.size * self.problem.lanes)
         lane = np.tile(np.arange(self.problem.lanes), time.size)
-        return States(self._dimensionless(np.ravel(time)).ravel(), rotation, omega, further, lane)
+        return States(self._dimensionless(np.reshape(time, (-1, 1))).ravel(), rotation, omega, further, lane)
 
     def _by_state(self, time: Floats, values: Floats) -> Any:
         """Return one value per element of `_states` in the shape of the scene followed by the shape of the times."""
@@ -284,22 +284,27 @@ class History:
     def energy_at(self, times: ArrayLike) -> Energy:
         """Return the energy balance at times. See `Motion.energy_at`."""
         time = self._checked(times)
-        flat_times = np.ravel(time)
+        return self._energy(time, np.reshape(time, (-1, 1)))
+
+    def final_energy(self) -> Energy:
+        """Return the energy balance of each lane at its own end. See `Motion.energy`."""
+        last = np.reshape(self.motion.settling_time, (1, -1))
+        return self._energy(np.zeros(()), last)
+
+    def _energy(self, time: Floats, times: Floats) -> Energy:
+        """Return the energy balance at ``times``, as in `_read`. The result has the axes of scene and ``time``."""
         problem = with_outputs(self.problem, ("energy",))
-        program = problem.program
-        _, omega, _, _, *further = self._read(problem, flat_times)
-        names = [program.cells[cell] for cell, _, _ in program.states[2:]]
-        rows = dict(zip(names, further, strict=True))
+        _, omega, *_, work, dissipation = self._read(problem, times)
         unit = energy_unit(self.plan.scene.arc)
-        rests = np.ravel(self.motion.arrested) & self._has_ended(flat_times)
+        rests = np.ravel(self.motion.arrested) & self._has_ended(times)
         kinetic = np.where(rests, 0.0, omega**2 / 2)
         of_times = partial(self._over_time, time)
         over_time = before(unit, time.ndim)
         return Energy(
             kinetic_start=self.motion._shaped(problem.cells()[ix.OMEGA] ** 2 / 2) * unit,
             kinetic_end=over_time * of_times(kinetic),
-            work=over_time * of_times(rows["work"]),
-            dissipation=over_time * of_times(np.maximum(rows["dissipation"], 0.0)),
+            work=over_time * of_times(work),
+            dissipation=over_time * of_times(np.maximum(dissipation, 0.0)),
         )
 
     @cached_property

@@ -62,6 +62,6 @@ def read(problem: Problem, times: Floats) -> Floats:
 
     The times are (times, lanes), and the result is (rows, times, lanes).
     """
-    rows = np.zeros((2 + len(problem.program.states), *times.shape))
+    rows = np.full((2 + len(problem.program.states), *times.shape), np.nan)
     integrate_problem(problem, samples=OutputSamples(np.ascontiguousarray(times), rows))
     return rows

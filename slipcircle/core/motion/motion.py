@@ -231,7 +231,8 @@ class Motion(Conversions, Generic[Numbers]):
         Parameters
         ----------
         times : float or array_like
-            Times in s, the same for all lanes of an ensemble. States have the scene's shape followed by the times'.
+            Times in s, the same for all lanes of an ensemble. States have the scene's shape followed by the times',
+            and are NaN after a lane without a result has ended.
 
         Raises
         ------
@@ -340,8 +341,8 @@ class Motion(Conversions, Generic[Numbers]):
 
     @cached_property
     def energy(self) -> Any:
-        """Energy balance from the start to the end, or to the `settling_time` of a creeping mass."""
-        return self.energy_at(self.settling_time)
+        """Energy balance of each case from its start to its end, or to the `settling_time` of a creeping mass."""
+        return self._history.final_energy()
 
     @cached_property
     def energy_error_estimate(self) -> float:

@@ -201,7 +201,7 @@ class Slope:
     def arrays(self) -> SlopeArrays:
         """Slope in the form that `circle_factors` requires."""
         numbers = {name: getattr(self, name) for name in ("water_unit_weight", "pressure", "k_h", *_LAYERED[2:])}
-        return _slope_arrays(_of_one_slope, self, self.soils, self.surcharge, numbers)
+        return _slope_arrays(_of_scenes((), 0), self, self.soils, self.surcharge, numbers)
 
     @property
     def soils(self) -> Sequence[tuple[Soil, Any]]:
@@ -275,10 +275,6 @@ def circles_of_lanes(circles: Circles, lanes: int) -> Circles:
 
 
 _ByLane = Callable[..., Floats]  # of a value, whose last axes (0 by default) are its own: with one axis of lanes
-
-
-def _of_one_slope(value: Any, axes: int = 0) -> Floats:
-    return np.asarray(value, float)[None]
 
 
 def _of_scenes(shape: Shape, numbers: Any) -> _ByLane:
