@@ -37,9 +37,9 @@ def single(angle: float, velocity: float) -> Motion:
     return solve(replace(VAIONT, friction=math.tan(math.radians(angle)), initial_velocity=velocity))
 
 
-def overturned() -> Motion:
+def overturned(friction: Any = 0.0) -> Motion:
     """Two lanes, of which the pushed one carries its chord past the upright."""
-    return solve(replace(MANY_OF, friction=0.0, initial_velocity=np.array([0.0, -400.0])))
+    return solve(replace(MANY_OF, friction=friction, initial_velocity=np.array([0.0, -400.0])))
 
 
 @pytest.fixture(scope="module")
@@ -131,6 +131,13 @@ def test_a_lane_without_a_result_has_states_until_it_ends(engine: Any) -> None:
     assert state.rotation[1, :2] == pytest.approx(alone.at([1.0, 3.0]).rotation, rel=1e-12)
     np.testing.assert_array_equal(np.isnan(state.velocity), [[False] * 4, [False, False, True, True]])
     np.testing.assert_array_equal(np.isnan([energy.work, energy.dissipation, energy.kinetic_end]), [[False, True]] * 3)
+
+
+def test_friction_that_depends_on_the_slip_is_unknown_without_a_state() -> None:
+    softens = {"law": "exponential", "peak": 0.02, "residual": 0.01, "length": 5.0}
+    friction = overturned(softens).friction_at([3.0, 5.0])
+    assert 0.0 < friction[1, 0] < 0.02
+    np.testing.assert_array_equal(np.isnan(friction), [[False, False], [False, True]])
 
 
 def test_each_lane_has_its_energy_at_its_own_end() -> None:

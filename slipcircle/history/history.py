@@ -258,7 +258,7 @@ class History:
         """Return the mobilised friction coefficient at times. See `Motion.friction_at`."""
         time = self._checked(times)
         outputs = self.forces.outputs(self._states(time))
-        return self._by_state(time, np.where(outputs["normal"] > 0.0, outputs["mu"], 0.0))
+        return self._by_state(time, np.where(outputs["normal"] <= 0.0, 0.0, outputs["mu"]))
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
         """Return the friction coefficient required for equilibrium at times. See `Motion.holding_friction_at`."""
