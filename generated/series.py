@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 39d9d525ac99fa9edf03284fefd80a5fb6d2d3662d43a91d484882e003906102
+# sha256 of the text below: 321404b615eb52441e9d8bc3552ae83c14e82d997d0674c7624e4f19bfa03c9b
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'mul': 1, 'sqr': 2, 'powers': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "49288e66eb9687ea3f6f6aa6e4564f76d374d27a917778c12fbd72ea40bcaf9f"  # of the compiled integrator's source
+DIGEST = "62499e5f9b0abaec2ebdd128437aa5a170e140194230cbecec0b08478a1f680c"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -977,6 +977,8 @@ static int load_neighbours(Batch *b, int64_t first)
         else memcpy(b->c + i, from + i * job->count, sizeof(V));
     }
     for (int k = 0; k < LANES; k++) b->column[k] = first + k;
+    const double *to = from + LANES - 1; /* fetched while the lanes move, for their results */
+    for (int i = 0; i < OMEGA - 1 + job->states; i++, to += job->count) __builtin_prefetch(to, 1);
     start(b, lanes(ALL));
     b->held = ALL;
     return 1;
