@@ -180,6 +180,32 @@ def test_it_is_computed_anew_for_samples_neighbours_and_trial_values() -> None:
     assert explicit.strength_factor == 1.5
 
 
+WET = """[ground]
+points_m = [[0, 12], [25, 12.5], [46, 19], [62, 29], [120, 34]]
+[soils.silt]
+unit_weight_kN_m3 = 18.5
+saturated_unit_weight_kN_m3 = 20
+cohesion_kPa = 4
+friction = { law = "exponential", peak_deg = 20, residual_deg = 15, length_m = 0.3 }
+[[layers]]
+soil = "silt"
+[water]
+level_m = [[0, 11], [25, 12], [46, 18], [80, 27], [120, 30]]
+[circle]
+critical = "bishop"
+"""
+
+
+def test_lanes_that_differ_in_any_number_of_layered_ground_start_like_each_alone(file: Any) -> None:
+    scene: Any = load(file(WET))
+    assert len(scene.numbers) > 30
+    for name, value in scene.numbers.items():
+        values = float(value) * np.array([0.999, 1.001]) + 1e-4
+        lanes: Any = with_parameter_arrays(scene, {name: values})[0]
+        alone = [with_parameters(scene, {name: x}).strength_factor for x in values.tolist()]
+        np.testing.assert_allclose(np.broadcast_to(lanes.strength_factor, 2), alone, rtol=1e-12, err_msg=name)
+
+
 def test_without_friction_or_by_the_paper_it_is_exactly_one() -> None:
     scene = load("real-slope")
     still = with_parameters(scene, {"friction.peak": 0.0, "friction.residual": 0.0, "cohesion.cohesion": 25e3})

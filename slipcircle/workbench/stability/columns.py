@@ -163,13 +163,12 @@ class SlopeArrays:
     @cached_property
     def steps(self) -> Floats:
         """Steps of the unit weight below each surface, (surfaces, 1 or n)."""
-        unit_weight = self.soils.unit_weight
+        unit_weight, saturated = np.broadcast_arrays(self.soils.unit_weight, self.soils.saturated_unit_weight)
         rows = [np.diff(unit_weight, axis=0, prepend=0.0)]
         if self.level is not None:
             rows.append(np.zeros_like(unit_weight[:1]))
         if self.saturates:
-            gain = self.soils.saturated_unit_weight - unit_weight
-            rows.append(np.diff(gain, axis=0, prepend=0.0))
+            rows.append(np.diff(saturated - unit_weight, axis=0, prepend=0.0))
         return np.concatenate(rows)
 
     @cached_property
