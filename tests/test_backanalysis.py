@@ -273,6 +273,12 @@ def test_the_strength_with_which_a_motion_was_computed_is_found_from_its_places(
     )
 
 
+def test_warnings_about_the_motion_found_are_warnings_of_the_fit() -> None:
+    found = backanalyse(SLOPE, run_out=0.01, field="friction.residual")
+    assert found.value > SLOPE.friction["peak"]
+    assert [warning for warning in found.warnings if "were they exchanged" in warning]
+
+
 @pytest.mark.parametrize(("method", "factor"), [("bishop", 1.0), ("paper", 1.0), ("ordinary", 0.9)])
 def test_a_factor_of_safety_by_a_method_is_met_by_strengths_as_entered(method: str, factor: float) -> None:
     """The slices of statics have it with the strength that is found; no motion is needed."""
@@ -281,8 +287,9 @@ def test_a_factor_of_safety_by_a_method_is_met_by_strengths_as_entered(method: s
     slope = replace(SLOPE.stability.slope, cohesion=found.value)
     assert at_circle(slope, SLOPE.arc).factors_of_safety[method] == pytest.approx(factor, rel=1e-12)
     assert found.solutions[0].error_estimate < 1e-13
-    (warning,) = found.warnings
-    assert "search again" in warning
+    search_again, *others = found.warnings
+    assert "search again" in search_again
+    assert [warning.partition(":")[0] for warning in others] == ["ill-conditioned"] * (factor == 1.0)
     arc: Any = VAIONT.arc
     assert backanalyse(VAIONT, factor_of_safety=1.0, field="friction").value == pytest.approx(
         arc.dimensionless.limit_friction, rel=1e-12

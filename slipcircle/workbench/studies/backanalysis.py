@@ -217,6 +217,7 @@ def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> Back
     stability = stability_of(problem.scene)
     if "factor_of_safety" in observed and stability and stability.method:
         warnings.append("the circle is critical for the strengths as entered; search again with the fitted values")
+    warnings += solutions[0].motion.warnings
     return BackAnalysis(units, dict(observed), tuple(solutions), method, tuple(warnings), intervals)
 
 

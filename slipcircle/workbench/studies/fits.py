@@ -36,12 +36,8 @@ def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
         left = np.linalg.norm(result.fun)
         is_flat = np.abs(result.grad) <= _FLAT * (np.linalg.norm(result.jac, axis=0) * left)
         fit = Fit(result.x, 2.0 * float(result.cost), bool(np.all(is_flat | (result.active_mask != 0)) or left < _MET))
-        is_new = True
-        for other in different:
-            step = fit.shares - other.shares
-            length = np.max(np.abs(step))
-            is_new &= bool(length >= 1e-5 and np.max(np.abs(result.jac @ step)) >= same_below)
-        if is_new:
+        steps = [fit.shares - other.shares for other in different]
+        if all(np.max(abs(x)) >= 1e-5 and np.max(abs(result.jac @ x)) >= same_below for x in steps):
             different.append(fit)
     return [fit for fit in different if fit.is_settled] or different
 
