@@ -289,7 +289,7 @@ def test_no_name_stands_at_a_boundary_that_passes_the_exit() -> None:
 @pytest.mark.parametrize(
     ("duration", "seconds", "words"),
     [(5.02, 5.0, "in real time"), (4.98, 5.0, "in real time"), (10.3, 10.0, "in real time"), (0.0, 4.0, "in real time"),
-     (11.0, 5.0, "2.2 times faster"), (1.0, 4.0, "4 times slower")],
+     (11.0, 5.0, "2.2 times real speed"), (1.0, 4.0, "0.25 times real speed")],
 )  # fmt: skip
 def test_how_fast_a_slide_is_played(duration: float, seconds: float, words: str) -> None:
     assert plotstyle.pace(duration, seconds) == words
