@@ -97,7 +97,7 @@ def test_a_motion_is_printed_on_twelve_lines(name: str, tmp_path: Path, said: An
         assert cells["range of validity"] == [
             f"left after {motion.range_end.time:.3g} s, {motion.range_end.displacement:.3g} m"
             if motion.range_end
-            else "not left"
+            else "kept throughout"
         ]
         assert len([text for (text,) in cells.values() if "observed" in text]) == 5 * bool(more)
 

@@ -302,7 +302,7 @@ def test_the_section_names_times_and_ways_and_that_the_circle_goes_on() -> None:
     """How the toe of a slope ends above its ground stands in the tables as well."""
     m = solve(from_method(load("real-slope"), "paper"))
     words = " ".join(legend(plots.section(m, drawn((9.0, 6.0)))))
-    assert "10.4 m from the paper's F = 0.942; 9.7 m from Bishop's F = 0.985" in words
+    assert "the paper's F = 0.942: 10.4 m; Bishop's F = 0.985: 9.7 m" in words
     assert "peak velocity 2.955 m/s after 3.803 s and 5.393 m" in words
     assert "at rest after 6.477 s and 10.41 m" in words
     hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(getattr(m.plan.scene.arc, "ground")))  # noqa: B009

@@ -337,7 +337,7 @@ def test_every_factor_of_safety_names_its_method(write: Write, said: Any, tmp_pa
     out = said("run --verbose", write(between), "--live", page, "--report", report)
     paper, bishop = "factor of safety by the paper's method", "factor of safety by Bishop's method"
     run_out = slipcircle.solve(from_method(slipcircle.load(write(between)), "paper")).run_out
-    rows = {bishop: [still[1]], "alternative start": [f"{run_out:.3g} m from the paper's F = {float(still[0]):.3f}"]}
+    rows = {bishop: [still[1]], "alternative start": [f"the paper's F = {float(still[0]):.3f}: {run_out:.3g} m"]}
     assert {**rows, paper: [still[0]]}.items() <= columns(out).items()
     assert rows.items() <= (brief := columns(said("run", write(between)))).items()
     assert paper not in brief

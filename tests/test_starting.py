@@ -99,7 +99,7 @@ def test_lodalen_runs_half_a_metre_by_bishop_and_four_by_the_paper(file: Any, sa
     assert solve(by_paper).run_out == pytest.approx(3.98, abs=0.01)
     printed = " ".join(said("run", path).split())
     assert "factor of safety by Bishop's method 0.979" in printed
-    assert "alternative start 3.98 m from the paper's F = 0.841" in printed
+    assert "alternative start the paper's F = 0.841: 3.98 m" in printed
     assert (
         solve(load(file(LODALEN.replace('"bishop"', '"bishop"\nstart = "paper"')))).run_out == solve(by_paper).run_out
     )

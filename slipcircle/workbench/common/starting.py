@@ -72,8 +72,8 @@ def _words(symbol: str, both: tuple[Start, ...]) -> Iterator[str]:
     """Yield in words the run-out of each start; ``symbol`` is "F" or, under shaking, "k_y"."""
     for method, _, value, motion in both:
         if motion is None:
-            yield f"no result from {_WHOSE[method]} {symbol}"
+            yield f"{_WHOSE[method]} {symbol}: no result"
             continue
         run_out = float(motion.run_out)
         moved = amount_text(run_out, "m", 3 if abs(run_out) >= 1.0 else 2) if motion.moves else "does not move"
-        yield f"{moved} from {_WHOSE[method]} {symbol} = {value:.3f}"
+        yield f"{_WHOSE[method]} {symbol} = {value:.3f}: {moved}"

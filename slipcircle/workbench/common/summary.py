@@ -42,7 +42,7 @@ def key_results(motion: Motion) -> TextDict:
             column[quantity.label] += f", {_observation(motion, name, observed[name])}"
     if motion.moves:
         left = range_words(motion)
-        column["range of validity"] = f"left {left}" if left else "not left"
+        column["range of validity"] = f"left {left}" if left else "kept throughout"
     if both := starts(motion):
         column["alternative start"] = start_words(motion, both[1:])
     return column
