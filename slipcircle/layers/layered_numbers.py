@@ -25,7 +25,7 @@ PRESSURE = Parameter(
     "Pa",
     -5e-324,
     1e12,
-    "the pressure, or at both ends, which varies by the greater one",
+    "the uniform pressure, or those at both ends; studies vary the greater one and scale the other with it",
     "pressure_kPa",
     1e3,
     kind="lens",

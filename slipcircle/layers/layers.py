@@ -68,7 +68,7 @@ class LayeredSection(LayeredNumbers):
 
     Notes
     -----
-    The other parameters are described in `Section`. The soils have the unit weights.
+    The other parameters are described in `Section`. Each soil has its own unit weight.
     """
 
     unit_weight: ArrayLike = field(default=1.0, init=False, repr=False)  # see soils

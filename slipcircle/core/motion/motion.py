@@ -177,8 +177,9 @@ class Motion(Conversions, Generic[Numbers]):
     def slow_run_out(self) -> Numbers:
         """Displacement at which the net moment at rest vanishes, for laws of slip, water and layers, m.
 
-        A mass that moves quasi-statically rests there, with constant friction and without water at R (psi_0 - delta). A
-        free mass passes it with speed and rests about twice as far from the start. The initial velocity is ignored.
+        A mass that moves quasi-statically comes to rest there: with constant friction and without water at a
+        displacement of R (psi_0 - delta). A mass that slides freely moves about twice as far. The initial velocity is
+        ignored.
         """
         rotation = self._shaped(lazy_import("creep").slow_rotation(self.problem))
         return self._radius * rotation + self._unsolved

@@ -48,8 +48,8 @@ class Critical(Pictured):
     section : Section
         Mass above the circle, layered if the slope has layers, a surcharge or a tension crack.
     yield_coefficient : float or None
-        k_y, the k_h for which the factor by the paper's method is 1, as of a motion: surcharges are shaken as well;
-        negative if the mass slides without. None if no k_h is.
+        k_y, the k_h for which the factor by the paper's method is 1, as of a motion: surcharges are shaken as well. It
+        is negative if the mass slides without shaking, and None if the factor is 1 for no k_h.
     centre, radius : tuple of float, float
         m.
     entry, exit : tuple of float

@@ -336,7 +336,7 @@ class Search:
         lowest = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
         valleys = np.array(lowest)[sorted_indices(values[lowest])]
         least = np.nanmin(values)
-        tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
+        tell(f"{len(values)} trial circles; refining the best {len(valleys)} of them, F = {least:.4g} so far")
         return q[valleys], steps[valleys]
 
     def refined(self, q: Floats, step: Floats, finest: float = FINEST, rule: Rule = FINE) -> ArrayPair:

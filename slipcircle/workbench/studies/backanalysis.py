@@ -170,7 +170,8 @@ def backanalyse(
     run_out, end_displacement, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
         Observed value, value and standard error, or `Interval`; m, m (place of rest), m/s, s, m; signs as in `Motion`.
     toe_x, crest_drop, centroid_travel, factor_of_safety : float, tuple of float or Interval, optional
-        The same; m, the factor by the starting method. An `Interval` with an infinite end is a limit, for one field.
+        Observed values as above, in m; the factor of safety by the starting method. An `Interval` with an infinite end
+        is a limit, which one field alone can meet.
         By default ``scene.observed``. One observation is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
         Parameters by their keys in a scene file, ``friction.angle_deg`` (by default, if the law has one angle),

@@ -333,7 +333,7 @@ class Study(Shaken, Pictured):
             return {}, str(error)
 
     def exceedance(self, output: str, points: int = 101) -> Exceedance:
-        """Return the probabilities that an output reaches ``points`` - 1 values up to its greatest value."""
+        """Return the probabilities that an output reaches ``points`` - 1 equidistant values up to its greatest."""
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
         in_order = self._of_output(output)

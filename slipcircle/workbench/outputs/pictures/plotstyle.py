@@ -319,7 +319,9 @@ def outcome_words(motion: Motion, digits: int = 3) -> str:
 def pace(duration: float, seconds: float) -> str:
     """Return in words how fast a duration in s plays in ``seconds``, compared with real time."""
     ratio = f"{duration / seconds:.2g}" if duration else "1"
-    return "in real time" if ratio == "1" else f"{ratio} times real speed"
+    if ratio == "1":
+        return "in real time"
+    return f"{ratio} times real speed"
 
 
 def width(motion: Motion) -> tuple[str, str, float]:
