@@ -306,7 +306,10 @@ def test_what_is_no_scene_is_counted_apart() -> None:
     invalid = np.sum(study.samples["arc.theta_2_deg"] < 215.2)
     assert invalid == study.counts[Status.INVALID] > 300
     assert study.n == 4000 - invalid == export.study_record(study)["valid_samples"]
-    assert f"{invalid} of 4000 samples are not valid scenes and not counted" in study.warnings[0]
+    (first, *_) = np.flatnonzero(study.samples["arc.theta_2_deg"] < 215.2)
+    with pytest.raises(ValueError, match="theta_2") as refused:
+        study[int(first)]
+    assert f"{invalid} of 4000 samples are not valid scenes and not counted: {refused.value}" in study.warnings[0]
     assert study.failure["paper"].value == study.moving.value
     nothing = ensemble(replace(VAIONT, uncertain={"arc.theta_2_deg": stats.norm(190, 1)}), 10, 1)
     assert (nothing.n, math.isnan(nothing.moving.value)) == (0, True)

@@ -27,7 +27,7 @@ def write(folder: Path, files: dict[str, str]) -> Path:
 def described(suite: Suite) -> dict[str, float]:
     """Peaks of the records by component or name, those of verticals below 0."""
     signed = [(entry, 1.0) for entry in suite] + [(entry, -1.0) for entry in suite.verticals]
-    return {entry.component or entry.name: sign * entry.peak for entry, sign in signed}
+    return {entry.place.component or entry.name: sign * entry.peak for entry, sign in signed}
 
 
 @pytest.mark.parametrize(("text", "peaks"), FILES.values(), ids=FILES)

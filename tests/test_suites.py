@@ -75,12 +75,12 @@ def test_a_folder_of_mixed_formats_is_one_suite(folder: Path) -> None:
     components = {"RSN6_ELC180.AT2": "180", "RSN6_ELC270.AT2": "270", "0111a.smc": "225", "CE.1.HNE.V2c": "90",
                   "CE89146.V2 360": "360", "CE89146.V2 90": "90", "slammer": "", "table.csv NS": "NS",
                   "table.csv EW": "EW", "site.txt": ""}  # fmt: skip
-    assert {entry.name: entry.component for entry in suite} == components
+    assert {entry.name: entry.place.component for entry in suite} == components
     assert [entry.name for entry in suite.verticals] == ["RSN6_ELC-UP.AT2", "CE89146.V2 UP"]
     assert {Path(unread.file).name for unread in suite.unread} == {"table.csv", "site.txt"}
     assert [unread.reason.split(":")[0] for unread in suite.unread] == [
         "column 4 (disp)", "column 3 (velocity)", "column 4 (disp)"]  # fmt: skip
-    assert [[e.component for e in pair] for pair in suite.pairs] == [["180", "270"], ["90", "360"], ["NS", "EW"]]
+    assert [[e.place.component for e in pair] for pair in suite.pairs] == [["180", "270"], ["90", "360"], ["NS", "EW"]]
     for entry in (*suite, *suite.verticals):
         record = entry.record()
         assert record.values == pytest.approx(FACTORS[entry.name] * NORTH, abs=2e-5)
@@ -102,7 +102,7 @@ def test_records_beyond_the_memory_are_read_again_for_their_samples_alone(
     assert np.array_equal(entry.record().values, stored.record().values)
     Path(entry.file).unlink()
     assert entry.intensities == stored.intensities == intensities(stored.record(), 9.81)
-    assert entry.drift == stored.drift
+    assert entry.measures.drift == stored.measures.drift
     with pytest.raises(ValueError, match="No such file"):
         entry.record()
 
@@ -162,7 +162,7 @@ def test_a_file_of_several_records_is_read_once(tmp_path: Path, monkeypatch: pyt
         monkeypatch.setattr(recordfiles, name, call)
     suite = read_suite([tmp_path], holds="driving")
     assert [call.call_count for call in calls.values()] == [1, 1]
-    assert [entry.component for entry in suite] == ["x", "y", "w"]
+    assert [entry.place.component for entry in suite] == ["x", "y", "w"]
     assert suite.entries[2].record().values == pytest.approx([k % 7 / 10 for k in range(20)])
     assert [replace(entry, kept=None).record().values[6] for entry in suite] == [0.0, 0.1, 0.6]
 

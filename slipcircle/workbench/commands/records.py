@@ -96,12 +96,12 @@ def _check_folder(options: argparse.Namespace) -> None:
 
 def records_part(suite: Suite) -> ResultTable:
     """Return a table of the records and their intensity measures."""
-    with_components = any(entry.component for entry in suite)
+    with_components = any(entry.place.component for entry in suite)
     names = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)"]
     units = dict.fromkeys(names, "") | {"PGV": "m/s", "I_A": "m/s", "D5-95 (s)": "", "T_m (s)": ""}
     rows = []
     for entry in suite:
-        component = [entry.component or "-"] if with_components else []
+        component = [entry.place.component or "-"] if with_components else []
         rows.append([entry.name, *component, entry.samples, entry.step, entry.unit, *entry.intensities])
     note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
     pairs = f", {_counted(len(suite.pairs), 'pair')} of components" if suite.pairs else ""

@@ -56,7 +56,7 @@ class Entry:
         Name of the record in tables: the file's name, and the column if the file has several.
     file : str
         Name of the file, empty for a record given as an array.
-    station, component : str
+    place : Place
         Station and component from the header, the column or the file's name. The component may be empty.
     samples : int
     step : float
@@ -98,26 +98,6 @@ class Entry:
     def intensities(self) -> Intensities:
         """Intensity measures of the record."""
         return self.measures.intensities
-
-    @property
-    def drift(self) -> str:
-        """Warning about a velocity that does not return to zero, otherwise empty."""
-        return self.measures.drift
-
-    @property
-    def digest(self) -> str:
-        """Digest of times and values, by which a resumed study identifies the record."""
-        return self.measures.digest
-
-    @property
-    def station(self) -> str:
-        """Name of the station."""
-        return self.place.station
-
-    @property
-    def component(self) -> str:
-        """Name of the component."""
-        return self.place.component
 
     def record(self) -> Series:
         """Return driving acceleration over gravity, zero before and after. A record from a file starts at 0 s."""
@@ -166,8 +146,8 @@ class Suite:
         """The two horizontal components of each station that has two, by the names of their files."""
         by_station: dict[TextPair, list[Entry]] = {}
         for entry in self.entries:
-            if entry.component:
-                by_station.setdefault((str(Path(entry.file).parent), entry.station), []).append(entry)
+            if entry.place.component:
+                by_station.setdefault((str(Path(entry.file).parent), entry.place.station), []).append(entry)
         return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
 
     @property
@@ -183,14 +163,17 @@ class Suite:
     @property
     def warnings(self) -> Texts:
         """Warnings about unused files and columns, and about each record whose velocity does not end near 0."""
-        return self.not_used + [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
+        drifts = [(entry.name, entry.measures.drift) for entry in self.entries]
+        return self.not_used + [f"{name}: {drift}" for name, drift in drifts if drift]
 
     def to_dict(self) -> ValueDict:
         """Return records with their intensity measures, vertical components, pairs and unused files, for JSON."""
-        fields = ("name", "file", "station", "component", "samples", "step", "unit")
-        plain = [{name: getattr(entry, name) for name in fields} for entry in self.entries]
+        records = []
+        for entry in self.entries:
+            record = {name: getattr(entry, name) for name in ("name", "file", "samples", "step", "unit")}
+            records.append(record | entry.place._asdict() | entry.intensities._asdict())
         return {
-            "records": [row | entry.intensities._asdict() for row, entry in zip(plain, self.entries, strict=True)],
+            "records": records,
             "verticals": [entry.name for entry in self.verticals],
             "pairs": [[entry.name for entry in pair] for pair in self.pairs],
             "not_read": [unread._asdict() for unread in self.unread],

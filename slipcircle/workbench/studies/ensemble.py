@@ -280,7 +280,7 @@ def _described(design: Design) -> ValueDict:
     }
     if records := design.records:
         described |= {
-            "records": [entry.digest for entry in records.suite],
+            "records": [entry.measures.digest for entry in records.suite],
             "shaking": records.shaking,
             "polarities": records.polarities,
             "scale_to_pga" if records.to_pga else "scales": records.scales,

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from slipcircle.base.conversions import Pictured
 from slipcircle.base.kinds import ArrayDict, Columns, Flags, Floats, Integers, Texts, ValueDict
-from slipcircle.core import Motion, Status
+from slipcircle.core import Motion, Status, plan
+from slipcircle.derivatives import with_parameters
 from slipcircle.messages import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, html_table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, spelt_out
@@ -24,7 +25,6 @@ from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import FACTOR, NO_RESULT, Design
 from slipcircle.workbench.studies.engines import open_executor
-from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
 from slipcircle.workbench.studies.searched import effect_of_searching
 from slipcircle.workbench.studies.shaken import Shaken
@@ -85,11 +85,9 @@ class Study(Shaken, Pictured):
         """Inputs and, without records, results by name; outcomes are magnitudes, NaN if infinite."""
         columns = {**self.inputs}
         for name, values in self.values.items() if self.design.records is None else ():
-            if values.dtype == np.float64:
-                magnitude = np.abs(values) if name in OUTCOMES else values
-                columns[name] = np.where(np.isinf(values), np.nan, magnitude)
-            else:
-                columns[name] = values
+            magnitude = np.abs(values) if name in OUTCOMES else values
+            is_real = values.dtype == np.float64
+            columns[name] = np.where(np.isinf(values), np.nan, magnitude) if is_real else values
         return columns
 
     @cached_property
@@ -120,8 +118,7 @@ class Study(Shaken, Pictured):
         """Estimates from increasing numbers of samples: after 1, 2, 4, ... blocks of every replicate."""
         estimates = []
         design = self._sampling
-        blocks = design.sample_blocks
-        turn = design.replicates
+        blocks, turn = design.sample_blocks, design.replicates
         while turn < 2 * blocks and design.method != "grid":
             (lanes,) = design.place(min(turn, blocks) - 1)
             first = Study(replace(design, n=lanes.stop, base=0), self.confidence, self.values)
@@ -129,8 +126,6 @@ class Study(Shaken, Pictured):
             estimates.append(Convergence(first.n, first.moving, median, upper))
             turn *= 2
         return estimates
-
-    # -- tables -------------------------------------------------------------------------------------------------------
 
     def __repr__(self) -> str:
         """Return the design and a summary of the results in one line."""
@@ -157,10 +152,10 @@ class Study(Shaken, Pictured):
         return True
 
     def __getitem__(self, index: int) -> Motion:
-        """Return the motion of one sample, solved again; ValueError if the sample is invalid."""
-        inputs = self._sampling.inputs
-        si = {name: number.to_si(self.inputs[number.key][[index]]) for name, number in inputs.items()}
-        return motions(self.scene, si, self.design.accuracy)[0]
+        """Return the motion of one sample, solved again; ValueError with the reason if the sample is invalid."""
+        numbers = self._sampling.inputs.items()
+        si = {name: float(number.to_si(self.inputs[number.key][index])) for name, number in numbers}
+        return Motion.of_single(plan(with_parameters(self.scene, si), self.design.accuracy))
 
     def to_dict(self) -> ValueDict:
         """Return statistics, curves and indices as a mapping for JSON, in SI units except for inputs.
@@ -192,8 +187,6 @@ class Study(Shaken, Pictured):
             raise ValueError("Study: has records, and not samples alone; use by_record, fragility or motions_of")
         return self.design
 
-    # -- counts and probabilities -------------------------------------------------------------------------------------
-
     @cached_property
     def _replicate(self) -> NDArray[np.int8]:
         """Index of the replicate (independent sequence) of each sample, (samples,)."""
@@ -208,7 +201,7 @@ class Study(Shaken, Pictured):
     def _in_order(self, name: str, values: Floats) -> Ordered:
         """Return the known values of valid samples in increasing order, stored under ``name``."""
         if name not in self._ordered:
-            is_known = (self.values["status"] < Status.INVALID) & ~np.isnan(values)
+            is_known = self._is_valid & ~np.isnan(values)
             replicates = [is_known & (self._replicate == k) for k in range(self.design.replicates)]
             self._ordered[name] = Ordered([values[k] for k in replicates])
         return self._ordered[name]
@@ -226,7 +219,12 @@ class Study(Shaken, Pictured):
     @cached_property
     def _valid(self) -> Integers:
         """Number of valid samples in each replicate."""
-        return self._by_replicate(self.values["status"] < Status.INVALID)
+        return self._by_replicate(self._is_valid)
+
+    @cached_property
+    def _is_valid(self) -> Flags:
+        """Whether each sample is a valid scene."""
+        return self.values["status"] < Status.INVALID
 
     @property
     def outside_range(self) -> int:
@@ -241,8 +239,7 @@ class Study(Shaken, Pictured):
     @property
     def moving(self) -> Estimate:
         """Probability that the mass moves."""
-        status = self.values["status"]
-        return self._single_probability((status < Status.INVALID) & (status != Status.STAYS))
+        return self._single_probability(self._is_valid & (self.values["status"] != Status.STAYS))
 
     @cached_property
     def _factors(self) -> ArrayDict:
@@ -260,10 +257,9 @@ class Study(Shaken, Pictured):
         If the factor is unknown for some samples, the value is NaN and the interval covers all possibilities.
         """
         probabilities = {}
-        valid = self.values["status"] < Status.INVALID
         for method, factor in self._factors.items():
-            failing = valid & (factor < 1.0)
-            unknown = valid & np.isnan(factor)
+            failing = self._is_valid & (factor < 1.0)
+            unknown = self._is_valid & np.isnan(factor)
             estimate = self._single_probability(failing)
             if unknown.any():
                 estimate = Estimate(math.nan, estimate.low, self._single_probability(failing | unknown).high)
@@ -281,8 +277,6 @@ class Study(Shaken, Pictured):
         """Return the probability of being among the samples of a mask, with its interval."""
         hits = self._by_replicate(selected)
         return Estimate(*(float(x[0]) for x in probability(hits[:, None], self._valid, self.confidence)))
-
-    # -- statistics of outputs ----------------------------------------------------------------------------------------
 
     def _of_output(self, output: str) -> Ordered:
         """Return the magnitudes of an output in increasing order."""
@@ -341,8 +335,6 @@ class Study(Shaken, Pictured):
         hits = np.array([x.size - np.searchsorted(x, at) for x in in_order.replicates])
         return Exceedance(at, *probability(hits, self._valid[self._valid > 0], self.confidence))
 
-    # -- warnings -----------------------------------------------------------------------------------------------------
-
     @property
     def warnings(self) -> Texts:
         """Warnings about the results."""
@@ -360,12 +352,20 @@ class Study(Shaken, Pictured):
             if status in NO_RESULT:
                 messages.append(f"{share} move without a result: {status.reason}{counted}")
             elif status >= Status.INVALID:
-                messages.append(f"{share} are not valid scenes and not counted: {status.reason}")
+                messages.append(f"{share} are not valid scenes and not counted: {self._why(status)}")
             elif status is Status.MOVING:
                 messages.append(f"{share} still move at their end: {until} are measured up to then")
         if self.outside_range:
             messages.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
         return messages + ([] if is_shaken else self._statistics_warnings())
+
+    def _why(self, status: Status) -> str:
+        """Return why the first sample with this status has no motion."""
+        found = int((self.values["status"] == status).argmax())
+        try:
+            return str(self[found % len(self)].reason)
+        except ValueError as error:
+            return str(error)
 
     def _statistics_warnings(self) -> Texts:
         """Return warnings about the statistics of samples."""
