@@ -22,7 +22,7 @@ _TALL = 1.4  # greatest height over width
 
 
 def critical_circle(critical: Critical, ax: Any) -> Any:
-    """Draw the section with its circle, and contours of the least factor of all circles about each centre."""
+    """Draw the section with its circle, and contours of the least factor of the circles tried about each centre."""
     from matplotlib.patheffects import withStroke
 
     mass = mass_of(critical, critical.slope)
@@ -32,7 +32,7 @@ def critical_circle(critical: Critical, ax: Any) -> Any:
         words = f"critical circle by {_whose(critical)}: {outcome}"
     else:
         words = "given circle"
-    panel(ax, words, notes=[factors_in_words(critical), ""])
+    panel(ax, words, notes=[factors_in_words(critical), "", ""])
     area(ax, outline, "start")
     view = View.around(outline, mass.centre)
     view = view.grown(2 * _MARGIN * view.size, _MARGIN * view.size)
@@ -108,7 +108,7 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
         quantity = "yield coefficient"
     else:
         quantity = "factor of safety"
-    words = f"least {quantity} of the circles about each centre, up to {most:.3g}, by {_whose(critical)}"
+    words = f"least {quantity} of the circles tried about each centre, up to {most:.3g}, by {_whose(critical)}"
     ax.figure.colorbar(
         cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format=ScalarFormatter(useOffset=False)
     )
