@@ -206,6 +206,39 @@ def test_lanes_that_differ_in_any_number_of_layered_ground_start_like_each_alone
         np.testing.assert_allclose(np.broadcast_to(lanes.strength_factor, 2), alone, rtol=1e-12, err_msg=name)
 
 
+@pytest.mark.parametrize(
+    ("text", "name", "values"),
+    [("""[ground]
+points_m = [[-80, 47], [0, 47], [28, 59], [110, 59]]
+unit_weight_kN_m3 = 21
+[circle]
+through_m = [[-8, 47], [34, 59]]
+depth_m = 8
+[friction]
+angle_deg = 11
+[water]
+level_m = [[-80, 49], [110, 49]]
+""", "unit_weight", [20e3, 22e3]),
+     ("""[ground]
+points_m = [[0, 0], [40, 0], [55, 13], [55, 14], [130, 13]]
+unit_weight_kN_m3 = 20
+[circle]
+through_m = [[38, 0], [58, 13.96]]
+depth_m = 8
+[friction]
+angle_deg = 8
+[cohesion]
+cohesion_kPa = 5
+""", "friction", [0.12, 0.14])],
+    ids=["weight below standing water", "a circle that Bishop's method refuses"],
+)  # fmt: skip
+def test_lanes_are_like_scenes_alone(text: str, name: str, values: list[float], file: Any) -> None:
+    scene: Any = load(file(text + "[rotation]\n[centripetal]\n"))
+    lanes = solve(with_parameter_arrays(scene, {name: np.array(values)})[0], 1e-12)
+    alone = [solve(with_parameters(scene, {name: value})).run_out for value in values]
+    np.testing.assert_allclose(lanes.run_out, alone, rtol=1e-9)
+
+
 def test_without_friction_or_by_the_paper_it_is_exactly_one() -> None:
     scene = load("real-slope")
     still = with_parameters(scene, {"friction.peak": 0.0, "friction.residual": 0.0, "cohesion.cohesion": 25e3})

@@ -32,25 +32,30 @@ def first_rotation(last: Floats, upslope: bool) -> Floats:
     return np.zeros_like(last)
 
 
-def table_of_rotation(section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float) -> Data:
+def table_of_rotation(
+    section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float, shape: Shape
+) -> Data:
     """Return a function of the rotation of a section as a table, up to loss of contact.
 
-    Without ``rotates`` it is constant. ``upslope`` is true if the mass may move up-slope, and ``tolerance`` is the
-    relative error.
+    Without ``rotates`` it is constant. ``upslope`` is true if the mass may move up-slope, ``tolerance`` is the relative
+    error, and ``shape`` is the shape of the lanes of the table.
     """
 
     def pressure(rotation: Any) -> Any:
         *axes, _ = rotation.shape
-        places = rotation.reshape(*axes, *section.shape)
+        places = rotation.reshape(*axes, *shape)
         values = function(places)
         return values.reshape(1, *rotation.shape)
 
-    last = upright(section)
+    of_section = upright(section).reshape(section.shape)
+    last = np.broadcast_to(of_section, shape).ravel()
     if rotates:
         first = first_rotation(last, upslope)
         kinks = getattr(function, "kinks", section.pressure_kinks)
         *_, count = kinks.shape
-        kinks = kinks.reshape(last.size, count)
+        of_section = kinks.reshape(*section.shape, count)
+        of_lanes = np.broadcast_to(of_section, (*shape, count))
+        kinks = of_lanes.reshape(last.size, count)
         breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)
         coefficients = np.ascontiguousarray(coefficients[:, :, 0])
     else:
@@ -58,7 +63,7 @@ def table_of_rotation(section: Any, function: Function, rotates: bool, upslope: 
         coefficients = np.zeros((1, TERMS, last.size))
         at_rest = pressure(breaks)
         coefficients[0, 0] = at_rest[0, 0]
-    if section.shape:
+    if shape:
         return continuous(breaks, coefficients)
     return continuous(breaks[:, 0], coefficients[..., 0])
 
@@ -69,15 +74,25 @@ def tables_of(section: Any, effects: Effects, upslope: bool, tolerance: float, s
     The arguments: see `slipcircle.core.scene.mass.Mass.tables`.
     """
     turns = lets_rotate(effects)
-    tables = {}
+    functions = {}
     for effect, parameters in effects.items():
         symbols = symbols_of(effect)
         for name in ("level", "standing", "depth"):
             if name in parameters:
-                function = parameters[name]
-                symbol = symbols[name]
-                tables[symbol] = table_of_rotation(section, function, turns, upslope, tolerance)
-    return for_lanes(section, tables, shape)
+                functions[symbols[name]] = parameters[name]
+    start = np.zeros(section.shape)
+    shapes = {np.shape(function(start)) for function in functions.values()}
+    is_of_section = shapes == {section.shape}
+    lanes = shape
+    if is_of_section:
+        lanes = section.shape
+    tables = {
+        symbol: table_of_rotation(section, function, turns, upslope, tolerance, lanes)
+        for symbol, function in functions.items()
+    }
+    if is_of_section:
+        return for_lanes(section, tables, shape)
+    return tables
 
 
 def for_lanes(section: Any, tables: Tables, shape: Shape) -> Tables:

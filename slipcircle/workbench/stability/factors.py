@@ -253,7 +253,9 @@ def lever_range(slices: Slices) -> ArrayPair:
     below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)
     below = below.max(axis=0)
     if below.ndim > 1:
-        return below.max(axis=-1), above.min(axis=-1)
+        lowest = below.max(axis=-1, initial=0.0)
+        highest = above.min(axis=-1, initial=greatest)
+        return lowest, highest
     count = len(slices.arcs.radius)
     lowest = np.zeros(count)
     highest = np.full(count, greatest)

@@ -16,7 +16,7 @@ import numpy as np
 from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.base.text import drawn_unit, number_text, output_unit
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
-from slipcircle.derivatives import with_parameters
+from slipcircle.derivatives import parameter_value, with_parameters
 from slipcircle.messages import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, html_terms, tag
 from slipcircle.workbench.common.quantities import OBSERVABLE
@@ -159,9 +159,13 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
     Raises
     ------
     ValueError
-        If the scene has no value for the key, if the values are not valid, or if the inputs cannot be interpolated.
+        If the scene has no value for the key or none between the two values, if these are not valid, or if the inputs
+        cannot be interpolated.
     """
     number = varied_number(scene, key, [low, high])
+    asked = f"--vary {key}={low:g}:{high:g}"
+    if not low < high:
+        raise ValueError(f"{asked}: the second value must be greater than the first")
     varied = Slider(number, low, high)
     for value in varied.ends.tolist():
         with_parameters(scene, {number.name: value})  # raises an error for an invalid value
@@ -170,6 +174,10 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
             f"--vary {key}: the initial state is not smooth enough between these values to be interpolated "
             f"to {INTERPOLATED:.0e}; narrow the range"
         )
+    present = parameter_value(scene, number.name)
+    value = float(number.from_si(present or 0.0))
+    if not low <= value <= high:
+        raise ValueError(f"{asked}: must contain the value of the scene, {value:.6g}")
     others = [other for other in default_sliders(scene) if other.number.name != number.name]
     if interpolates(scene, [varied, *others], INTERPOLATED, MOST_COEFFICIENTS):
         return [varied, *others]
