@@ -239,6 +239,25 @@ def test_lanes_are_like_scenes_alone(text: str, name: str, values: list[float], 
     np.testing.assert_allclose(lanes.run_out, alone, rtol=1e-9)
 
 
+LAWS = {
+    "linear": "{ law = 'linear', peak_deg = 18, residual_deg = 16, length_m = 0.5 }",
+    "exponential": "{ law = 'exponential', peak_deg = 18, residual_deg = 16, length_m = 0.5 }",
+    "constant": "{ angle_deg = 16 }",
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_one_layer_moves_slowly_as_far_as_homogeneous_ground(law: str, file: Any) -> None:
+    ground = "[ground]\npoints_m = [[0, 25], [30, 25], [50, 35], [90, 35]]\n"
+    circle = "[circle]\ncentre_m = [29.5444662, 53.63564599]\nradius_m = 28.6355788\n[rotation]\n"
+    soil = f"unit_weight_kN_m3 = 20\nfriction = {LAWS[law]}\n"
+    layer = load(file(f"{ground}{circle}[soils.clay]\n{soil}[[layers]]\nsoil = 'clay'\n"))
+    weight, friction = soil.splitlines()
+    alone = load(file(f"{friction}\n{ground}{weight}\n{circle}"))
+    assert solve(layer).slow_run_out == pytest.approx(solve(alone).slow_run_out, rel=1e-12)
+    assert solve(layer).run_out == pytest.approx(solve(alone).run_out, rel=1e-12)
+
+
 def test_without_friction_or_by_the_paper_it_is_exactly_one() -> None:
     scene = load("real-slope")
     still = with_parameters(scene, {"friction.peak": 0.0, "friction.residual": 0.0, "cohesion.cohesion": 25e3})

@@ -151,7 +151,8 @@ def slow_rotation(problem: Problem) -> Floats:
     stands = net <= 0.0
     ahead = _ahead(now)
     left = np.where(stands, 0.0, ahead.left)
-    return np.where(np.isinf(left), np.nan, direction * left)
+    rotation = direction * left
+    return np.where(np.isinf(left), np.nan, rotation)
 
 
 def _first_steps(explicit_steps: Floats) -> Floats:
@@ -286,6 +287,8 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     farther = distance.ravel()
     cells[ix.ROTATION] += cells[ix.DIRECTION] * farther
     cells[ix.SLIP] += farther
+    later = ix.LEAST_SIZE * farther
+    cells[ix.TIME] += later  # as the limit friction is that of the start until a time above 0
     cells[ix.OMEGA] = omega
     cells[ix.X] = 0.0
     cells[ix.LIFTED] = 0.0
