@@ -185,7 +185,9 @@ class Section(SectionGeometry, Mass):
 
     @property
     def lanes_shape(self) -> Shape:
-        """Shape of the lanes (cases of an ensemble), () for a single section."""
+        """Shape of the lanes (cases of an ensemble) that functions of the rotation have, () for a single section."""
+        if self.in_standing_water:
+            return np.broadcast_shapes(self.shape, np.shape(self.unit_weight))
         return self.shape
 
     @cached_property

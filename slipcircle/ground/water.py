@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Effects, Floats, Function, Shape
+from slipcircle.base.kinds import Effects, Floats, Function, Integers, Shape
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import rotates as lets_rotate
 from slipcircle.core.scene.effects import symbols_of
@@ -32,14 +32,13 @@ def first_rotation(last: Floats, upslope: bool) -> Floats:
     return np.zeros_like(last)
 
 
-def table_of_rotation(
-    section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float, shape: Shape
-) -> Data:
+def table_of_rotation(section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float) -> Data:
     """Return a function of the rotation of a section as a table, up to loss of contact.
 
-    Without ``rotates`` it is constant. ``upslope`` is true if the mass may move up-slope, ``tolerance`` is the relative
-    error, and ``shape`` is the shape of the lanes of the table.
+    Without ``rotates`` it is constant. ``upslope`` is true if the mass may move up-slope, and ``tolerance`` is the
+    relative error.
     """
+    shape = section.lanes_shape
 
     def pressure(rotation: Any) -> Any:
         *axes, _ = rotation.shape
@@ -47,15 +46,14 @@ def table_of_rotation(
         values = function(places)
         return values.reshape(1, *rotation.shape)
 
-    of_section = upright(section).reshape(section.shape)
-    last = np.broadcast_to(of_section, shape).ravel()
+    lanes = _lanes_of(section.shape, shape)
+    of_section = upright(section)
+    last = of_section[lanes]
     if rotates:
         first = first_rotation(last, upslope)
         kinks = getattr(function, "kinks", section.pressure_kinks)
         *_, count = kinks.shape
-        of_section = kinks.reshape(*section.shape, count)
-        of_lanes = np.broadcast_to(of_section, (*shape, count))
-        kinks = of_lanes.reshape(last.size, count)
+        kinks = kinks.reshape(of_section.size, count)[lanes]
         breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)
         coefficients = np.ascontiguousarray(coefficients[:, :, 0])
     else:
@@ -74,25 +72,15 @@ def tables_of(section: Any, effects: Effects, upslope: bool, tolerance: float, s
     The arguments: see `slipcircle.core.scene.mass.Mass.tables`.
     """
     turns = lets_rotate(effects)
-    functions = {}
+    tables = {}
     for effect, parameters in effects.items():
         symbols = symbols_of(effect)
         for name in ("level", "standing", "depth"):
             if name in parameters:
-                functions[symbols[name]] = parameters[name]
-    start = np.zeros(section.shape)
-    shapes = {np.shape(function(start)) for function in functions.values()}
-    is_of_section = shapes == {section.shape}
-    lanes = shape
-    if is_of_section:
-        lanes = section.shape
-    tables = {
-        symbol: table_of_rotation(section, function, turns, upslope, tolerance, lanes)
-        for symbol, function in functions.items()
-    }
-    if is_of_section:
-        return for_lanes(section, tables, shape)
-    return tables
+                function = parameters[name]
+                symbol = symbols[name]
+                tables[symbol] = table_of_rotation(section, function, turns, upslope, tolerance)
+    return for_lanes(section, tables, shape)
 
 
 def for_lanes(section: Any, tables: Tables, shape: Shape) -> Tables:
@@ -100,9 +88,14 @@ def for_lanes(section: Any, tables: Tables, shape: Shape) -> Tables:
     shape_of_lanes = section.lanes_shape
     if shape_of_lanes in ((), shape):
         return tables
-    numbers = np.arange(math.prod(shape_of_lanes)).reshape(shape_of_lanes)
-    lanes = np.broadcast_to(numbers, shape).ravel()
+    lanes = _lanes_of(shape_of_lanes, shape)
     return {name: table.lanes(lanes) for name, table in tables.items()}
+
+
+def _lanes_of(own: Shape, shape: Shape) -> Integers:
+    """Return the index of the lane of a shape ``own`` for each lane of the shape to which it broadcasts, (lanes,)."""
+    indices = np.arange(math.prod(own)).reshape(own)
+    return np.broadcast_to(indices, shape).ravel()
 
 
 def turned_by(section: Any, rotation: Any) -> tuple[Shape, Floats]:
