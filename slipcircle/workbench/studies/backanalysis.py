@@ -15,7 +15,7 @@ from slipcircle.base.kinds import Floats, Names, NumberDict, Pair, TextDict, Tex
 from slipcircle.core import Motion, Scene, checked_scene, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
-from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.fitwarnings import fit_warnings, range_warnings
 from slipcircle.workbench.studies.problem import SearchProblem, observations, search_problem
@@ -218,7 +218,7 @@ def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> Back
     stability = stability_of(problem.scene)
     if "factor_of_safety" in observed and stability and stability.method:
         warnings.append("the circle is critical for the strengths as entered; search again with the fitted values")
-    warnings += solutions[0].motion.warnings
+    warnings += warnings_of(solutions[0].motion)
     return BackAnalysis(units, dict(observed), tuple(solutions), method, tuple(warnings), intervals)
 
 

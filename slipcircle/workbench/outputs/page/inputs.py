@@ -45,6 +45,10 @@ class Slider(NamedTuple):
         """Ends of the range in SI units, an array of shape (2,)."""
         return np.asarray(self.number.to_si(np.array([self.low, self.high])), dtype=np.float64)
 
+    def present(self, scene: Scene) -> float:
+        """Return the scene's own value in the unit of the key."""
+        return float(self.number.from_si(parameter_value(scene, self.number.name) or 0.0))
+
     def described(self, scene: Scene) -> ValueDict:
         """Return key, label, unit, range and present value of the slider as JSON data for the page."""
         number = self.number
@@ -55,7 +59,7 @@ class Slider(NamedTuple):
             "unit": number.written or "g" * number.key.endswith("_g"),
             "low": self.low,
             "high": self.high,
-            "value": float(number.from_si(parameter_value(scene, number.name))),
+            "value": self.present(scene),
             "si": self.ends.tolist(),
             "tangent": number.tangent,
             "per_unit": number.per_unit,

@@ -16,7 +16,7 @@ import numpy as np
 from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.base.text import drawn_unit, number_text, output_unit
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
-from slipcircle.derivatives import parameter_value, with_parameters
+from slipcircle.derivatives import with_parameters
 from slipcircle.messages import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, html_terms, tag
 from slipcircle.workbench.common.quantities import OBSERVABLE
@@ -174,8 +174,7 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
             f"--vary {key}: the initial state is not smooth enough between these values to be interpolated "
             f"to {INTERPOLATED:.0e}; narrow the range"
         )
-    present = parameter_value(scene, number.name)
-    value = float(number.from_si(present or 0.0))
+    value = varied.present(scene)
     if not low <= value <= high:
         raise ValueError(f"{asked}: must contain the value of the scene, {value:.6g}")
     others = [other for other in default_sliders(scene) if other.number.name != number.name]
